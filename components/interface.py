@@ -1,0 +1,98 @@
+"""One declaration per variable of a component: name, unit, causality, start, range, description, source.
+
+The declaration is all that the Python FMU (`slave.py`), its XML and the tests need to know about a component.
+FMI 2.0 has no arrays, so a variable of size k appears in the XML as k scalars `name[1]` .. `name[k]`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+Causality = Literal["parameter", "calculatedParameter", "input", "output"]
+Kind = Literal["Real", "Integer", "Boolean"]
+INF = float("inf")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of a component's interface. `size` 0 is a scalar; `start` has one value per element."""
+
+    name: str
+    unit: str
+    causality: Causality
+    description: str
+    start: tuple[float, ...] = (0.0,)
+    minimum: float = -INF
+    maximum: float = INF
+    size: int = 0
+    kind: Kind = "Real"
+    source: str = ""
+    depends: tuple[str, ...] = ()  # inputs with direct feedthrough to this output
+
+    @property
+    def element_names(self) -> list[str]:
+        """Names of the FMI scalars: the name itself, or name[1] .. name[size]."""
+        return [f"{self.name}[{k + 1}]" for k in range(self.size)] if self.size else [self.name]
+
+
+@dataclass(frozen=True)
+class Array:
+    """A float array that a kernel works on; `shape` follows from the parameters.
+
+    `scratch` arrays carry nothing from one call to the next and are left out of the FMU state.
+    """
+
+    name: str
+    shape: Callable[[Any], int | tuple[int, ...]]
+    scratch: bool = False
+
+
+def parameter(
+    default: float | bool | tuple[float, ...],
+    unit: str,
+    description: str,
+    source: str,
+    minimum: float = -INF,
+    maximum: float = INF,
+) -> Any:
+    """Field of a frozen `Parameters` dataclass, with its unit, its source and its admissible range."""
+    metadata = {"unit": unit, "description": description, "source": source, "minimum": minimum, "maximum": maximum}
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+def parameter_variables(parameters: type[Any]) -> tuple[Variable, ...]:
+    """The declarations of a `Parameters` dataclass, in the order of its fields."""
+    return tuple(_parameter_variable(f) for f in dataclasses.fields(parameters))
+
+
+def _parameter_variable(field: dataclasses.Field[Any]) -> Variable:
+    default = field.default
+    values = default if isinstance(default, tuple) else (default,)
+    kind: Kind = "Boolean" if isinstance(default, bool) else "Integer" if isinstance(default, int) else "Real"
+    return Variable(
+        name=field.name,
+        causality="parameter",
+        kind=kind,
+        start=tuple(float(value) for value in values),
+        size=len(default) if isinstance(default, tuple) else 0,
+        **field.metadata,
+    )
+
+
+def input_(name: str, unit: str, description: str, start: float = 0.0, size: int = 0,
+           minimum: float = -INF, maximum: float = INF) -> Variable:
+    """An input; it keeps its value over a communication step."""
+    return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size)
+
+
+def output(name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0) -> Variable:
+    """An output; `depends` names the inputs that act on it at once (direct feedthrough)."""
+    return Variable(name, unit, "output", description, (0.0,) * max(size, 1), size=size, depends=depends)
+
+
+def calculated(name: str, unit: str, description: str, size: int = 0) -> Variable:
+    """A calculated parameter: follows from the parameters when initialization ends, constant from then on."""
+    return Variable(name, unit, "calculatedParameter", description, (0.0,) * max(size, 1), size=size)
