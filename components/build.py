@@ -1,0 +1,130 @@
+"""components -> fmus/*.fmu: pythonfmu makes the FMU, this module makes it self-contained and reproducible.
+
+Each FMU is built in its own process. It carries the component under a package name with its content hash, so that
+two versions run side by side in one process, and never the source tree's code. Dates, order and GUID follow from the
+content: two builds are byte-identical.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import os
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+from .model_description import GUID_PLACEHOLDER
+
+HERE = Path(__file__).parent
+COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller")
+SHARED = ("interface.py", "kernels.py", "model_description.py", "slave.py", "thrusters.py")
+# pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
+# own: without keep_alive the second instance fails and the process crashes at its end.
+ENTRY_SCRIPT = """from {package}.{name}.fmu import {component}
+from {package}.slave import keep_alive
+
+keep_alive(globals())
+__all__ = ["{component}"]
+"""
+FIXED_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+class BuildError(Exception):
+    """An FMU could not be built; the text says which and why."""
+
+
+def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS) -> list[Path]:
+    """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
+
+    Raises BuildError for an unknown component, an unwritable folder or a failing build. An FMU appears under its
+    final name only when it is complete.
+    """
+    unknown = [name for name in names if name not in COMPONENTS]
+    if unknown:
+        raise BuildError(f"no component '{unknown[0]}'; there are {', '.join(COMPONENTS)}")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BuildError(f"cannot create the folder {folder}: {error.strerror}; choose another with --fmus") from error
+    paths = []
+    for name in names:
+        run = subprocess.run(
+            [sys.executable, "-m", __name__, name, str(folder)], capture_output=True, text=True, check=False
+        )
+        if run.returncode:
+            raise BuildError(f"building {name}.fmu failed:\n{run.stderr.strip()}")
+        paths.append(folder / f"{name}.fmu")
+    return paths
+
+
+def sources(name: str) -> dict[str, bytes]:
+    """The Python files that an FMU carries, by their path inside its package."""
+    files = {path: HERE / path for path in SHARED if (HERE / path).exists()}
+    files |= {f"{name}/{path.name}": path for path in sorted((HERE / name).glob("*.py"))}
+    return {key: path.read_bytes() for key, path in files.items()} | {"__init__.py": b""}
+
+
+def digest(files: dict[str, bytes]) -> str:
+    """SHA-256 over names and contents, independent of order."""
+    total = hashlib.sha256()
+    for key in sorted(files):
+        total.update(f"{key}\0{len(files[key])}\0".encode() + files[key])
+    return total.hexdigest()
+
+
+def build_one(name: str, folder: Path) -> Path:
+    """Build one FMU in this process."""
+    from pythonfmu.builder import FmuBuilder
+
+    files = sources(name)
+    package = f"rovbrush_{name}_{digest(files)[:12]}"
+    model = importlib.import_module(f"{__package__}.{name}.fmu")
+    classes = [key for key, value in vars(model).items() if getattr(value, "__module__", "") == model.__name__ and isinstance(value, type)]
+    with tempfile.TemporaryDirectory() as temporary:
+        work = Path(temporary)
+        for key, content in files.items():
+            path = work / package / key
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        script = work / f"{package}_slave.py"
+        script.write_text(ENTRY_SCRIPT.format(package=package, name=name, component=classes[0]))
+        documentation = work / "documentation"
+        documentation.mkdir()
+        write_documentation(name, documentation)
+        raw = FmuBuilder.build_FMU(script, work / "raw.fmu", project_files=[work / package], documentation_folder=documentation)
+        return repack(Path(raw), folder / f"{name}.fmu")
+
+
+def write_documentation(name: str, folder: Path) -> None:
+    """The component's README as the FMU's documentation/index.html (FMI 2.0.4, section 2.3)."""
+    from markdown_it import MarkdownIt
+
+    text = (HERE / name / "README.md").read_text(encoding="utf-8")
+    body = MarkdownIt("commonmark").enable("table").render(text)
+    page = f"<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>{escape(name)}</title></head><body>\n{body}</body></html>\n"
+    (folder / "index.html").write_text(page, encoding="utf-8")
+
+
+def repack(raw: Path, target: Path) -> Path:
+    """Write `raw` again with sorted entries, fixed dates and a GUID that is the hash of the content."""
+    with zipfile.ZipFile(raw) as archive:
+        entries = {name: archive.read(name) for name in sorted(archive.namelist())}
+    guid = f"{{{digest(entries)}}}"
+    entries["modelDescription.xml"] = entries["modelDescription.xml"].replace(GUID_PLACEHOLDER.encode(), guid.encode())
+    temporary = target.with_name(f"{target.name}.{os.getpid()}.tmp")
+    with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in entries.items():
+            info = zipfile.ZipInfo(name, FIXED_DATE)
+            info.compress_type = zipfile.ZIP_DEFLATED
+            info.external_attr = 0o644 << 16
+            archive.writestr(info, content)
+    temporary.replace(target)
+    return target
+
+
+if __name__ == "__main__":
+    build_one(sys.argv[1], Path(sys.argv[2]))

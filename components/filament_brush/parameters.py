@@ -1,0 +1,53 @@
+"""Parameters of the filament brush."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..interface import parameter
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """One brush; the defaults are the nominal case."""
+
+    L: float = parameter(0.08, "m", "filament length", "Table 2", minimum=1e-3, maximum=1.0)
+    d: float = parameter(0.8e-3, "m", "filament diameter", "Table 2", minimum=1e-5, maximum=0.02)
+    E: float = parameter(2.5e9, "Pa", "Young's modulus (nylon-6)", "Table 2", minimum=1e5, maximum=1e12)
+    rho: float = parameter(1140.0, "kg/m3", "filament density", "Table 2", minimum=100.0, maximum=2e4)
+    n: int = parameter(50, "1", "number of filaments (bundles)", "Table 2", minimum=1, maximum=5000)
+    R_brush: float = parameter(0.15, "m", "radius of the undeformed tips", "Table 2", minimum=2e-3, maximum=2.0)
+    mu_s: float = parameter(0.6, "1", "static friction coefficient", "Table 2", minimum=0.0, maximum=3.0)
+    mu_c: float = parameter(0.4, "1", "Coulomb friction coefficient", "Table 2", minimum=0.0, maximum=3.0)
+    N_m: int = parameter(3, "1", "number of bending modes", "section 3.6", minimum=1, maximum=6)
+    zeta: tuple[float, ...] = parameter(
+        (0.02,) * 6, "1", "modal damping ratio of modes 1 to 6", "section 6.2", minimum=0.0, maximum=0.9
+    )
+    h_min: float = parameter(1e-4, "s", "smallest micro-step that error control asks for", "section 3.6",
+                             minimum=1e-7, maximum=1e-2)
+    h_max: float = parameter(1e-3, "s", "largest micro-step", "section 3.6", minimum=1e-7, maximum=1e-2)
+    k_c: float = parameter(3e5, "N/m1.5", "contact stiffness of a bundle", "calibrated to Table 3",
+                           minimum=0.0, maximum=1e9)
+    c_c: float = parameter(0.0, "N.s/m", "contact damping of a bundle", "calibrated to Table 3",
+                           minimum=0.0, maximum=1e5)
+    v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "calibrated to Table 3", minimum=1e-4, maximum=10.0)
+    k_v: float = parameter(0.07, "s/m", "viscous friction coefficient", "calibrated to Table 3",
+                           minimum=0.0, maximum=10.0)
+    alpha: float = parameter(-0.3, "rad", "cant angle: positive trails, negative is raked forward",
+                             "calibrated to Table 3", minimum=-1.2, maximum=1.2)
+    bristles_per_filament: float = parameter(12000.0, "1", "bristles in a bundle, N_b", "calibrated to Table 3",
+                                             minimum=1e-3, maximum=1e7)
+    v_eps: float = parameter(0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed",
+                             minimum=1e-4, maximum=1.0)
+    Delta_s: float = parameter(1e-4, "m", "penetration over which contact damping rises to c_c (0: as Eq. 7)",
+                               "assumed", minimum=0.0, maximum=0.05)
+    C_a: float = parameter(0.0, "1", "added-mass coefficient of the water (0: as the paper)", "section 3",
+                           minimum=0.0, maximum=5.0)
+    rho_w: float = parameter(1025.0, "kg/m3", "density of sea water", "assumed", minimum=0.0, maximum=2000.0)
+    theta_b_0: float = parameter(0.0, "rad", "brush angle at the start", "assumed", minimum=-1e3, maximum=1e3)
+    tolerance: float = parameter(1e-5, "1", "velocity error allowed per micro-step over omega_1 L", "assumed",
+                                 minimum=1e-12, maximum=1.0)
+    foreshortening: bool = parameter(True, "1", "tip moves inwards as the filament bends", "section 1.3")
+    centrifugal: bool = parameter(True, "1", "centrifugal stiffening, softening and load", "section 3.5")
+    mode_acceleration: bool = parameter(True, "1", "base reactions exact in statics (false: Eqs. 11, 12 as printed)",
+                                        "assumed")

@@ -1,0 +1,120 @@
+"""Parameters of the vehicle, its thrusters, its tool mounting and the hull plane, each with unit and source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ..interface import parameter
+from ..thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
+
+WU = "Wu 2018"
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """BlueROV2 Heavy; the defaults are the set of Wu 2018 with the net buoyancy of the paper's Table 2.
+
+    Vectors are in the body frame (forward, starboard, down) from the body origin unless said otherwise.
+    """
+
+    m: float = parameter(11.5, "kg", "mass", "Table 2", minimum=0.1, maximum=1e4)
+    W: float = parameter(112.8, "N", "weight", WU, minimum=0.0, maximum=1e5)
+    net_buoyancy: float = parameter(0.3, "N", "buoyancy minus weight, B - W", "Table 2", minimum=-1e4, maximum=1e4)
+    I: tuple[float, ...] = parameter(
+        (0.16, 0.16, 0.16), "kg.m2", "moments of inertia about the body origin: xx, yy, zz", WU, minimum=1e-4, maximum=1e4
+    )
+    I_products: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "kg.m2", "off-diagonal elements of the inertia matrix: xy, xz, yz", WU, -1e4, 1e4
+    )
+    r_g: tuple[float, ...] = parameter((0.0, 0.0, 0.02), "m", "centre of gravity", WU, -10.0, 10.0)
+    r_b: tuple[float, ...] = parameter((0.0, 0.0, 0.0), "m", "centre of buoyancy", WU, -10.0, 10.0)
+    added_mass: tuple[float, ...] = parameter(
+        (5.5, 12.7, 14.57), "kg", "added mass, positive: surge, sway, heave", WU, minimum=0.0, maximum=1e4
+    )
+    added_inertia: tuple[float, ...] = parameter(
+        (0.12, 0.12, 0.12), "kg.m2", "added inertia, positive: roll, pitch, yaw", WU, minimum=0.0, maximum=1e4
+    )
+    D_force: tuple[float, ...] = parameter(
+        (4.03, 6.22, 5.18), "N.s/m", "linear damping: surge, sway, heave", WU, minimum=0.0, maximum=1e5
+    )
+    D_moment: tuple[float, ...] = parameter(
+        (0.07, 0.07, 0.07), "N.m.s/rad", "linear damping: roll, pitch, yaw", WU, minimum=0.0, maximum=1e5
+    )
+    D_force_quadratic: tuple[float, ...] = parameter(
+        (18.18, 21.66, 36.99), "N.s2/m2", "quadratic damping: surge, sway, heave", WU, minimum=0.0, maximum=1e5
+    )
+    D_moment_quadratic: tuple[float, ...] = parameter(
+        (1.55, 1.55, 1.55), "N.m.s2/rad2", "quadratic damping: roll, pitch, yaw", WU, minimum=0.0, maximum=1e5
+    )
+    thruster_position: tuple[float, ...] = parameter(
+        POSITIONS, "m", "eight rows (x, y, z)", GEOMETRY_SOURCE, -10.0, 10.0
+    )
+    thruster_direction: tuple[float, ...] = parameter(
+        DIRECTIONS, "1", "eight rows (x, y, z): unit force on the vehicle at a positive command", GEOMETRY_SOURCE, -1.0, 1.0
+    )
+    k_T_forward: float = parameter(K_T[12][0], "N", "thrust at command +1", K_T_SOURCE, minimum=0.0, maximum=1e4)
+    k_T_reverse: float = parameter(K_T[12][1], "N", "thrust at command -1", K_T_SOURCE, minimum=0.0, maximum=1e4)
+    thruster_lag: float = parameter(
+        0.02, "s", "time constant of the thrust, 0 = at once", "T200 step: 63 % at 20 ms", minimum=0.0, maximum=10.0
+    )
+    r_tool: tuple[float, ...] = parameter((0.0, 0.0, 0.3), "m", "centre of the brush axis", "assumed", -10.0, 10.0)
+    R_tool_body: tuple[float, ...] = parameter(
+        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+        "1",
+        "rotation from tool to body frame by rows; its columns are x_t, y_t, z_t. Default: brush under the vehicle",
+        "assumed",
+        -1.0,
+        1.0,
+    )
+    R_brush: float = parameter(0.15, "m", "brush radius", "Table 2", minimum=1e-3, maximum=10.0)
+    hull_point: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.445), "m", "a point of the hull plane, world frame: 5 mm penetration at the origin", "assumed", -1e4, 1e4
+    )
+    hull_normal: tuple[float, ...] = parameter(
+        (0.0, 0.0, -1.0), "1", "unit normal of the hull plane, world frame, out of the hull into the water", "assumed", -1.0, 1.0
+    )
+    position_start: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "m", "initial position in the world: north, east, down", "assumed", -1e4, 1e4
+    )
+    attitude_start: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "rad", "initial roll, pitch, yaw", "assumed", -6.3, 6.3
+    )
+    velocity_start: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "m/s", "initial velocity over ground, body frame", "assumed", -100.0, 100.0
+    )
+    rates_start: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "rad/s", "initial angular velocity, body frame", "assumed", -100.0, 100.0
+    )
+    max_step: float = parameter(2.5e-3, "s", "largest internal step", "assumed", minimum=1e-6, maximum=0.02)
+
+
+def about_origin(I_g: tuple[float, ...], m: float, r_g: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Parallel-axis theorem: `I` and `I_products` about the body origin from the moments about the centre of gravity."""
+    x, y, z = r_g
+    moments = (I_g[0] + m * (y * y + z * z), I_g[1] + m * (x * x + z * z), I_g[2] + m * (x * x + y * y))
+    return moments, (-m * x * y, -m * x * z, -m * y * z)
+
+
+NOMINAL = Parameters()
+
+# Weight and buoyancy as Wu gives them, for comparison with other implementations.
+WU_2018 = replace(NOMINAL, net_buoyancy=2.0)
+
+# von Benzon et al. 2022, An Open-Source Benchmark Simulator, JMSE 10(12) 1898: g = 9.82 m/s2, 13.4 litres of water.
+_BENZON_I, _BENZON_I_PRODUCTS = about_origin((0.26, 0.23, 0.37), 13.5, (0.0, 0.0, 0.0))
+BENZON_2022 = replace(
+    NOMINAL,
+    m=13.5,
+    W=13.5 * 9.82,
+    net_buoyancy=1000.0 * 9.82 * 0.0134 - 13.5 * 9.82,
+    I=_BENZON_I,
+    I_products=_BENZON_I_PRODUCTS,
+    r_g=(0.0, 0.0, 0.0),
+    r_b=(0.0, 0.0, -0.01),
+    added_mass=(6.36, 7.12, 18.68),
+    added_inertia=(0.189, 0.135, 0.222),
+    D_force=(13.7, 0.0, 33.0),
+    D_moment=(0.0, 0.8, 0.0),
+    D_force_quadratic=(141.0, 217.0, 190.0),
+    D_moment_quadratic=(1.19, 0.47, 1.5),
+)

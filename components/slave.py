@@ -1,0 +1,225 @@
+"""The Fmi2Slave base of every component: variables, argument binding, complete state, errors that reach the user.
+
+A component declares its interface and its kernel; this class owns all numbers in one float64 vector `values` (one
+element per FMI scalar, index = value reference) and the declared arrays, and calls the kernel with arguments bound
+by name. It holds no equations.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import inspect
+import struct
+import traceback
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any, ClassVar
+from xml.etree.ElementTree import Element
+
+import numpy as np
+from pythonfmu import Fmi2Slave
+from pythonfmu.enums import Fmi2Status
+
+from .interface import Array, Variable, parameter_variables
+from .kernels import compiled
+from .model_description import model_description
+
+
+def keep_alive(*objects: object) -> None:
+    """Hold one more reference to each object, for good: against references that pythonfmu 0.7.0 drops without owning them."""
+    for item in objects:
+        ctypes.pythonapi.Py_IncRef(ctypes.py_object(item))
+
+
+class ComponentSlave(Fmi2Slave):
+    """Base class of the Python FMUs; subclasses are declarations only."""
+
+    parameters: ClassVar[type[Any]]
+    kernel: ClassVar[ModuleType]
+    inputs: ClassVar[tuple[Variable, ...]]
+    outputs: ClassVar[tuple[Variable, ...]]
+    arrays: ClassVar[tuple[Array, ...]]
+    default_step: ClassVar[float] = 1e-3
+
+    @classmethod
+    def variables(cls) -> tuple[Variable, ...]:
+        """The whole interface, in value-reference order: parameters, inputs, outputs."""
+        return (*parameter_variables(cls.parameters), *cls.inputs, *cls.outputs)
+
+    @classmethod
+    def component_name(cls) -> str:
+        """The component's folder name, which is the FMU's model name."""
+        return cls.kernel.__name__.split(".")[-2]
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.functions = compiled(self.kernel)
+        self.views: dict[str, np.ndarray] = {}
+        starts = [start for v in self.variables() for start in v.start]
+        self.values = np.array([*starts, 0.0, 0.0])  # behind the last variable: time and step size
+        self.cells = memoryview(self.values)  # shares memory; reads and writes plain floats
+        self.index: dict[str, int] = {"t": len(starts), "h": len(starts) + 1}
+        first = 0
+        for v in self.variables():
+            self.index[v.name] = first
+            self.views[v.name] = self.values[first : first + len(v.start)]
+            first += len(v.start)
+        self.y = self.values[first - sum(len(v.start) for v in self.outputs) : first]
+        self.modelName = self.component_name()
+        self.store: dict[str, np.ndarray] = {}
+        self.ready = False
+        self.initializing = True
+
+    def to_xml(self, model_options: dict[str, str] | None = None) -> Element:
+        """The model description; the whole of FMI 2.0 that pythonfmu's own leaves out."""
+        return model_description(type(self))
+
+    # --- variable access: one vector, whatever the FMI type ---
+
+    def get_real(self, vrs: list[int]) -> list[float]:
+        if not self.ready:
+            self.refresh()
+        cells = self.cells
+        return [cells[vr] for vr in vrs]
+
+    def set_real(self, vrs: list[int], values: list[float]) -> None:
+        cells = self.cells
+        for vr, value in zip(vrs, values, strict=True):
+            cells[vr] = value
+        if self.initializing:
+            self.ready = False
+
+    def get_integer(self, vrs: list[int]) -> list[int]:
+        return [int(value) for value in self.get_real(vrs)]
+
+    def get_boolean(self, vrs: list[int]) -> list[bool]:
+        return [bool(value) for value in self.get_real(vrs)]
+
+    def set_integer(self, vrs: list[int], values: list[int]) -> None:
+        self.set_real(vrs, [float(value) for value in values])
+
+    def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
+        self.set_real(vrs, [float(value) for value in values])
+
+    # --- life cycle ---
+
+    def refresh(self) -> None:
+        """Derived tables, initial state and outputs from the present parameters and inputs."""
+        chosen = {}
+        for v in parameter_variables(self.parameters):
+            values = self.views[v.name]
+            if not np.all((values >= v.minimum) & (values <= v.maximum)):
+                raise ValueError(
+                    f"{self.instance_name}.{v.name} = {values.tolist()} {v.unit}: allowed are {v.minimum:g} to {v.maximum:g}"
+                )
+            chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
+        parameters = self.parameters(**chosen)
+        self.store = {a.name: np.zeros(a.shape(parameters)) for a in self.arrays}
+        for stage in ("setup", "initialize", "outputs"):
+            if hasattr(self.functions, stage):
+                function, arguments, _ = self.bind(stage)
+                function(*arguments)
+        self.step_function, self.arguments, self.dynamic = self.bind("step")
+        self.ready = True
+
+    def scalar(self, variable: Variable) -> float | int | bool:
+        """The present value of a scalar variable in its own type."""
+        value = float(self.views[variable.name][0])
+        return bool(value) if variable.kind == "Boolean" else int(value) if variable.kind == "Integer" else value
+
+    def bind(self, name: str) -> tuple[Callable[..., None], list[Any], list[tuple[int, int]]]:
+        """A kernel function, its arguments found by name, and (position, value reference) of its scalar inputs."""
+        declared = {v.name: v for v in self.variables()}
+        arguments: list[Any] = []
+        dynamic = []
+        for position, argument in enumerate(inspect.signature(getattr(self.kernel, name)).parameters):
+            if argument in ("t", "h"):
+                arguments.append(0.0)
+                dynamic.append((position, self.index[argument]))
+            elif argument == "y":
+                arguments.append(self.y)
+            elif argument in self.store:
+                arguments.append(self.store[argument])
+            elif argument not in declared:
+                raise TypeError(f"{self.kernel.__name__}.{name}: argument '{argument}' is no variable of the interface")
+            elif declared[argument].size:
+                arguments.append(self.views[argument])
+            else:
+                arguments.append(self.scalar(declared[argument]))
+                if declared[argument].causality == "input":
+                    dynamic.append((position, self.index[argument]))
+        return getattr(self.functions, name), arguments, dynamic
+
+    def exit_initialization_mode(self) -> None:
+        self.guarded(self.refresh)
+        self.initializing = False
+
+    def do_step(self, current_time: float, step_size: float) -> bool:
+        """Advance by one communication step; False (fmi2Discard) after an exception, whose text goes to the logger."""
+        try:
+            arguments, cells = self.arguments, self.cells
+            cells[-2] = current_time
+            cells[-1] = step_size
+            for position, vr in self.dynamic:
+                arguments[position] = cells[vr]
+            self.step_function(*arguments)
+            return True
+        except Exception:
+            self.report(f"do_step at t = {current_time!r} s with h = {step_size!r} s")
+            return False
+
+    def guarded(self, action: Callable[[], None]) -> None:
+        """Run a life-cycle action; its exception is logged before pythonfmu turns it into fmi2Fatal."""
+        try:
+            action()
+        except Exception:
+            self.report("initialization")
+            keep_alive(type(self), self, self.log_queue)  # pythonfmu drops them now and again when the instance is freed
+            raise
+
+    def report(self, where: str) -> None:
+        """Send the current traceback to the FMI logger (which formats with printf, so % is doubled)."""
+        text = f"{self.instance_name}: {where} failed\n{traceback.format_exc()}"
+        self.log(text.replace("%", "%%"), Fmi2Status.error)
+
+    # --- complete state: all values and all arrays that carry anything from one call to the next ---
+
+    def _get_fmu_state(self) -> dict[str, Any]:
+        kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.store}
+        return {"values": self.values.copy(), "arrays": kept, "flags": (self.ready, self.initializing)}
+
+    def _set_fmu_state(self, state: dict[str, Any]) -> None:
+        self.values[:] = state["values"]
+        if state["arrays"]:
+            self.refresh_for(state)
+        self.ready, self.initializing = state["flags"]
+
+    def refresh_for(self, state: dict[str, Any]) -> None:
+        """Allocate for the parameters of a saved state, then put the saved arrays and outputs in place."""
+        self.refresh()
+        for name, array in state["arrays"].items():
+            self.store[name][...] = array.reshape(self.store[name].shape)
+        self.values[:] = state["values"]
+
+    @staticmethod
+    def _fmu_state_to_bytes(state: dict[str, Any]) -> bytes:
+        arrays = [state["values"], *state["arrays"].values()]
+        names = ["values", *state["arrays"]]
+        parts = [struct.pack("<??I", *state["flags"], len(arrays))]
+        for name, array in zip(names, arrays, strict=True):
+            key = name.encode()
+            parts += [struct.pack("<IQ", len(key), array.size), key, array.astype("<f8").tobytes()]
+        return b"".join(parts)
+
+    @staticmethod
+    def _fmu_state_from_bytes(state: bytes) -> dict[str, Any]:
+        ready, initializing, count = struct.unpack_from("<??I", state)
+        at = struct.calcsize("<??I")
+        arrays = {}
+        for _ in range(count):
+            n_key, n_values = struct.unpack_from("<IQ", state, at)
+            at += struct.calcsize("<IQ")
+            key = state[at : at + n_key].decode()
+            arrays[key] = np.frombuffer(state, "<f8", n_values, at + n_key).copy()
+            at += n_key + 8 * n_values
+        return {"values": arrays.pop("values"), "arrays": arrays, "flags": (ready, initializing)}

@@ -1,0 +1,35 @@
+"""What can go wrong, said once: every error that a user can meet derives from RovbrushError."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class RovbrushError(Exception):
+    """Base of all errors with a message for the user; `exit_code` is what the command line returns."""
+
+    exit_code = 1
+
+
+class InputError(RovbrushError):
+    """A system file, an option, a name or a value is wrong; found before time 0."""
+
+    exit_code = 2
+
+
+class FmuError(RovbrushError):
+    """An FMU is missing, corrupt, of the wrong kind, or refuses to initialize."""
+
+
+class RunError(RovbrushError):
+    """The run stopped early; what was computed so far is in the results."""
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """`; did you mean 'x'?`, or the list of what there is (if short), or nothing."""
+    names = list(known)
+    close = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+    if close:
+        return f"; did you mean '{close[0]}'?"
+    return f"; there are {', '.join(sorted(names))}" if 0 < len(names) <= 12 else ""

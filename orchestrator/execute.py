@@ -1,0 +1,93 @@
+"""Runs a plan. `run` is one source with two lives: compiled by Numba for speed, plain Python as its interpreter.
+
+It calls the FMI functions by address (`calls.py`), allocates nothing and touches no Python object.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from .calls import do_step, exchange
+from .plan import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
+
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE = range(4)
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
+SET_REAL, GET_REAL, DO_STEP, INSTANCE, IN_REFS, IN_COUNT, IN_VALUES, OUT_REFS, OUT_COUNT, OUT_VALUES, OUT_SLOT = range(11)
+
+
+def run(
+    operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, z: np.ndarray,
+    slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray, control: np.ndarray,
+    first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
+) -> int:  # fmt: skip
+    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS or NOT_FINITE.
+
+    operations (m, 8), see plan.COLUMNS; components (n, 11), addresses and counts, see SET_REAL...; z: all signals;
+    groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
+    control (5): a stop request from outside, and where and why the run ended.
+    """
+    last_tick = -1
+    for cycle in range(first_cycle, first_cycle + cycles):
+        base = cycle * cycle_ticks
+        for m in range(operations.shape[0]):
+            code, tick, c = operations[m, 0], operations[m, 1], operations[m, 2]
+            a, b, p = operations[m, 3], operations[m, 4], operations[m, 5]
+            q, k = operations[m, 6], operations[m, 7]
+            if tick != last_tick:
+                last_tick = tick
+                if control[STOP_REQUEST] != 0:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return INTERRUPTED
+            if code == STEP:
+                start = base + tick - a
+                time = (start * numerator) / denominator
+                step = (a * numerator) / denominator
+                status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, step)
+                if status > 1:
+                    control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
+                    return BAD_STATUS
+            elif code == SET or code == GET:
+                if code == SET:
+                    status = exchange(components[c, SET_REAL], components[c, INSTANCE], components[c, IN_REFS], components[c, IN_COUNT], components[c, IN_VALUES])
+                else:
+                    status = exchange(components[c, GET_REAL], components[c, INSTANCE], components[c, OUT_REFS], components[c, OUT_COUNT], components[c, OUT_VALUES])
+                if status > 1:
+                    control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
+                    return BAD_STATUS
+                if code == GET:
+                    first = components[c, OUT_SLOT]
+                    for j in range(first, first + components[c, OUT_COUNT]):
+                        if not isfinite(z[j]):
+                            control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j
+                            return NOT_FINITE
+            elif code == COPY:
+                z[b] = coefficients[k] * z[a] + coefficients[k + 1]
+            elif code == LINEAR:
+                z[b] = coefficients[k] * (z[a] + coefficients[k + 2] * (z[a] - z[p])) + coefficients[k + 1]
+            elif code == ACCUMULATE:
+                z[b] += coefficients[k] * (z[p] + z[a])
+            elif code == MEAN:
+                tail = coefficients[k + 2] * z[a] + coefficients[k + 3] * z[p]
+                z[b] = coefficients[k] * (z[q] + tail) + coefficients[k + 1]
+                z[q] = -tail
+            elif code == PUSH:
+                z[b] = z[a]
+            elif code == RECORD:
+                first, columns = groups[a, 0], groups[a, 1]
+                cell = groups[a, 2] + rows[a] * columns
+                for j in range(columns):
+                    buffer[cell + j] = z[slots[first + j]]
+                rows[a] += 1
+    return DONE
+
+
+@cache
+def compiled_run() -> Any:
+    """`run` under Numba. Its compiled form holds no address, so one cached compilation serves every system."""
+    import numba
+
+    return numba.njit(cache=True, error_model="numpy")(run)

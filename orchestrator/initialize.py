@@ -1,0 +1,50 @@
+"""From instantiated FMUs to consistent values at time 0."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .errors import FmuError
+from .fmu import Instance
+from .plan import Plan
+
+
+def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int:
+    """Set parameters and inputs, propagate outputs to inputs until nothing changes, and leave initialization mode.
+
+    Fills `z` at time 0 and returns the number of sweeps. Raises FmuError if an FMU refuses, gives a value that is
+    not finite, or if the outputs and inputs at time 0 depend on each other in a loop that sweeping does not settle.
+    """
+    system = plan.system
+    for name, component in system.components.items():
+        instance = instances[name]
+        for variable, value in {**component.parameters, **component.inputs}.items():
+            instance.set(variable, value)
+        instance.call("set up the experiment", instance.slave.setupExperiment, None, 0.0, plan.clock.time(plan.clock.stop))
+        instance.call("enter initialization", instance.slave.enterInitializationMode)
+    sweeps = len(system.components) + 2
+    for sweep in range(1, sweeps + 1):
+        before = z.copy()
+        for name in plan.order:
+            for connection in system.connections:
+                if connection.target[0] == name:
+                    value = connection.gain * z[plan.layout.outputs[connection.source]] + connection.offset
+                    z[plan.layout.inputs[connection.target]] = value
+                    instances[name].set(connection.target[1], value)
+            for (owner, variable), slot in plan.layout.outputs.items():
+                if owner == name:
+                    z[slot] = instances[name].get(variable)
+                    if not math.isfinite(z[slot]):
+                        raise FmuError(f"component {name}: output {variable} is {z[slot]} at time 0{instances[name].log_text()}")
+        if np.array_equal(before, z):
+            break
+    else:
+        loop = sorted({".".join(key) for key, slot in plan.layout.inputs.items() if before[slot] != z[slot]})
+        raise FmuError(f"initialization: the inputs {', '.join(loop)} and the outputs that drive them form an algebraic loop that {sweeps} sweeps do not settle; break it with a state or a start value")
+    for name, instance in instances.items():
+        instance.call("leave initialization", instance.slave.exitInitializationMode)
+    for key, slot in plan.layout.previous.items():
+        z[slot] = z[plan.layout.outputs[key]]
+    return sweep

@@ -1,0 +1,172 @@
+"""Load, initialize, execute, collect: one run of a plan."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from . import execute
+from .errors import RunError
+from .fmu import STATUS, Instance
+from .initialize import initialize
+from .plan import Plan
+
+BLOCK = 0.1  # s of wall time between two looks at progress and signals
+
+
+@dataclass
+class Run:
+    """What a run leaves: one table per rate, and how it ended. `failure` is empty if it reached the stop time."""
+
+    plan: Plan
+    tables: list[np.ndarray]  # per group: (rows, columns), row 0 at time 0
+    failure: str = ""
+    end: float = 0.0  # s
+    wall: float = 0.0  # s, in the loop
+    sweeps: int = 0
+    calculated: dict[str, float] = field(default_factory=dict)  # calculated parameters, "component.variable"
+
+
+def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], None] | None = None) -> Run:
+    """Run a plan from time 0 to its stop.
+
+    `interpreted` executes the same plan in plain Python, bitwise equal and slow. `progress` is called now and then
+    with the time reached [s]. A failing FMU, a value that is not finite and Ctrl-C end the run early; the tables
+    hold what was computed and `failure` says who, what and when. Raises FmuError before time 0.
+    """
+    instances: dict[str, Instance] = {}
+    try:
+        for name, component in plan.system.components.items():
+            instances[name] = Instance(component.fmu, name)
+        z = np.zeros(max(plan.layout.size, 1))
+        sweeps = initialize(plan, instances, z)
+        run = _Loop(plan, instances, z).go(interpreted, progress)
+        run.sweeps = sweeps
+        run.calculated = {
+            f"{name}.{variable}": float(instance.get(variable))
+            for name, instance in instances.items() if not instance.dead
+            for variable in instance.fmu.names("calculatedParameter")
+        }  # fmt: skip
+        return run
+    finally:
+        for instance in instances.values():
+            instance.close()
+
+
+class _Loop:
+    """The arrays that the loop works on, laid out for `execute.run`."""
+
+    def __init__(self, plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> None:
+        self.plan, self.instances, self.z = plan, instances, z
+        self.keep: list[np.ndarray] = []  # value references, alive as long as their addresses are in use
+        self.components = np.array([self._component(name) for name in plan.system.components], dtype=np.int64)
+        self.rows_wanted = [plan.clock.stop // group.period + 1 for group in plan.groups]
+        sizes = [rows * len(group.slots) for rows, group in zip(self.rows_wanted, plan.groups, strict=True)]
+        firsts = np.cumsum([0, *(len(group.slots) for group in plan.groups)])
+        cells = np.cumsum([0, *sizes])
+        self.groups = np.array([(firsts[k], len(group.slots), cells[k]) for k, group in enumerate(plan.groups)], dtype=np.int64).reshape(-1, 3)
+        self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
+        self.buffer = np.zeros(max(int(cells[-1]), 1))
+        self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
+        self.control = np.zeros(5, dtype=np.int64)
+        for k, group in enumerate(plan.groups):
+            self.buffer[cells[k] : cells[k] + len(group.slots)] = z[group.slots]
+
+    def _component(self, name: str) -> list[int]:
+        instance, layout = self.instances[name], self.plan.layout
+        row = [instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")] + [int(instance.slave.component)]
+        for table in (layout.inputs, layout.outputs):
+            slots = [(slot, variable) for (owner, variable), slot in table.items() if owner == name]
+            references = np.array([instance.fmu.variables[v].valueReference for _, v in slots] or [0], dtype=np.uint32)
+            self.keep.append(references)
+            first = slots[0][0] if slots else 0
+            row += [references.ctypes.data, len(slots), self.z.ctypes.data + 8 * first]
+        return [*row, first]
+
+    def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
+        clock, plan = self.plan.clock, self.plan
+        function = execute.run if interpreted else execute.compiled_run()
+        full, rest = divmod(clock.stop, clock.hyperperiod)
+        parts = [(plan.prologue, 0, 1), (plan.cycle, 0, full), (plan.cycle[plan.cycle[:, 1] <= rest], full, 1 if rest else 0)]
+        code, wall, reached = execute.DONE, 0.0, 0.0
+        with _stop_on_interrupt(self.control):
+            for operations, first, count in parts:
+                operations = np.ascontiguousarray(operations)
+                block = 1
+                while count > 0 and code == execute.DONE:
+                    size = min(block, count)
+                    begin = time.perf_counter()
+                    code = function(
+                        operations, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
+                        self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
+                    )  # fmt: skip
+                    spent = time.perf_counter() - begin
+                    wall += spent
+                    first, count = first + size, count - size
+                    block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
+                    if code == execute.DONE and operations is not plan.prologue:
+                        reached = clock.time(min(first * clock.hyperperiod, clock.stop))
+                        if progress:
+                            progress(reached)
+                failed = operations
+                if code != execute.DONE:
+                    break
+        failure = ""
+        if code != execute.DONE:
+            reached, failure = self._failure(code, failed)
+        tables = [
+            self.buffer[start : start + rows * columns].reshape(rows, columns)
+            for (_, columns, start), rows in zip(self.groups.tolist(), self.rows.tolist(), strict=True)
+        ]
+        return Run(plan, tables, failure, reached, wall)
+
+    def _failure(self, code: int, operations: np.ndarray) -> tuple[float, str]:
+        """The time until which every component is complete, and what happened."""
+        clock = self.plan.clock
+        row = operations[self.control[execute.AT_OPERATION]]
+        at = clock.time(int(self.control[execute.AT_CYCLE]) * clock.hyperperiod + int(row[1]))
+        if code == execute.INTERRUPTED:
+            return at, f"interrupted by the user at t = {at:.9g} s"
+        name = list(self.plan.system.components)[row[2]]
+        log = self.instances[name].log_text()
+        if code == execute.NOT_FINITE:
+            slot = int(self.control[execute.SLOT])
+            variable = next(key for key, s in self.plan.layout.outputs.items() if s == slot)[1]
+            return at, f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; see its inputs and parameters{log}"
+        status = int(self.control[execute.STATUS])
+        self.instances[name].dead = status == 4
+        return at, f"component {name} returned fmi2{STATUS[status]} in the step to t = {at:.9g} s{log}"
+
+
+@contextmanager
+def _stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
+    """Ctrl-C asks the loop to stop at the next instant, instead of raising inside an FMU's Python code."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def request(_signal: int, _frame: Any) -> None:
+        control[execute.STOP_REQUEST] = 1
+
+    before = signal.signal(signal.SIGINT, request)
+    try:
+        yield
+    finally:
+        with suppress(TypeError, ValueError):
+            signal.signal(signal.SIGINT, before)
+
+
+def require_complete(run: Run) -> Run:
+    """The run itself, or RunError with its failure; for studies that need the whole run."""
+    if run.failure:
+        raise RunError(run.failure)
+    return run
+
+

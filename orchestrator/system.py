@@ -1,0 +1,115 @@
+"""A system: components (FMU, period, values), connections, and what to report of a run. Data only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from .errors import InputError, nearest
+from .fmu import Fmu, parse_value
+
+Value = float | int | bool | str
+
+
+@dataclass(frozen=True)
+class Component:
+    """One FMU in a system: its communication period [s] and the values it starts with."""
+
+    name: str
+    fmu: Fmu
+    period: Fraction
+    parameters: Mapping[str, Value] = field(default_factory=dict)
+    inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
+
+
+@dataclass(frozen=True)
+class Connection:
+    """One scalar output that drives one scalar input: `target = gain * source + offset` (unit conversion)."""
+
+    source: tuple[str, str]
+    target: tuple[str, str]
+    transfer: str = ""  # empty: the plan chooses
+    gain: float = 1.0
+    offset: float = 0.0
+    where: str = ""
+
+    @property
+    def label(self) -> str:
+        return f"{'.'.join(self.source)} -> {'.'.join(self.target)}"
+
+
+@dataclass(frozen=True)
+class Bond:
+    """A power bond: effort and flow, each crossing one connection, in opposite directions."""
+
+    name: str
+    effort: tuple[str, str]  # output and input, as "component.variable"
+    flow: tuple[str, str]
+    sign: float
+
+
+@dataclass(frozen=True)
+class System:
+    """A checked system, ready to be planned."""
+
+    name: str
+    path: Path
+    description: str
+    stop: Fraction
+    algorithm: str
+    order: tuple[str, ...]
+    components: Mapping[str, Component]
+    connections: tuple[Connection, ...]
+    bonds: tuple[Bond, ...] = ()
+    record: tuple[str, ...] = ("*",)
+    reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, compare, figures: see results
+
+    def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
+        """A copy with `component.variable` set: a parameter, or an input that nothing drives.
+
+        Raises InputError for an unknown name, a driven input, a wrong type or a value out of range.
+        """
+        components = dict(self.components)
+        driven = {".".join(c.target) for c in self.connections}
+        for key, value in assignments.items():
+            name, _, variable = key.partition(".")
+            if name not in components:
+                raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
+            component = components[name]
+            for scalar, scalar_value in checked_values(component, variable, value, origin).items():
+                if f"{name}.{scalar}" in driven:
+                    source = next(c.label for c in self.connections if ".".join(c.target) == f"{name}.{scalar}")
+                    raise InputError(f"{origin}: {name}.{scalar} is driven by the connection {source}; remove that first")
+                kind = "inputs" if component.fmu.variables[scalar].causality == "input" else "parameters"
+                component = replace(component, **{kind: {**getattr(component, kind), scalar: scalar_value}})
+            components[name] = component
+        return replace(self, components=components)
+
+    def with_periods(self, factor: Fraction) -> System:
+        """A copy with every period multiplied by `factor`, except those of FMUs that sample on a clock of their own."""
+        components = {
+            name: c if c.fmu.description.coSimulation.canHandleVariableCommunicationStepSize is False else replace(c, period=c.period * factor)
+            for name, c in self.components.items()
+        }  # fmt: skip
+        return replace(self, components=components)
+
+
+def checked_values(component: Component, name: str, value: object, origin: str) -> dict[str, Value]:
+    """`value` for each scalar behind `name` (a list for an array), in type and range. Raises InputError."""
+    fmu = component.fmu
+    scalars = fmu.expand(name)
+    settable = fmu.base_names("parameter", "input")
+    if not scalars or fmu.variables[scalars[0]].causality not in ("parameter", "input"):
+        kind = fmu.variables[scalars[0]].causality if scalars else "variable"
+        what = f"is of causality {kind} and cannot be set" if scalars else "is unknown"
+        raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, [s for s in settable if s != name])}")
+    values = list(value) if isinstance(value, (list, tuple)) else [value] * len(scalars)
+    if len(values) != len(scalars):
+        raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")
+    return {
+        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}")
+        for scalar, v in zip(scalars, values, strict=True)
+    }

@@ -1,0 +1,57 @@
+"""Rate transitions: how the samples of an output become the input that is held over a step.
+
+Notation: the target steps from t to t + H; the source was sampled at its own instants, s the last of them, h its
+period, f its value there and f' the value one period before. Errors are those of the held input against the true
+signal over the target's step.
+
+    hold     f                                          O(h + H): the latest value
+    linear   f + (f - f') (t + H/2 - s)/h               O(H^2): extrapolated to the middle of the step
+    mean     (1/H) integral of f from t to t + H        the average of a faster source, trapezoidal rule; what one
+             average extrapolates beyond s is taken back from the next, so no impulse is made or lost
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+TRANSFERS = ("hold", "linear", "mean")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A transfer and why it was taken."""
+
+    transfer: str
+    reason: str
+
+
+def choose(stated: str, source_period: int, target_period: int, sampled: bool) -> Choice:
+    """The transfer of one connection, as stated in the system file or by the ratio of the rates.
+
+    `sampled` says that the source is piecewise constant by nature (FMI variability `discrete`).
+    """
+    if stated:
+        return Choice(stated, "stated in the system file")
+    if source_period == target_period:
+        return Choice("hold", "same rate")
+    if source_period < target_period:
+        return Choice("mean", "fast to slow: the average over the slow step keeps the impulse and does not alias")
+    if sampled:
+        return Choice("hold", "slow to fast, and a sampled output holds its value by nature")
+    return Choice("linear", "slow to fast: extrapolated to the middle of the fast step, second order")
+
+
+def linear_ratio(sample: int, source_period: int, start: int, target_period: int) -> float:
+    """(t + H/2 - s)/h for a source sampled at tick `sample` and a target step that begins at tick `start`."""
+    return float(Fraction(2 * (start - sample) + target_period, 2 * source_period))
+
+
+def mean_tail(sample: int, source_period: int, end: int, target_period: int) -> tuple[float, float]:
+    """Weights of f and f' in the part of a mean that lies beyond the last sample, extrapolated linearly.
+
+    The integral from s to e of f + (f - f')(x - s)/h, divided by H, with e the end of the target's step.
+    """
+    gap, h = end - sample, source_period
+    slope = Fraction(gap * gap, 2 * h)
+    return float((gap + slope) / target_period), float(-slope / target_period)

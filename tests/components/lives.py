@@ -1,0 +1,148 @@
+"""The three lives of a kernel: plain Python, Numba, and C by Pyccel, driven with the same numbers.
+
+Arguments are bound by name, as the FMU base class does it, from the component's declared interface.
+"""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pyccel import epyccel
+from rovbrush.components.interface import Variable, parameter_variables
+from rovbrush.components.kernels import compiled
+from rovbrush.components.slave import ComponentSlave
+
+Range = tuple[float, float]  # an input's mean and amplitude
+
+
+@dataclass(frozen=True)
+class Case:
+    """A component, how it is excited and which parameters differ from the defaults.
+
+    `inputs` gives mean and amplitude of an input (all elements of an array input alike); others stay at their start.
+    """
+
+    name: str
+    h: float
+    steps: int
+    inputs: Mapping[str, Range] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    variant: str = "default"
+
+    def __str__(self) -> str:
+        return f"{self.name}-{self.variant}"
+
+
+def component(name: str) -> type[ComponentSlave]:
+    """The component class declared in `rovbrush.components.<name>.fmu`."""
+    module = importlib.import_module(f"rovbrush.components.{name}.fmu")
+    classes = [c for c in vars(module).values() if inspect.isclass(c) and issubclass(c, ComponentSlave)]
+    return next(c for c in classes if c is not ComponentSlave)
+
+
+def lives(name: str, folder: Path) -> dict[str, Any]:
+    """The kernel as plain Python, under Numba and as C: three namespaces with the same functions.
+
+    In C no contraction to fused multiply-add: it rounds once where Python rounds twice. Symbols are bound inside the
+    library: the C library has an old function `step` of its own, which would be called instead of the kernel's.
+    """
+    kernel = component(name).kernel
+    source = Path(str(kernel.__file__)).read_text()
+    in_c = epyccel(source, language="c", flags="-ffp-contract=off", wrapper_flags="-Wl,-Bsymbolic", folder=str(folder))
+    return {"python": kernel, "numba": compiled(kernel), "c": in_c}
+
+
+class Instance:
+    """One instance of a component without FMI: parameters, inputs, state arrays and y, by name."""
+
+    def __init__(self, declared: type[ComponentSlave], functions: Any, **parameters: Any) -> None:
+        self.declared = declared
+        self.functions = functions
+        chosen = declared.parameters(**parameters)
+        self.values: dict[str, Any] = {
+            v.name: _typed(v, getattr(chosen, v.name)) for v in parameter_variables(declared.parameters)
+        }
+        self.values |= {v.name: _typed(v, v.start if v.size else v.start[0]) for v in declared.inputs}
+        self.arrays = {a.name: np.zeros(a.shape(chosen)) for a in declared.arrays}
+        self.values |= self.arrays
+        self.values["y"] = np.zeros(sum(len(v.start) for v in declared.outputs))
+        self.values |= {"t": 0.0, "h": 0.0}
+        self.at: dict[str, slice] = {}
+        first = 0
+        for v in declared.outputs:
+            self.at[v.name] = slice(first, first + len(v.start))
+            first += len(v.start)
+        self.signatures = {
+            f: tuple(inspect.signature(getattr(declared.kernel, f)).parameters)
+            for f in ("setup", "initialize", "outputs", "step")
+            if hasattr(declared.kernel, f)
+        }
+
+    def set(self, **inputs: Any) -> None:
+        """Set inputs; scalars by a number, arrays by a sequence."""
+        declared = {v.name: v for v in self.declared.inputs}
+        for name, value in inputs.items():
+            self.values[name] = _typed(declared[name], value)
+
+    def call(self, function: str) -> None:
+        """Call an entry point with its arguments bound by name."""
+        getattr(self.functions, function)(*[self.values[argument] for argument in self.signatures[function]])
+
+    def start(self) -> None:
+        """setup, initialize and outputs, as far as the kernel has them."""
+        for function in ("setup", "initialize", "outputs"):
+            if function in self.signatures:
+                self.call(function)
+
+    def step(self, h: float) -> None:
+        """One communication step."""
+        self.values["h"] = h
+        self.call("step")
+        self.values["t"] += h
+
+    def __getitem__(self, output: str) -> Any:
+        """An output: a float, or an array of floats."""
+        value = self.values["y"][self.at[output]]
+        size = next(v.size for v in self.declared.outputs if v.name == output)
+        return value.copy() if size else float(value[0])
+
+    def snapshot(self) -> dict[str, np.ndarray]:
+        """Copies of y and of every array, scratch included."""
+        return {name: array.copy() for name, array in (*self.arrays.items(), ("y", self.values["y"]))}
+
+
+def excitation(case: Case, k: int) -> dict[str, Any]:
+    """Inputs of step k: mean plus amplitude times a sine whose frequency differs from element to element."""
+    result: dict[str, Any] = {}
+    for number, v in enumerate(component(case.name).inputs):
+        if v.name in case.inputs:
+            mean, amplitude = case.inputs[v.name]
+            phases = [0.7 * k + 1.3 * number + 2.1 * j for j in range(max(v.size, 1))]
+            elements = [mean + amplitude * float(np.sin(phase)) for phase in phases]
+            result[v.name] = elements if v.size else elements[0]
+    return result
+
+
+def history(case: Case, functions: Any) -> list[dict[str, np.ndarray]]:
+    """Everything a kernel computes, after the start and after every step."""
+    instance = Instance(component(case.name), functions, **case.parameters)
+    instance.set(**excitation(case, 0))
+    instance.start()
+    snapshots = [instance.snapshot()]
+    for k in range(case.steps):
+        instance.set(**excitation(case, k))
+        instance.step(case.h)
+        snapshots.append(instance.snapshot())
+    return snapshots
+
+
+def _typed(variable: Variable, value: Any) -> Any:
+    if variable.size:
+        return np.array(value, dtype=float)
+    return bool(value) if variable.kind == "Boolean" else int(value) if variable.kind == "Integer" else float(value)
