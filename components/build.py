@@ -46,25 +46,26 @@ def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS) -> list[Path]:
     unknown = [name for name in names if name not in COMPONENTS]
     if unknown:
         raise BuildError(f"no component '{unknown[0]}'; there are {', '.join(COMPONENTS)}")
+    return [build(HERE / name, folder) for name in names]
+
+
+def build(component: Path, folder: Path) -> Path:
+    """Build `<component>.fmu` from the folder of one component, wherever that is, in a process of its own."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BuildError(f"cannot create the folder {folder}: {error.strerror}; choose another with --fmus") from error
-    paths = []
-    for name in names:
-        run = subprocess.run(
-            [sys.executable, "-m", __name__, name, str(folder)], capture_output=True, text=True, check=False
-        )
-        if run.returncode:
-            raise BuildError(f"building {name}.fmu failed:\n{run.stderr.strip()}")
-        paths.append(folder / f"{name}.fmu")
-    return paths
+    command = [sys.executable, "-m", __name__, str(component), str(folder)]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise BuildError(f"building {component.name}.fmu failed:\n{run.stderr.strip()}")
+    return folder / f"{component.name}.fmu"
 
 
-def sources(name: str) -> dict[str, bytes]:
+def sources(component: Path) -> dict[str, bytes]:
     """The Python files that an FMU carries, by their path inside its package."""
     files = {path: HERE / path for path in SHARED if (HERE / path).exists()}
-    files |= {f"{name}/{path.name}": path for path in sorted((HERE / name).glob("*.py"))}
+    files |= {f"{component.name}/{path.name}": path for path in sorted(component.glob("*.py"))}
     return {key: path.read_bytes() for key, path in files.items()} | {"__init__.py": b""}
 
 
@@ -76,36 +77,37 @@ def digest(files: dict[str, bytes]) -> str:
     return total.hexdigest()
 
 
-def build_one(name: str, folder: Path) -> Path:
-    """Build one FMU in this process."""
+def build_one(component: Path, folder: Path) -> Path:
+    """Build one FMU in this process, from the copy of its sources that it carries."""
     from pythonfmu.builder import FmuBuilder
 
-    files = sources(name)
+    name, files = component.name, sources(component)
     package = f"rovbrush_{name}_{digest(files)[:12]}"
-    model = importlib.import_module(f"{__package__}.{name}.fmu")
-    classes = [key for key, value in vars(model).items() if getattr(value, "__module__", "") == model.__name__ and isinstance(value, type)]
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         for key, content in files.items():
             path = work / package / key
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
+        sys.path.insert(0, temporary)
+        model = importlib.import_module(f"{package}.{name}.fmu")
+        classes = [key for key, value in vars(model).items() if isinstance(value, type) and value.__module__ == model.__name__]
         script = work / f"{package}_slave.py"
         script.write_text(ENTRY_SCRIPT.format(package=package, name=name, component=classes[0]))
         documentation = work / "documentation"
         documentation.mkdir()
-        write_documentation(name, documentation)
+        write_documentation(component, documentation)
         raw = FmuBuilder.build_FMU(script, work / "raw.fmu", project_files=[work / package], documentation_folder=documentation)
         return repack(Path(raw), folder / f"{name}.fmu")
 
 
-def write_documentation(name: str, folder: Path) -> None:
+def write_documentation(component: Path, folder: Path) -> None:
     """The component's README as the FMU's documentation/index.html (FMI 2.0.4, section 2.3)."""
     from markdown_it import MarkdownIt
 
-    text = (HERE / name / "README.md").read_text(encoding="utf-8")
+    text = (component / "README.md").read_text(encoding="utf-8")
     body = MarkdownIt("commonmark").enable("table").render(text)
-    page = f"<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>{escape(name)}</title></head><body>\n{body}</body></html>\n"
+    page = f"<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>{escape(component.name)}</title></head><body>\n{body}</body></html>\n"
     (folder / "index.html").write_text(page, encoding="utf-8")
 
 
@@ -127,4 +129,4 @@ def repack(raw: Path, target: Path) -> Path:
 
 
 if __name__ == "__main__":
-    build_one(sys.argv[1], Path(sys.argv[2]))
+    build_one(Path(sys.argv[1]), Path(sys.argv[2]))

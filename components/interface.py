@@ -31,6 +31,7 @@ class Variable:
     kind: Kind = "Real"
     source: str = ""
     depends: tuple[str, ...] = ()  # inputs with direct feedthrough to this output
+    sampled: bool = False  # changes at samples only and holds its value between them (FMI variability `discrete`)
 
     @property
     def element_names(self) -> list[str]:
@@ -88,9 +89,11 @@ def input_(name: str, unit: str, description: str, start: float = 0.0, size: int
     return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size)
 
 
-def output(name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0) -> Variable:
+def output(name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0,
+           sampled: bool = False) -> Variable:
     """An output; `depends` names the inputs that act on it at once (direct feedthrough)."""
-    return Variable(name, unit, "output", description, (0.0,) * max(size, 1), size=size, depends=depends)
+    starts = (0.0,) * max(size, 1)
+    return Variable(name, unit, "output", description, starts, size=size, depends=depends, sampled=sampled)
 
 
 def calculated(name: str, unit: str, description: str, size: int = 0) -> Variable:

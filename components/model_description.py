@@ -80,7 +80,10 @@ def model_description(component: type[Any]) -> Element:
 def _scalar_variable(v: Variable, name: str, reference: int, start: float) -> Element:
     source = f" (source: {v.source})" if v.source else ""
     attributes = {"name": name, "valueReference": str(reference), "description": v.description + source, "causality": v.causality}
-    attributes["variability"] = "fixed" if v.causality in ("parameter", "calculatedParameter") else "continuous" if v.kind == "Real" else "discrete"
+    if v.causality in ("parameter", "calculatedParameter"):
+        attributes["variability"] = "fixed"
+    else:
+        attributes["variability"] = "discrete" if v.sampled or v.kind != "Real" else "continuous"
     if v.causality == "parameter":
         attributes["initial"] = "exact"
     elif v.causality != "input":

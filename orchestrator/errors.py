@@ -6,6 +6,9 @@ import difflib
 from collections.abc import Iterable
 
 
+SHOWN = 15  # names in a list of what there is
+
+
 class RovbrushError(Exception):
     """Base of all errors with a message for the user; `exit_code` is what the command line returns."""
 
@@ -27,9 +30,10 @@ class RunError(RovbrushError):
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """`; did you mean 'x'?`, or the list of what there is (if short), or nothing."""
-    names = list(known)
+    """`; did you mean 'x'?`, or the list of what there is, or nothing where there is nothing."""
+    names = sorted(known)
     close = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
     if close:
         return f"; did you mean '{close[0]}'?"
-    return f"; there are {', '.join(sorted(names))}" if 0 < len(names) <= 12 else ""
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return f"; there are {', '.join(names[:SHOWN])}{more}" if names else ""

@@ -210,3 +210,8 @@ def _with_parameter_file(file: _File, system: System) -> System:
     values = {f"{c}.{key}": value for c, entries in table.data.items() if isinstance(entries, dict) and c in system.components for key, value in entries.items()}
     own = {f"{c.name}.{key}": value for c in system.components.values() for key, value in {**c.parameters, **c.inputs}.items()}
     return system.with_values(values, table.path.name).with_values(own, file.path.name)
+
+
+def system_description(path: Path) -> str:
+    """The first words of a system file about itself."""
+    return str(_File(path).data.get("description", ""))

@@ -17,6 +17,7 @@ from .errors import RunError
 from .fmu import STATUS, Instance
 from .initialize import initialize
 from .plan import Plan
+from .process import seconds_since_start
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 
@@ -30,6 +31,7 @@ class Run:
     failure: str = ""
     end: float = 0.0  # s
     wall: float = 0.0  # s, in the loop
+    start: float = 0.0  # s, from the start of the process to the end of the first block of steps
     sweeps: int = 0
     calculated: dict[str, float] = field(default_factory=dict)  # calculated parameters, "component.variable"
 
@@ -95,7 +97,7 @@ class _Loop:
         function = execute.run if interpreted else execute.compiled_run()
         full, rest = divmod(clock.stop, clock.hyperperiod)
         parts = [(plan.prologue, 0, 1), (plan.cycle, 0, full), (plan.cycle[plan.cycle[:, 1] <= rest], full, 1 if rest else 0)]
-        code, wall, reached = execute.DONE, 0.0, 0.0
+        code, wall, reached, start = execute.DONE, 0.0, 0.0, 0.0
         with _stop_on_interrupt(self.control):
             for operations, first, count in parts:
                 operations = np.ascontiguousarray(operations)
@@ -109,6 +111,7 @@ class _Loop:
                     )  # fmt: skip
                     spent = time.perf_counter() - begin
                     wall += spent
+                    start = start or seconds_since_start()
                     first, count = first + size, count - size
                     block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
                     if code == execute.DONE and operations is not plan.prologue:
@@ -125,7 +128,7 @@ class _Loop:
             self.buffer[start : start + rows * columns].reshape(rows, columns)
             for (_, columns, start), rows in zip(self.groups.tolist(), self.rows.tolist(), strict=True)
         ]
-        return Run(plan, tables, failure, reached, wall)
+        return Run(plan, tables, failure, reached, wall, start)
 
     def _failure(self, code: int, operations: np.ndarray) -> tuple[float, str]:
         """The time until which every component is complete, and what happened."""

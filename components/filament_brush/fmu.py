@@ -55,7 +55,8 @@ class FilamentBrush(ComponentSlave):
     arrays = (
         Array("lambda_r", lambda p: 6), Array("omega_r", lambda p: 6), Array("modes", lambda p: (7, 6)),
         Array("G", lambda p: (6, 6)), Array("S", lambda p: (6, 6)), Array("K", lambda p: (7, 6), scratch=True),
-        Array("work", lambda p: (15, 6), scratch=True), Array("eta", lambda p: (p.n, p.N_m)),
+        *(Array(name, lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1), scratch=True) for name in "PQA"),
+        Array("c", lambda p: 17, scratch=True), Array("work", lambda p: (15, 6), scratch=True), Array("eta", lambda p: (p.n, p.N_m)),
         Array("eta_dot", lambda p: (p.n, p.N_m)), Array("h_next", lambda p: p.n), Array("total", lambda p: 14),
         Array("filament", lambda p: (p.n, 4), scratch=True), Array("kinetic_fraction", lambda p: 6, scratch=True),
     )

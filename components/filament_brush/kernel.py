@@ -6,9 +6,10 @@ Frames and symbols are those of README.md. Tables filled by `setup`, column r - 
 State: eta, eta_dot [n, N_m], the next micro-step h_next [n], and total: 0 theta_b, 1 J_x, 2 J_z, 3 J_T, 4 W_hub,
   5 W_hull, 6 W_damping, 7 W_friction, 8 W_contact; at the end of the last step 9 E_contact, 10 E_centrifugal over
   omega_b^2, 11 omega_b^2; largest |y|/L 12 in the last step and 13 since the start
-Scratch: K[r, s] stiffness and K[6, r] load per modal mass; work rows 0 eta, 1 eta_dot, 2 and 3 the same at a
-  Runge-Kutta stage, 4..8 accelerations of stages 1..5, 9 G eta, 10..14 the stages' F_f, F_n, moment about the brush
-  axis and powers of friction, contact loss and damping; filament [n, 4]: phi, F_n, F_f, tip deflection
+Scratch: K[r, s] stiffness and K[6, r] load per modal mass; c the constants of a step (see `constants`); P, Q, A the
+  map of free flight and its making; filament [n, 4]: phi, F_n, F_f, tip deflection; work rows 0 eta, 1 eta_dot, 2 and
+  3 the same at a Runge-Kutta stage, 4..8 accelerations of stages 1..5, 9 G eta, 10..14 the stages' F_f, F_n, moment
+  about the brush axis and powers of friction, contact loss and damping
 """
 
 from math import cos, cosh, exp, floor, pi, sin, sinh, sqrt
@@ -99,16 +100,13 @@ def setup(
 
 
 def stiffness(
-    omega_b: float, centrifugal: bool, N_m: int, L: float, chi: float, offset: float, omega_r: 'float[:]',
-    modes: 'float[:,:]', S: 'float[:,:]', K: 'float[:,:]',
+    speed_2: float, N_m: int, L: float, chi: float, offset: float, omega_r: 'float[:]', modes: 'float[:,:]',
+    S: 'float[:,:]', K: 'float[:,:]',
 ) -> float:
-    """Fill K at speed omega_b; returns a bound on the highest natural frequency [rad/s].
+    """Fill K at speed omega_b = sqrt(speed_2); returns a bound on the highest natural frequency [rad/s].
 
     chi: share of the bristle in the moving mass (the water's share feels no centrifugal force).
     """
-    speed_2 = 0.0
-    if centrifugal:
-        speed_2 = omega_b * omega_b
     highest = 0.0
     for r in range(N_m):
         row = 0.0
@@ -151,41 +149,78 @@ def friction_coefficient(
     return mu * v_s / root, slope
 
 
-def rates(
-    p: int, v: int, a: int, touching: bool, N_m: int, sin_psi: float, cos_psi: float, h_plane: float, M: float,
-    r_a: float, r_t: float, omega_b: float, delta_dot: float, v_rov: float, omega_max: float, foreshortening: bool,
-    k_c: float, c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float, v_eps: float,
-    modes: 'float[:,:]', G: 'float[:,:]', K: 'float[:,:]', work: 'float[:,:]',
-) -> 'tuple[float, float]':
-    """Row a of work = eta'' (Eq. 4) and row a + 6 = forces and powers at eta, eta_dot in rows p, v.
+def constants(
+    omega_b: float, delta_dot: float, v_rov: float, friction_scale: float, L: float, d: float, rho: float,
+    rho_w: float, C_a: float, N_m: int, bristles_per_filament: float, R_brush: float, alpha: float, k_c: float,
+    c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float, v_eps: float, centrifugal: bool,
+    omega_r: 'float[:]', modes: 'float[:,:]', S: 'float[:,:]', K: 'float[:,:]', c: 'float[:]',
+):
+    """Fill K and c at the present inputs."""
+    R_h = hub_radius(R_brush, L, alpha)
+    chi = rho / (rho + C_a * rho_w)
+    speed_2 = 0.0
+    if centrifugal:
+        speed_2 = omega_b * omega_b
+    c[0] = R_h * cos(alpha) + L  # straight tip along e_a
+    c[1] = -R_h * sin(alpha)  # straight tip along e_t
+    c[2] = bristles_per_filament * rho * 0.25 * pi * d * d / chi * L  # modal mass M_r of a bundle
+    c[3] = chi  # share of the bristle in it
+    c[4] = speed_2  # omega_b^2 as far as it acts on the filaments
+    c[5] = stiffness(speed_2, N_m, L, chi, R_h * sin(alpha), omega_r, modes, S, K)
+    c[6] = omega_b
+    c[7] = delta_dot
+    c[8] = v_rov
+    c[9] = k_c
+    c[10] = c_c
+    c[11] = Delta_s
+    c[12] = friction_scale * mu_s
+    c[13] = friction_scale * mu_c
+    c[14] = v_0
+    c[15] = k_v
+    c[16] = v_eps
 
-    (r_a, r_t) is the straight tip along (e_a, e_t), M the modal mass. Without `touching` the tip force is left out.
-    Returns the penetration Delta (-1 if not touching) and the rate lambda [1/s] that limits the micro-step.
+
+def free_acceleration(
+    p: int, v: int, a: int, N_m: int, modes: 'float[:,:]', K: 'float[:,:]', work: 'float[:,:]',
+):
+    """Row a of work = eta'' without tip force (Eq. 4) at eta, eta_dot in rows p, v."""
+    for r in range(N_m):
+        acceleration = K[6, r] - modes[0, r] * work[v, r]  # Eq. 4
+        for s in range(N_m):
+            acceleration = acceleration - K[r, s] * work[p, s]
+        work[a, r] = acceleration
+
+
+def tip_force(
+    p: int, v: int, a: int, N_m: int, sin_psi: float, cos_psi: float, h_plane: float, foreshortening: bool,
+    modes: 'float[:,:]', G: 'float[:,:]', c: 'float[:]', work: 'float[:,:]',
+) -> 'tuple[float, float]':
+    """Add the tip force to eta'' in row a; row a + 6 = forces and powers at eta, eta_dot in rows p, v.
+
+    Returns Delta (a bound from above while out of reach) and the rate lambda [1/s] that limits the micro-step.
     """
-    Delta = -1.0
+    M = c[2]
+    omega_b = c[6]
     F_n = 0.0
     F_f = 0.0
     moment = 0.0
     P_friction = 0.0
     P_contact = 0.0
     P_damping = 0.0
-    rate = omega_max
+    rate = c[5]
+    y = 0.0
+    y_dot = 0.0
     for r in range(N_m):
-        drag = modes[0, r] * work[v, r]
-        P_damping = P_damping + M * drag * work[v, r]
-        acceleration = K[6, r] - drag  # Eq. 4
-        for s in range(N_m):
-            acceleration = acceleration - K[r, s] * work[p, s]
-        work[a, r] = acceleration
-    if touching:
-        y = 0.0
-        y_dot = 0.0
+        y = y + modes[1, r] * work[p, r]  # Eq. 2 at x = L
+        y_dot = y_dot + modes[1, r] * work[v, r]
+        P_damping = P_damping + M * modes[0, r] * work[v, r] * work[v, r]
+        work[9, r] = 0.0
+    Delta = c[0] * cos_psi + (c[1] + y) * sin_psi - h_plane
+    if Delta > 0.0 or cos_psi < 0.0:
         shortening = 0.0
         shortening_dot = 0.0
         mobility = 0.0
         for r in range(N_m):
-            y = y + modes[1, r] * work[p, r]  # Eq. 2 at x = L
-            y_dot = y_dot + modes[1, r] * work[v, r]
             g = 0.0
             if foreshortening:
                 for s in range(N_m):
@@ -194,14 +229,14 @@ def rates(
             shortening_dot = shortening_dot + g * work[v, r]
             work[9, r] = g
             mobility = mobility + (modes[1, r] * modes[1, r] + g * g) / M
-        x = (r_a - shortening) * sin_psi - (r_t + y) * cos_psi
-        z = (r_a - shortening) * cos_psi + (r_t + y) * sin_psi
+        x = (c[0] - shortening) * sin_psi - (c[1] + y) * cos_psi
+        z = (c[0] - shortening) * cos_psi + (c[1] + y) * sin_psi
         Delta = z - h_plane  # Eq. 8
         if Delta > 0.0:
-            Delta_dot = delta_dot - omega_b * x - shortening_dot * cos_psi + y_dot * sin_psi
-            v_s = omega_b * z - v_rov - shortening_dot * sin_psi - y_dot * cos_psi  # Eq. 10
-            F_n, F_e, damping = normal_force(Delta, Delta_dot, k_c, c_c, Delta_s)
-            mu, slope = friction_coefficient(v_s, mu_s, mu_c, v_0, k_v, v_eps)
+            Delta_dot = c[7] - omega_b * x - shortening_dot * cos_psi + y_dot * sin_psi
+            v_s = omega_b * z - c[8] - shortening_dot * sin_psi - y_dot * cos_psi  # Eq. 10
+            F_n, F_e, damping = normal_force(Delta, Delta_dot, c[9], c[10], c[11])
+            mu, slope = friction_coefficient(v_s, c[12], c[13], c[14], c[15], c[16])
             F_f = mu * F_n  # Eq. 9
             F_a = -F_f * sin_psi - F_n * cos_psi
             F_t = F_f * cos_psi - F_n * sin_psi
@@ -210,9 +245,9 @@ def rates(
             moment = x * F_n - z * F_f
             P_friction = F_f * v_s
             P_contact = (F_n - F_e) * Delta_dot
-            rise = 1.5 * k_c * sqrt(Delta) * (1.0 + abs(mu))
+            rise = 1.5 * c[9] * sqrt(Delta) * (1.0 + abs(mu))
             fall = slope * F_n + damping * (1.0 + abs(mu))
-            rate = sqrt(omega_max * omega_max + rise * mobility) + fall * mobility
+            rate = sqrt(rate * rate + rise * mobility) + fall * mobility
     work[a + 6, 0] = F_f
     work[a + 6, 1] = F_n
     work[a + 6, 2] = moment
@@ -222,41 +257,102 @@ def rates(
     return Delta, rate
 
 
-def time_to_touch(Delta: float, v_hull: float, N_m: int, K: 'float[:,:]', work: 'float[:,:]') -> float:
-    """Time before which a tip in free vibration cannot touch, from rows 0, 1 of work.
+def multiply(size: int, A: 'float[:,:]', B: 'float[:,:]', C: 'float[:,:]'):
+    """C = A B for the leading square blocks."""
+    for i in range(size):
+        for j in range(size):
+            total = 0.0
+            for k in range(size):
+                total = total + A[i, k] * B[k, j]
+            C[i, j] = total
 
-    Its speed is at most that with all energy kinetic and all modes in phase, 2 sqrt(N_m sum(..)); a factor 2 on top.
+
+def free_flight(
+    h: float, N_m: int, omega_max: float, modes: 'float[:,:]', K: 'float[:,:]', P: 'float[:,:]', Q: 'float[:,:]',
+    A: 'float[:,:]',
+):
+    """Fill P with the map of (eta, eta_dot, 1) over h without contact: Runge-Kutta in 2^k equal micro-steps.
+
+    All free filaments obey the same linear equations, for which the classical Runge-Kutta step is the polynomial
+    1 + hA + .. + (hA)^4/24; k squarings of it give the whole step. omega_max times the micro-step is at most 0.2.
     """
-    u = 0.0
+    size = 2 * N_m + 1
+    h_s = h
+    k = 0
+    while h_s * omega_max > 0.2 and k < 60:
+        h_s = 0.5 * h_s
+        k = k + 1
+    for i in range(size):
+        for j in range(size):
+            A[i, j] = 0.0
+            P[i, j] = 0.0
+        P[i, i] = 1.0
     for r in range(N_m):
-        u = u + work[1, r] * work[1, r] + K[r, r] * work[0, r] * work[0, r]
-    return -Delta / (v_hull + 4.0 * sqrt(N_m * u) + 1e-9)
+        A[r, N_m + r] = h_s
+        A[N_m + r, N_m + r] = -h_s * modes[0, r]
+        A[N_m + r, 2 * N_m] = h_s * K[6, r]
+        for s in range(N_m):
+            A[N_m + r, s] = -h_s * K[r, s]
+    for order in range(4):
+        multiply(size, A, P, Q)
+        for i in range(size):
+            for j in range(size):
+                P[i, j] = Q[i, j] / (4.0 - order)
+            P[i, i] = P[i, i] + 1.0
+    for _ in range(k):
+        multiply(size, P, P, Q)
+        for i in range(size):
+            for j in range(size):
+                P[i, j] = Q[i, j]
 
 
-def advance_filament(
-    i: int, psi: float, h: float, N_m: int, M: float, r_a: float, r_t: float, L: float, R_brush: float, delta: float,
-    omega_b: float, delta_dot: float, v_rov: float, omega_max: float, foreshortening: bool, k_c: float, c_c: float,
-    Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float, v_eps: float, h_min: float, h_max: float,
-    tolerance: float, omega_r: 'float[:]', modes: 'float[:,:]', G: 'float[:,:]', K: 'float[:,:]', work: 'float[:,:]',
-    eta: 'float[:,:]', eta_dot: 'float[:,:]', h_next: 'float[:]', total: 'float[:]',
+def relative_energy(N_m: int, K: 'float[:,:]', work: 'float[:,:]') -> float:
+    """Kinetic, strain and centrifugal energy per modal mass of eta, eta_dot in rows 0, 1 of work."""
+    energy = 0.0
+    for r in range(N_m):
+        pull = -K[6, r]
+        for s in range(N_m):
+            pull = pull + 0.5 * K[r, s] * work[0, s]
+        energy = energy + 0.5 * work[1, r] * work[1, r] + pull * work[0, r]
+    return energy
+
+
+def advance_free(N_m: int, M: float, K: 'float[:,:]', P: 'float[:,:]', work: 'float[:,:]', total: 'float[:]'):
+    """Map rows 0, 1 of work over the communication step; all energy lost goes into damping."""
+    before = relative_energy(N_m, K, work)
+    for r in range(N_m):
+        work[2, r] = P[r, 2 * N_m]
+        work[3, r] = P[N_m + r, 2 * N_m]
+        for s in range(N_m):
+            work[2, r] = work[2, r] + P[r, s] * work[0, s] + P[r, N_m + s] * work[1, s]
+            work[3, r] = work[3, r] + P[N_m + r, s] * work[0, s] + P[N_m + r, N_m + s] * work[1, s]
+    for r in range(N_m):
+        work[0, r] = work[2, r]
+        work[1, r] = work[3, r]
+    total[6] = total[6] + M * (before - relative_energy(N_m, K, work))
+
+
+def tip_speed_bound(N_m: int, K: 'float[:,:]', work: 'float[:,:]') -> float:
+    """Bound on the tip speed of free vibration from rows 0, 1 of work: all energy kinetic, modes in phase, half more."""
+    speed = 0.0
+    for r in range(N_m):
+        speed = speed + 3.0 * sqrt(work[1, r] * work[1, r] + K[r, r] * work[0, r] * work[0, r])
+    return speed
+
+
+def advance_touching(
+    psi: float, h: float, h_goal: float, rate: float, Delta: float, h_plane: float, N_m: int, L: float,
+    foreshortening: bool, h_min: float, h_max: float, tolerance: float, omega_r: 'float[:]', modes: 'float[:,:]',
+    G: 'float[:,:]', K: 'float[:,:]', c: 'float[:]', work: 'float[:,:]', total: 'float[:]',
 ) -> 'tuple[float, float]':
-    """Advance filament i by h from axis angle psi: classical Runge-Kutta in error-controlled micro-steps of its own.
+    """Advance rows 0, 1 of work over h by classical Runge-Kutta in error-controlled micro-steps of this filament.
 
+    h_goal: first micro-step to try; psi, h_plane: axis angle and hull distance at the start, where stage 1 is known.
     The error estimate is the difference to the third-order companion that takes k5, the rate at the end of the step,
-    for k4. Impulses and losses are integrated with the same stages. Returns Delta at the start and at the end.
+    for k4. Impulses and losses are integrated with the same stages. Returns h_goal and Delta at the end.
     """
-    for r in range(N_m):
-        work[0, r] = eta[i, r]
-        work[1, r] = eta_dot[i, r]
-    v_hull = abs(omega_b) * R_brush + abs(delta_dot)
     v_tolerance = tolerance * omega_r[0] * L
-    Delta, rate = rates(
-        0, 1, 4, True, N_m, sin(psi), cos(psi), R_brush - delta, M, r_a, r_t, omega_b, delta_dot, v_rov, omega_max,
-        foreshortening, k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, modes, G, K, work)
-    Delta_start = Delta
     tau = 0.0
-    tau_clear = time_to_touch(Delta, v_hull, N_m, K, work)
-    h_goal = h_next[i]
     sin_psi = 0.0
     cos_psi = 0.0
     rate_end = 0.0
@@ -268,23 +364,21 @@ def advance_filament(
             h_s = left
         elif 2.0 * h_s > left:
             h_s = 0.5 * left
-        touching = tau + h_s > tau_clear
         for r in range(N_m):
             work[3, r] = work[1, r]
         for k in range(5, 8):
             c_h = 0.5 * h_s
             if k == 7:
                 c_h = h_s
-            if touching and k != 6:
-                sin_psi = sin(psi + omega_b * (tau + c_h))
-                cos_psi = cos(psi + omega_b * (tau + c_h))
+            if k != 6:
+                sin_psi = sin(psi + c[6] * (tau + c_h))
+                cos_psi = cos(psi + c[6] * (tau + c_h))
             for r in range(N_m):
                 work[2, r] = work[0, r] + c_h * work[3, r]
                 work[3, r] = work[1, r] + c_h * work[k - 1, r]
-            Delta, rate_end = rates(
-                2, 3, k, touching, N_m, sin_psi, cos_psi, R_brush - delta - delta_dot * (tau + c_h), M, r_a, r_t,
-                omega_b, delta_dot, v_rov, omega_max, foreshortening, k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps,
-                modes, G, K, work)
+            free_acceleration(2, 3, k, N_m, modes, K, work)
+            Delta, rate_end = tip_force(
+                2, 3, k, N_m, sin_psi, cos_psi, h_plane - c[7] * (tau + c_h), foreshortening, modes, G, c, work)
         w = h_s / 6.0
         error = 0.0
         for r in range(N_m):
@@ -293,10 +387,9 @@ def advance_filament(
             work[3, r] = work[1, r] + w * (work[4, r] + 2.0 * (work[5, r] + work[6, r]) + work[7, r])
             e = omega_r[r] * w * (work[3, r] - v_4)
             error = error + e * e
-        Delta, rate_end = rates(
-            2, 3, 8, touching, N_m, sin_psi, cos_psi, R_brush - delta - delta_dot * (tau + h_s), M, r_a, r_t,
-            omega_b, delta_dot, v_rov, omega_max, foreshortening, k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps,
-            modes, G, K, work)
+        free_acceleration(2, 3, 8, N_m, modes, K, work)
+        Delta, rate_end = tip_force(
+            2, 3, 8, N_m, sin_psi, cos_psi, h_plane - c[7] * (tau + h_s), foreshortening, modes, G, c, work)
         for r in range(N_m):
             e = w * (work[8, r] - work[7, r])
             error = error + e * e
@@ -306,7 +399,7 @@ def advance_filament(
             factor = max(0.9 / sqrt(sqrt(error)), 0.2)
         if h_s * rate_end > 4.0 and h_s > 1e-9:  # contact or sticking began: the step is outside the stability limit
             h_goal = max(2.0 / rate_end, 0.25 * h_s)
-        elif error > 1.0 and h_s > h_min:
+        elif error > 1.0 and h_s > 1.000001 * h_min:
             h_goal = max(h_s * factor, h_min)
         else:
             if factor < 1.0 or h_s * factor > h_goal:
@@ -330,13 +423,7 @@ def advance_filament(
             total[12] = max(total[12], abs(y) / L)
             running = h_s < left
             tau = tau + h_s
-            if touching:
-                tau_clear = tau + time_to_touch(Delta, v_hull, N_m, K, work)
-    for r in range(N_m):
-        eta[i, r] = work[0, r]
-        eta_dot[i, r] = work[1, r]
-    h_next[i] = h_goal
-    return Delta_start, Delta
+    return h_goal, Delta
 
 
 def contact_energy(Delta: float, k_c: float) -> float:
@@ -348,15 +435,15 @@ def contact_energy(Delta: float, k_c: float) -> float:
 
 
 def centrifugal_energy(
-    M: float, L: float, chi: float, offset: float, N_m: int, modes: 'float[:,:]', S: 'float[:,:]', work: 'float[:,:]',
+    N_m: int, L: float, modes: 'float[:,:]', S: 'float[:,:]', c: 'float[:]', work: 'float[:,:]',
 ) -> float:
     """Centrifugal potential of the deflection in row 0 of work, over omega_b^2."""
     energy = 0.0
     for r in range(N_m):
-        energy = energy + chi * work[0, r] * (offset * modes[3, r] / L - 0.5 * work[0, r])
+        energy = energy - c[3] * work[0, r] * (c[1] * modes[3, r] / L + 0.5 * work[0, r])
         for s in range(N_m):
             energy = energy + 0.5 * S[r, s] * work[0, r] * work[0, s]
-    return M * energy
+    return c[2] * energy
 
 
 def base_reactions(
@@ -396,23 +483,17 @@ def outputs(
     rho: float, rho_w: float, C_a: float, N_m: int, n: int, bristles_per_filament: float, R_brush: float,
     alpha: float, k_c: float, c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float,
     v_eps: float, foreshortening: bool, centrifugal: bool, mode_acceleration: bool, lambda_r: 'float[:]',
-    omega_r: 'float[:]', modes: 'float[:,:]', G: 'float[:,:]', S: 'float[:,:]', K: 'float[:,:]', work: 'float[:,:]',
-    eta: 'float[:,:]', eta_dot: 'float[:,:]', total: 'float[:]', filament: 'float[:,:]',
+    omega_r: 'float[:]', modes: 'float[:,:]', G: 'float[:,:]', S: 'float[:,:]', K: 'float[:,:]', c: 'float[:]',
+    work: 'float[:,:]', eta: 'float[:,:]', eta_dot: 'float[:,:]', total: 'float[:]', filament: 'float[:,:]',
     kinetic_fraction: 'float[:]', y: 'float[:]',
 ):
     """Write y and the table `filament` from the state and the inputs."""
+    constants(
+        omega_b, delta_dot, v_rov, friction_scale, L, d, rho, rho_w, C_a, N_m, bristles_per_filament, R_brush, alpha,
+        k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, centrifugal, omega_r, modes, S, K, c)
     R_h = hub_radius(R_brush, L, alpha)
-    A = 0.25 * pi * d * d
-    chi = rho / (rho + C_a * rho_w)
-    m = bristles_per_filament * rho * A / chi  # of a bundle with its water, per length
+    M = c[2]
     EI = bristles_per_filament * E * pi * d * d * d * d / 64.0
-    M = m * L
-    r_A = R_h * cos(alpha)
-    offset = R_h * sin(alpha)
-    omega_max = stiffness(omega_b, centrifugal, N_m, L, chi, offset, omega_r, modes, S, K)
-    speed_2 = 0.0
-    if centrifugal:
-        speed_2 = omega_b * omega_b
     F_x = 0.0
     F_z = 0.0
     T_brush = 0.0
@@ -438,10 +519,9 @@ def outputs(
         for r in range(N_m):
             work[0, r] = eta[i, r]
             work[1, r] = eta_dot[i, r]
-        Delta, _ = rates(
-            0, 1, 4, True, N_m, sin_psi, cos_psi, R_brush - delta, M, r_A + L, -offset, omega_b, delta_dot, v_rov,
-            omega_max, foreshortening, k_c, c_c, Delta_s, friction_scale * mu_s, friction_scale * mu_c, v_0, k_v,
-            v_eps, modes, G, K, work)
+        free_acceleration(0, 1, 4, N_m, modes, K, work)
+        Delta, _ = tip_force(
+            0, 1, 4, N_m, sin_psi, cos_psi, R_brush - delta, foreshortening, modes, G, c, work)
         F_f = work[10, 0]
         F_n = work[10, 1]
         F_x = F_x - F_f
@@ -453,7 +533,7 @@ def outputs(
         if F_n > 0.0:
             contact_count = contact_count + 1.0
         E_contact = E_contact + contact_energy(Delta, k_c)
-        E_centrifugal = E_centrifugal + speed_2 * centrifugal_energy(M, L, chi, offset, N_m, modes, S, work)
+        E_centrifugal = E_centrifugal + c[4] * centrifugal_energy(N_m, L, modes, S, c, work)
         slope = 0.0
         shortening = 0.0
         for r in range(N_m):
@@ -464,8 +544,8 @@ def outputs(
             slope = slope + modes[2, r] * work[0, r]
             shortening = shortening + 0.5 * work[9, r] * work[0, r]
         shear, moment, y_tip = base_reactions(
-            -F_f * sin_psi - F_n * cos_psi, F_f * cos_psi - F_n * sin_psi, shortening, m * chi * speed_2, r_A, offset,
-            mode_acceleration, N_m, L, EI, m, omega_r, modes, work)
+            -F_f * sin_psi - F_n * cos_psi, F_f * cos_psi - F_n * sin_psi, shortening, M * c[3] * c[4] / L, c[0] - L, -c[1],
+            mode_acceleration, N_m, L, EI, M / L, omega_r, modes, work)
         F_y_eq11 = F_y_eq11 + shear
         M_b_eq12 = M_b_eq12 + moment
         F_z_eq13 = F_z_eq13 + F_n * slope - F_f  # Eq. 13
@@ -491,7 +571,7 @@ def outputs(
     P_hull = F_x * v_rov - F_z * delta_dot
     deflection_ratio = total[12]
     deflection_ratio_max = total[13]
-    J_filaments = n * bristles_per_filament * rho * A * L * (R_h * R_h + R_h * cos(alpha) * L + L * L / 3.0)
+    J_filaments = n * M * c[3] * (R_h * R_h + R_h * cos(alpha) * L + L * L / 3.0)
     for r in range(6):
         kinetic_fraction[r] = kinetic_fraction[r] / max(E_kinetic, 1e-30)
 
@@ -555,44 +635,55 @@ def step(
     alpha: float, k_c: float, c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float,
     v_eps: float, foreshortening: bool, centrifugal: bool, mode_acceleration: bool, h_min: float, h_max: float,
     tolerance: float, lambda_r: 'float[:]', omega_r: 'float[:]', modes: 'float[:,:]', G: 'float[:,:]',
-    S: 'float[:,:]', K: 'float[:,:]', work: 'float[:,:]', eta: 'float[:,:]', eta_dot: 'float[:,:]',
-    h_next: 'float[:]', total: 'float[:]', filament: 'float[:,:]', kinetic_fraction: 'float[:]', y: 'float[:]',
+    S: 'float[:,:]', K: 'float[:,:]', P: 'float[:,:]', Q: 'float[:,:]', A: 'float[:,:]', c: 'float[:]',
+    work: 'float[:,:]', eta: 'float[:,:]', eta_dot: 'float[:,:]', h_next: 'float[:]', total: 'float[:]',
+    filament: 'float[:,:]', kinetic_fraction: 'float[:]', y: 'float[:]',
 ):
     """Advance the brush by h at constant omega_b, v_rov and delta_dot; delta goes on from its value at the start."""
-    offset = hub_radius(R_brush, L, alpha) * sin(alpha)
-    r_A = hub_radius(R_brush, L, alpha) * cos(alpha)
-    chi = rho / (rho + C_a * rho_w)
-    M = bristles_per_filament * rho * 0.25 * pi * d * d / chi * L
-    omega_max = stiffness(omega_b, centrifugal, N_m, L, chi, offset, omega_r, modes, S, K)
-    speed_2 = 0.0
-    if centrifugal:
-        speed_2 = omega_b * omega_b
+    constants(
+        omega_b, delta_dot, v_rov, friction_scale, L, d, rho, rho_w, C_a, N_m, bristles_per_filament, R_brush, alpha,
+        k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, centrifugal, omega_r, modes, S, K, c)
+    free_flight(h, N_m, c[5], modes, K, P, Q, A)
     J_x = total[1]
     J_z = total[2]
     J_T = total[3]
-    total[12] = 0.0
     E_start = 0.0
     E_end = 0.0
     E_centrifugal = 0.0
+    total[12] = 0.0
     for i in range(n):
-        Delta, Delta_end = advance_filament(
-            i, total[0] + 2.0 * pi * i / n - alpha, h, N_m, M, r_A + L, -offset, L, R_brush, delta, omega_b,
-            delta_dot, v_rov, omega_max, foreshortening, k_c, c_c, Delta_s, friction_scale * mu_s,
-            friction_scale * mu_c, v_0, k_v, v_eps, h_min, h_max, tolerance, omega_r, modes, G, K, work, eta,
-            eta_dot, h_next, total)
+        psi = total[0] + 2.0 * pi * i / n - alpha
+        for r in range(N_m):
+            work[0, r] = eta[i, r]
+            work[1, r] = eta_dot[i, r]
+        free_acceleration(0, 1, 4, N_m, modes, K, work)
+        Delta, rate = tip_force(
+            0, 1, 4, N_m, sin(psi), cos(psi), R_brush - delta, foreshortening, modes, G, c, work)
         E_start = E_start + contact_energy(Delta, k_c)
-        E_end = E_end + contact_energy(Delta_end, k_c)
-        E_centrifugal = E_centrifugal + centrifugal_energy(M, L, chi, offset, N_m, modes, S, work)
+        if Delta + h * (abs(omega_b) * R_brush + abs(delta_dot) + tip_speed_bound(N_m, K, work)) < 0.0:
+            advance_free(N_m, c[2], K, P, work, total)
+        else:
+            h_next[i], Delta = advance_touching(
+                psi, h, h_next[i], rate, Delta, R_brush - delta, N_m, L, foreshortening, h_min, h_max, tolerance,
+                omega_r, modes, G, K, c, work, total)
+            E_end = E_end + contact_energy(Delta, k_c)
+        E_centrifugal = E_centrifugal + centrifugal_energy(N_m, L, modes, S, c, work)
+        y_tip = 0.0
+        for r in range(N_m):
+            eta[i, r] = work[0, r]
+            eta_dot[i, r] = work[1, r]
+            y_tip = y_tip + modes[1, r] * work[0, r]
+        total[12] = max(total[12], abs(y_tip) / L)
     total[0] = total[0] + omega_b * h
     # work of the hub and of the hull, and of the jumps of omega_b and delta before this step
-    total[4] = total[4] - omega_b * (total[3] - J_T) + (speed_2 - total[11]) * total[10]
+    total[4] = total[4] - omega_b * (total[3] - J_T) + (c[4] - total[11]) * total[10]
     total[5] = total[5] + v_rov * (total[1] - J_x) - delta_dot * (total[2] - J_z) + E_start - total[9]
     total[9] = E_end
     total[10] = E_centrifugal
-    total[11] = speed_2
+    total[11] = c[4]
     total[13] = max(total[12], total[13])
     outputs(
         omega_b, delta + delta_dot * h, delta_dot, v_rov, friction_scale, L, d, E, rho, rho_w, C_a, N_m, n,
         bristles_per_filament, R_brush, alpha, k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, foreshortening,
-        centrifugal, mode_acceleration, lambda_r, omega_r, modes, G, S, K, work, eta, eta_dot, total, filament,
+        centrifugal, mode_acceleration, lambda_r, omega_r, modes, G, S, K, c, work, eta, eta_dot, total, filament,
         kinetic_fraction, y)

@@ -12,13 +12,14 @@ POSITION = {"x_n": "position north", "y_n": "position east", "z_n": "position do
 ATTITUDE = {"phi": "roll angle", "theta": "pitch angle", "psi": "yaw angle"}
 VELOCITY = {"u": "surge", "v": "sway", "w": "heave"}
 RATES = {"p": "roll", "q": "pitch", "r": "yaw"}
-WORK = {"W_thruster": "work of the thrusters", "W_tool": "work of the tool wrench", "W_external": "work of the external wrench",
-        "W_current": "work of the water's motion", "W_damping": "energy lost to damping", "E_kinetic": "kinetic energy",
-        "E_potential": "energy of weight and buoyancy", "energy_residual": "energy not accounted for"}  # fmt: skip
-STATE = {"x": 18, "thrust_state": 8, "current": 3, "energy_start": 1, "B": (6, 8), "M": (6, 6), "M_inv": (6, 6)}
+WORK = {"W_thruster": "work of the thrusters", "W_tool": "work of the tool", "W_external": "work of further wrenches",
+        "W_current": "work of the moving water", "W_damping": "energy lost to damping", "E_kinetic": "kinetic energy",
+        "E_potential": "energy of weight and buoyancy", "energy_residual": "unaccounted energy"}  # fmt: skip
+STATE = {"x": 18, "thrust_state": 8, "current": 3, "energy_start": 1, "B": (6, 8), "M": (6, 6), "M_inv": (6, 6),
+         "D": (2, 6), "lever": 3}  # fmt: skip
 SCRATCH = {"quat": 4, "thrust": 8, "F_control": 3, "M_control": 3, "F_disturb": 3, "M_disturb": 3, "tau_external": 6,
-           "tau_control": 6, "tau_disturb": 6, "R": 9, "v_water": 3, "force": 15, "stage": 18, "k": 18, "increment": 18,
-           "work": 36}  # fmt: skip
+           "tau_control": 6, "tau_disturb": 6, "R": 9, "v_water": 3, "force": 15, "stage": 18, "k": 18,
+           "increment": 18, "work": 36}  # fmt: skip
 
 
 class RovVehicle(ComponentSlave):

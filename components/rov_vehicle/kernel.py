@@ -1,11 +1,12 @@
-"""Underwater vehicle in six degrees of freedom (Eqs. 18-21), its thrusters, its tool wrench and the tool-to-hull kinematics.
+"""Underwater vehicle in six degrees of freedom (Eqs. 18-21), its thrusters, tool wrench and tool-to-hull kinematics.
 
-World frame: north, east, down. Body frame: forward, starboard, down. The current is uniform and constant over a step, so
-the equations hold in the frame that moves with the water, and there the relative velocity nu_r is the velocity.
+World frame: north, east, down. Body frame: forward, starboard, down. The current is uniform and constant over a step:
+the equations hold in the frame that moves with the water, where the velocity is the relative velocity nu_r.
 
 x: [0..2] position, [3..6] quaternion body to world (scalar first), [7..12] nu over ground (nu_r inside a step),
    [13..17] energies: thrusters, tool, external wrench, current, damping.
-thrust_state: thrust of each thruster. current: that of the last step. energy_start: kinetic and potential at the start.
+thrust_state: thrust of each thruster. current: that of the last step. energy_start: kinetic and potential at start.
+D: linear (row 0) and quadratic (row 1) damping. lever: W r_g - B r_b, the moment of weight and buoyancy per vertical.
 """
 
 from math import asin, atan2, ceil, cos, exp, sin, sqrt
@@ -37,8 +38,8 @@ def cross_add(out: 'float[:]', at: int, ax: float, ay: float, az: float, bx: flo
 
 
 def tool_wrench(
-    tau_disturb: 'float[:]', r_tool: 'float[:]', R_tool_body: 'float[:]', F_x: float, F_y: float, F_z: float, M_x: float,
-    M_y: float, M_z: float,
+    tau_disturb: 'float[:]', r_tool: 'float[:]', R_tool_body: 'float[:]', F_x: float, F_y: float, F_z: float,
+    M_x: float, M_y: float, M_z: float,
 ) -> None:
     """The tool's force and moment, given in the tool frame, as a wrench about the body origin (Eq. 21)."""
     for r in range(3):
@@ -66,7 +67,7 @@ def thruster_wrench(
         tau_control[r] = 0.0
     for j in range(8):
         steady = thrust_of(u_thruster[j], k_T_forward, k_T_reverse)
-        F = steady + (thrust_state[j] - steady) * decay
+        F = decay * thrust_state[j] + (1.0 - decay) * steady
         for r in range(6):
             tau_control[r] = tau_control[r] + B[r, j] * F
 
@@ -74,8 +75,7 @@ def thruster_wrench(
 def rates(
     k: 'float[:]', x: 'float[:]', R: 'float[:]', v_water: 'float[:]', force: 'float[:]', tau_control: 'float[:]',
     tau_disturb: 'float[:]', tau_external: 'float[:]', v_c: 'float[:]', M: 'float[:,:]', M_inv: 'float[:,:]',
-    added_mass: 'float[:]', D_force: 'float[:]', D_moment: 'float[:]', D_force_quadratic: 'float[:]',
-    D_moment_quadratic: 'float[:]', r_g: 'float[:]', r_b: 'float[:]', W: float, net_buoyancy: float,
+    added_mass: 'float[:]', D: 'float[:,:]', lever: 'float[:]', net_buoyancy: float,
 ) -> None:
     """Rates of x with nu_r in x[7..12]. Scratch: R, v_water (current in the body frame), force."""
     rotation(R, x)
@@ -86,10 +86,10 @@ def rates(
     for i in range(3):
         v_water[i] = R[i] * v_c[0] + R[3 + i] * v_c[1] + R[6 + i] * v_c[2]
         k[i] = R[3 * i] * x[7] + R[3 * i + 1] * x[8] + R[3 * i + 2] * x[9] + v_c[i]  # Eq. 18
-        D_i = (D_force[i] + D_force_quadratic[i] * abs(x[7 + i])) * x[7 + i]
-        D_j = (D_moment[i] + D_moment_quadratic[i] * abs(x[10 + i])) * x[10 + i]
+        D_i = (D[0, i] + D[1, i] * abs(x[7 + i])) * x[7 + i]
+        D_j = (D[0, 3 + i] + D[1, 3 + i] * abs(x[10 + i])) * x[10 + i]
         P_damping = P_damping + D_i * x[7 + i] + D_j * x[10 + i]
-        # Restoring force (W - B) along world z; its moments follow below.
+        # W - B acts along world z, which is R[6..8] in the body frame; its moment follows below.
         force[i] = -D_i - R[6 + i] * net_buoyancy
         force[3 + i] = -D_j
         # Hydrodynamic force on the vehicle, without the acceleration and Coriolis terms yet.
@@ -99,9 +99,7 @@ def rates(
     k[5] = 0.5 * (x[3] * q + x[6] * p - x[4] * r)
     k[6] = 0.5 * (x[3] * r + x[4] * q - x[5] * p)
 
-    buoyancy = W + net_buoyancy
-    cross_add(force, 3, W * r_g[0], W * r_g[1], W * r_g[2], R[6], R[7], R[8])
-    cross_add(force, 3, -buoyancy * r_b[0], -buoyancy * r_b[1], -buoyancy * r_b[2], R[6], R[7], R[8])
+    cross_add(force, 3, lever[0], lever[1], lever[2], R[6], R[7], R[8])
 
     # Momenta a (linear) and b (angular) of M nu_r in force[9..14]; C nu_r = (omega x a, v_r x a + omega x b).
     for i in range(6):
@@ -150,13 +148,9 @@ def kinetic(x: 'float[:]', R: 'float[:]', current: 'float[:]', M: 'float[:,:]', 
     return E
 
 
-def potential(
-    x: 'float[:]', R: 'float[:]', W: float, net_buoyancy: float, r_g: 'float[:]', r_b: 'float[:]',
-) -> float:
-    """Energy of weight and buoyancy, zero with the body origin at depth 0 and r_g, r_b level."""
-    z_g = x[2] + R[6] * r_g[0] + R[7] * r_g[1] + R[8] * r_g[2]
-    z_b = x[2] + R[6] * r_b[0] + R[7] * r_b[1] + R[8] * r_b[2]
-    return -W * z_g + (W + net_buoyancy) * z_b
+def potential(x: 'float[:]', R: 'float[:]', lever: 'float[:]', net_buoyancy: float) -> float:
+    """Energy of weight and buoyancy, zero with the body origin at depth 0 and the lever level."""
+    return net_buoyancy * x[2] - lever[0] * R[6] - lever[1] * R[7] - lever[2] * R[8]
 
 
 def change_frame(x: 'float[:]', R: 'float[:]', v_c: 'float[:]', sign: float) -> None:
@@ -169,9 +163,17 @@ def change_frame(x: 'float[:]', R: 'float[:]', v_c: 'float[:]', sign: float) -> 
 def setup(
     B: 'float[:,:]', M: 'float[:,:]', M_inv: 'float[:,:]', m: float, I: 'float[:]', I_products: 'float[:]',
     r_g: 'float[:]', added_mass: 'float[:]', added_inertia: 'float[:]', thruster_position: 'float[:]',
-    thruster_direction: 'float[:]', work: 'float[:]',
+    thruster_direction: 'float[:]', D: 'float[:,:]', lever: 'float[:]', D_force: 'float[:]', D_moment: 'float[:]',
+    D_force_quadratic: 'float[:]', D_moment_quadratic: 'float[:]', W: float, net_buoyancy: float, r_b: 'float[:]',
+    work: 'float[:]',
 ) -> None:
-    """Allocation matrix B, mass matrix M = M_RB + M_A about the body origin, and its inverse."""
+    """Allocation matrix B, mass matrix M = M_RB + M_A about the body origin and its inverse, D and lever."""
+    for i in range(3):
+        D[0, i] = D_force[i]
+        D[0, 3 + i] = D_moment[i]
+        D[1, i] = D_force_quadratic[i]
+        D[1, 3 + i] = D_moment_quadratic[i]
+        lever[i] = W * r_g[i] - (W + net_buoyancy) * r_b[i]
     for j in range(8):
         k = 3 * j
         for i in range(6):
@@ -179,7 +181,8 @@ def setup(
         for i in range(3):
             work[i] = thruster_direction[k + i]
         cross_add(
-            work, 3, thruster_position[k], thruster_position[k + 1], thruster_position[k + 2], work[0], work[1], work[2])
+             work, 3, thruster_position[k], thruster_position[k + 1], thruster_position[k + 2], work[0], work[1],
+            work[2])
         for i in range(6):
             B[i, j] = work[i]
 
@@ -226,8 +229,8 @@ def setup(
 
 
 def initialize(
-    x: 'float[:]', thrust_state: 'float[:]', current: 'float[:]', energy_start: 'float[:]', R: 'float[:]', v_c: 'float[:]',
-    M: 'float[:,:]', added_mass: 'float[:]', W: float, net_buoyancy: float, r_g: 'float[:]', r_b: 'float[:]',
+    x: 'float[:]', thrust_state: 'float[:]', current: 'float[:]', energy_start: 'float[:]', R: 'float[:]',
+    v_c: 'float[:]', M: 'float[:,:]', added_mass: 'float[:]', lever: 'float[:]', net_buoyancy: float,
     position_start: 'float[:]', attitude_start: 'float[:]', velocity_start: 'float[:]', rates_start: 'float[:]',
 ) -> None:
     """Initial pose and velocity, thrusters at rest, no work done."""
@@ -251,19 +254,19 @@ def initialize(
     for j in range(8):
         thrust_state[j] = 0.0
     rotation(R, x)
-    energy_start[0] = kinetic(x, R, current, M, added_mass) + potential(x, R, W, net_buoyancy, r_g, r_b)
+    energy_start[0] = kinetic(x, R, current, M, added_mass) + potential(x, R, lever, net_buoyancy)
 
 
 def outputs(
-    x: 'float[:]', y: 'float[:]', thrust_state: 'float[:]', current: 'float[:]', energy_start: 'float[:]', quat: 'float[:]',
-    thrust: 'float[:]', F_control: 'float[:]', M_control: 'float[:]', F_disturb: 'float[:]', M_disturb: 'float[:]', tau_external: 'float[:]',
-    tau_control: 'float[:]', tau_disturb: 'float[:]', R: 'float[:]', v_water: 'float[:]',
-    force: 'float[:]', stage: 'float[:]', k: 'float[:]', work: 'float[:]', u_thruster: 'float[:]', F_x: float, F_y: float,
-    F_z: float, M_x: float, M_y: float, M_z: float, F_external: 'float[:]', M_external: 'float[:]', v_c: 'float[:]',
-    B: 'float[:,:]', M: 'float[:,:]', M_inv: 'float[:,:]', added_mass: 'float[:]', D_force: 'float[:]',
-    D_moment: 'float[:]', D_force_quadratic: 'float[:]', D_moment_quadratic: 'float[:]', W: float, net_buoyancy: float,
-    r_g: 'float[:]', r_b: 'float[:]', k_T_forward: float, k_T_reverse: float, r_tool: 'float[:]',
-    R_tool_body: 'float[:]', R_brush: float, hull_point: 'float[:]', hull_normal: 'float[:]',
+    x: 'float[:]', y: 'float[:]', thrust_state: 'float[:]', current: 'float[:]', energy_start: 'float[:]',
+    quat: 'float[:]', thrust: 'float[:]', F_control: 'float[:]', M_control: 'float[:]', F_disturb: 'float[:]',
+    M_disturb: 'float[:]', tau_external: 'float[:]', tau_control: 'float[:]', tau_disturb: 'float[:]', R: 'float[:]',
+    v_water: 'float[:]', force: 'float[:]', stage: 'float[:]', k: 'float[:]', work: 'float[:]',
+    u_thruster: 'float[:]', F_x: float, F_y: float, F_z: float, M_x: float, M_y: float, M_z: float,
+    F_external: 'float[:]', M_external: 'float[:]', v_c: 'float[:]', B: 'float[:,:]', M: 'float[:,:]',
+    M_inv: 'float[:,:]', added_mass: 'float[:]', D: 'float[:,:]', lever: 'float[:]', net_buoyancy: float,
+    k_T_forward: float, k_T_reverse: float, r_tool: 'float[:]', R_tool_body: 'float[:]', R_brush: float,
+    hull_point: 'float[:]', hull_normal: 'float[:]',
 ) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
     thruster_wrench(tau_control, B, thrust_state, u_thruster, k_T_forward, k_T_reverse, 1.0)
@@ -274,8 +277,9 @@ def outputs(
     for i in range(18):
         stage[i] = x[i]
     change_frame(stage, R, v_c, -1.0)
-    rates(k, stage, R, v_water, force, tau_control, tau_disturb, tau_external, v_c, M, M_inv, added_mass, D_force,
-          D_moment, D_force_quadratic, D_moment_quadratic, r_g, r_b, W, net_buoyancy)
+    rates(
+        k, stage, R, v_water, force, tau_control, tau_disturb, tau_external, v_c, M, M_inv, added_mass, D, lever,
+        net_buoyancy)
     P_thruster = k[13]
     P_tool = k[14]
     P_damping = k[17]
@@ -330,7 +334,7 @@ def outputs(
     W_current = x[16]
     W_damping = x[17]
     E_kinetic = kinetic(x, R, current, M, added_mass)
-    E_potential = potential(x, R, W, net_buoyancy, r_g, r_b)
+    E_potential = potential(x, R, lever, net_buoyancy)
     work_done = W_thruster + W_tool + W_external + W_current - W_damping
     energy_residual = energy_start[0] + work_done - E_kinetic - E_potential
     y[0] = x_n
@@ -377,14 +381,13 @@ def outputs(
 def step(
     t: float, h: float, x: 'float[:]', y: 'float[:]', thrust_state: 'float[:]', current: 'float[:]',
     energy_start: 'float[:]', quat: 'float[:]', thrust: 'float[:]', F_control: 'float[:]', M_control: 'float[:]',
-    F_disturb: 'float[:]', M_disturb: 'float[:]', tau_external: 'float[:]', tau_control: 'float[:]', tau_disturb: 'float[:]',
-    R: 'float[:]', v_water: 'float[:]', force: 'float[:]', stage: 'float[:]', k: 'float[:]', increment: 'float[:]',
-    work: 'float[:]', u_thruster: 'float[:]', F_x: float, F_y: float, F_z: float, M_x: float, M_y: float, M_z: float,
-    F_external: 'float[:]', M_external: 'float[:]', v_c: 'float[:]', B: 'float[:,:]', M: 'float[:,:]', M_inv: 'float[:,:]',
-    added_mass: 'float[:]', D_force: 'float[:]', D_moment: 'float[:]', D_force_quadratic: 'float[:]',
-    D_moment_quadratic: 'float[:]', W: float, net_buoyancy: float, r_g: 'float[:]', r_b: 'float[:]', k_T_forward: float,
-    k_T_reverse: float, thruster_lag: float, r_tool: 'float[:]', R_tool_body: 'float[:]', R_brush: float,
-    hull_point: 'float[:]', hull_normal: 'float[:]', max_step: float,
+    F_disturb: 'float[:]', M_disturb: 'float[:]', tau_external: 'float[:]', tau_control: 'float[:]',
+    tau_disturb: 'float[:]', R: 'float[:]', v_water: 'float[:]', force: 'float[:]', stage: 'float[:]', k: 'float[:]',
+    increment: 'float[:]', work: 'float[:]', u_thruster: 'float[:]', F_x: float, F_y: float, F_z: float, M_x: float,
+    M_y: float, M_z: float, F_external: 'float[:]', M_external: 'float[:]', v_c: 'float[:]', B: 'float[:,:]',
+    M: 'float[:,:]', M_inv: 'float[:,:]', added_mass: 'float[:]', D: 'float[:,:]', lever: 'float[:]',
+    net_buoyancy: float, k_T_forward: float, k_T_reverse: float, thruster_lag: float, r_tool: 'float[:]',
+    R_tool_body: 'float[:]', R_brush: float, hull_point: 'float[:]', hull_normal: 'float[:]', max_step: float,
 ) -> None:
     """Advance by h in equal Runge-Kutta steps; the thrusters' lag is solved exactly beside them."""
     count = max(1, ceil(h / max_step - 1e-6))
@@ -424,8 +427,9 @@ def step(
                 reached = decay
                 weight = 1.0
             thruster_wrench(tau_control, B, thrust_state, u_thruster, k_T_forward, k_T_reverse, reached)
-            rates(k, stage, R, v_water, force, tau_control, tau_disturb, tau_external, v_c, M, M_inv, added_mass,
-                  D_force, D_moment, D_force_quadratic, D_moment_quadratic, r_g, r_b, W, net_buoyancy)
+            rates(
+                k, stage, R, v_water, force, tau_control, tau_disturb, tau_external, v_c, M, M_inv, added_mass, D,
+                lever, net_buoyancy)
             ahead = 0.5 * dt
             if s == 2:
                 ahead = dt
@@ -439,10 +443,10 @@ def step(
             x[i] = x[i] / length
         for j in range(8):
             steady = thrust_of(u_thruster[j], k_T_forward, k_T_reverse)
-            thrust_state[j] = steady + (thrust_state[j] - steady) * decay
+            thrust_state[j] = decay * thrust_state[j] + (1.0 - decay) * steady
     change_frame(x, R, v_c, 1.0)
     outputs(
-        x, y, thrust_state, current, energy_start, quat, thrust, F_control, M_control, F_disturb, M_disturb, tau_external,
-        tau_control, tau_disturb, R, v_water, force, stage, k, work, u_thruster, F_x, F_y, F_z, M_x, M_y, M_z, F_external,
-        M_external, v_c, B, M, M_inv, added_mass, D_force, D_moment, D_force_quadratic, D_moment_quadratic, W,
-        net_buoyancy, r_g, r_b, k_T_forward, k_T_reverse, r_tool, R_tool_body, R_brush, hull_point, hull_normal)
+         x, y, thrust_state, current, energy_start, quat, thrust, F_control, M_control, F_disturb, M_disturb,
+        tau_external, tau_control, tau_disturb, R, v_water, force, stage, k, work, u_thruster, F_x, F_y, F_z, M_x,
+        M_y, M_z, F_external, M_external, v_c, B, M, M_inv, added_mass, D, lever, net_buoyancy, k_T_forward,
+        k_T_reverse, r_tool, R_tool_body, R_brush, hull_point, hull_normal)

@@ -21,7 +21,7 @@ class Parameters:
     W: float = parameter(112.8, "N", "weight", WU, minimum=0.0, maximum=1e5)
     net_buoyancy: float = parameter(0.3, "N", "buoyancy minus weight, B - W", "Table 2", minimum=-1e4, maximum=1e4)
     I: tuple[float, ...] = parameter(
-        (0.16, 0.16, 0.16), "kg.m2", "moments of inertia about the body origin: xx, yy, zz", WU, minimum=1e-4, maximum=1e4
+        (0.16, 0.16, 0.16), "kg.m2", "moments of inertia about the body origin: xx, yy, zz", WU, 1e-4, 1e4
     )
     I_products: tuple[float, ...] = parameter(
         (0.0, 0.0, 0.0), "kg.m2", "off-diagonal elements of the inertia matrix: xy, xz, yz", WU, -1e4, 1e4
@@ -50,7 +50,7 @@ class Parameters:
         POSITIONS, "m", "eight rows (x, y, z)", GEOMETRY_SOURCE, -10.0, 10.0
     )
     thruster_direction: tuple[float, ...] = parameter(
-        DIRECTIONS, "1", "eight rows (x, y, z): unit force on the vehicle at a positive command", GEOMETRY_SOURCE, -1.0, 1.0
+        DIRECTIONS, "1", "eight rows (x, y, z): unit force at a positive command", GEOMETRY_SOURCE, -1.0, 1.0
     )
     k_T_forward: float = parameter(K_T[12][0], "N", "thrust at command +1", K_T_SOURCE, minimum=0.0, maximum=1e4)
     k_T_reverse: float = parameter(K_T[12][1], "N", "thrust at command -1", K_T_SOURCE, minimum=0.0, maximum=1e4)
@@ -68,10 +68,10 @@ class Parameters:
     )
     R_brush: float = parameter(0.15, "m", "brush radius", "Table 2", minimum=1e-3, maximum=10.0)
     hull_point: tuple[float, ...] = parameter(
-        (0.0, 0.0, 0.445), "m", "a point of the hull plane, world frame: 5 mm penetration at the origin", "assumed", -1e4, 1e4
+        (0.0, 0.0, 0.445), "m", "a point of the hull plane, world frame", "assumed", -1e4, 1e4
     )
     hull_normal: tuple[float, ...] = parameter(
-        (0.0, 0.0, -1.0), "1", "unit normal of the hull plane, world frame, out of the hull into the water", "assumed", -1.0, 1.0
+        (0.0, 0.0, -1.0), "1", "unit normal of the hull plane into the water, world frame", "assumed", -1.0, 1.0
     )
     position_start: tuple[float, ...] = parameter(
         (0.0, 0.0, 0.0), "m", "initial position in the world: north, east, down", "assumed", -1e4, 1e4
@@ -88,8 +88,10 @@ class Parameters:
     max_step: float = parameter(2.5e-3, "s", "largest internal step", "assumed", minimum=1e-6, maximum=0.02)
 
 
-def about_origin(I_g: tuple[float, ...], m: float, r_g: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Parallel-axis theorem: `I` and `I_products` about the body origin from the moments about the centre of gravity."""
+def about_origin(
+    I_g: tuple[float, ...], m: float, r_g: tuple[float, ...]
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Parallel-axis theorem: `I` and `I_products` about the body origin from the moments about r_g."""
     x, y, z = r_g
     moments = (I_g[0] + m * (y * y + z * z), I_g[1] + m * (x * x + z * z), I_g[2] + m * (x * x + y * y))
     return moments, (-m * x * y, -m * x * z, -m * y * z)

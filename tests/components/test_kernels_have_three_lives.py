@@ -16,6 +16,23 @@ CASES = (
         "dc_motor", 5e-3, 40, {"V_in": (0.0, 12.0), "T_brush": (0.0, 20.0)},
         {"current_limit": 60.0, "gear_efficiency": 0.7}, "limited",
     ),
+    Case(
+        "rov_vehicle", 5e-3, 60,
+        {"u_thruster": (0.1, 1.2), "F_x": (-60.0, 50.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 8.0), "v_c": (0.2, 0.3),
+         "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
+        {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
+    ),
+    Case(
+        "rov_controller", 0.02, 60,
+        {"x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
+         "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0)},
+    ),
+    Case(
+        "rov_controller", 0.01, 60,
+        {"x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
+         "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0)},
+        {"attitude_first": False}, "clipping",
+    ),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 
@@ -70,5 +87,6 @@ def _written(statement: ast.stmt) -> tuple[int, str, int] | None:
     value = ast.unparse(statement.value)
     if size:
         counter = ast.unparse(loop.target)
-        index, value = index.removesuffix(f" + {counter}"), value.removesuffix(f"[{counter}]")
+        index = "0" if index == counter else index.removesuffix(f" + {counter}")
+        value = value.removesuffix(f"[{counter}]")
     return int(index), value, size

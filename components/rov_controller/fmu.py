@@ -1,0 +1,44 @@
+"""The controller as an FMU: names and units only, the equations are in kernel.py."""
+
+from __future__ import annotations
+
+from ..interface import Array, input_, output
+from ..slave import ComponentSlave
+from . import kernel
+from .parameters import Parameters
+
+POSITION = {"x": "north", "y": "east", "z": "down"}
+ATTITUDE = {"phi": "roll", "theta": "pitch", "psi": "yaw"}
+VELOCITY = {"u": "surge", "v": "sway", "w": "heave"}
+RATES = {"p": "roll", "q": "pitch", "r": "yaw"}
+STATE = {"B": (6, 8), "B_pinv": (8, 6), "integral": 6, "nu_last": 6, "command": 8, "memory": 10}
+SCRATCH = {"e": 6, "nu": 6, "tau": 6, "F": 8, "gains": (3, 6), "work": 72, "u_thruster": 8, "F_ref": 3, "M_ref": 3}
+
+
+class RovController(ComponentSlave):
+    """Cascaded PID at 50 Hz with pseudoinverse thruster allocation and anti-windup"""
+
+    parameters = Parameters
+    kernel = kernel
+    default_step = 0.02
+    inputs = (
+        *(input_(f"{name}_n", "m", f"measured position {text}") for name, text in POSITION.items()),
+        *(input_(name, "rad", f"measured {text} angle") for name, text in ATTITUDE.items()),
+        *(input_(name, "m/s", f"measured {text} velocity, body frame") for name, text in VELOCITY.items()),
+        *(input_(name, "rad/s", f"measured {text} rate, body frame") for name, text in RATES.items()),
+        *(input_(f"{name}_ref", "m", f"set-point of the position {text}") for name, text in POSITION.items()),
+        *(input_(f"{name}_ref", "rad", f"set-point of the {text} angle") for name, text in ATTITUDE.items()),
+        input_("V_ref", "V", "set-point of the brush motor voltage", start=12.0),
+    )
+    outputs = (
+        output("u_thruster", "1", "thruster commands, -1 to 1", size=8, sampled=True),
+        output("V_in", "V", "brush motor voltage", sampled=True),
+        output("F_ref", "N", "requested force, body frame", size=3, sampled=True),
+        output("M_ref", "N.m", "requested moment, body frame", size=3, sampled=True),
+        output("saturated", "1", "1 when the thrusters cannot give the requested wrench", sampled=True),
+        output("saturation_count", "1", "number of samples in which they could not", sampled=True),
+    )
+    arrays = (
+        *(Array(name, lambda p, shape=shape: shape) for name, shape in STATE.items()),
+        *(Array(name, lambda p, shape=shape: shape, scratch=True) for name, shape in SCRATCH.items()),
+    )

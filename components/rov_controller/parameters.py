@@ -1,0 +1,60 @@
+"""Parameters of the controller: gains as SI wrenches, limits, sampling and thrusters, each with unit and source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..interface import parameter
+from ..thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
+
+GAINS = "assumed, after public BlueROV2 simulations"
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """Cascaded PID for the BlueROV2 Heavy; the thrusters are those of the vehicle, by the same defaults."""
+
+    T_s: float = parameter(0.02, "s", "sampling period", "assumed (50 Hz)", minimum=1e-4, maximum=1.0)
+    K_position: tuple[float, ...] = parameter(
+        (1.0, 1.0, 1.0), "1/s", "velocity set-point per position error: north, east, down", GAINS, 0.0, 100.0
+    )
+    K_velocity: tuple[float, ...] = parameter(
+        (60.0, 80.0, 90.0), "N.s/m", "force per velocity error: surge, sway, heave", GAINS, 0.0, 1e4
+    )
+    K_velocity_i: tuple[float, ...] = parameter(
+        (60.0, 80.0, 90.0), "N/m", "its integral action: surge, sway, heave", GAINS, 0.0, 1e4
+    )
+    K_velocity_d: tuple[float, ...] = parameter(
+        (1.0, 1.0, 1.0), "kg", "force per measured acceleration, against it: surge, sway, heave", GAINS, 0.0, 1e4
+    )
+    K_attitude: tuple[float, ...] = parameter(
+        (4.0, 4.0, 3.0), "1/s", "rate set-point per attitude error: roll, pitch, yaw", GAINS, 0.0, 100.0
+    )
+    K_rate: tuple[float, ...] = parameter(
+        (4.0, 4.0, 4.0), "N.m.s/rad", "moment per rate error: roll, pitch, yaw", GAINS, 0.0, 1e4
+    )
+    K_rate_i: tuple[float, ...] = parameter(
+        (6.0, 6.0, 4.0), "N.m/rad", "its integral action: roll, pitch, yaw", GAINS, 0.0, 1e4
+    )
+    K_rate_d: tuple[float, ...] = parameter(
+        (0.01, 0.01, 0.01), "kg.m2", "moment per measured angular acceleration, against it", GAINS, 0.0, 1e4
+    )
+    K_windup: float = parameter(
+        5.0, "1/s", "rate at which the integrals give up what the thrusters cannot", "assumed", 0.0, 50.0
+    )
+    v_max: float = parameter(0.5, "m/s", "limit of the velocity set-point", "assumed", minimum=1e-3, maximum=10.0)
+    rate_max: float = parameter(1.0, "rad/s", "limit of the rate set-point", "assumed", minimum=1e-3, maximum=10.0)
+    attitude_first: bool = parameter(
+        True, "1", "a saturated allocation gives up force before moment; false: clips each thruster", "assumed"
+    )
+    thruster_position: tuple[float, ...] = parameter(
+        POSITIONS, "m", "eight rows (x, y, z), body frame", GEOMETRY_SOURCE, -10.0, 10.0
+    )
+    thruster_direction: tuple[float, ...] = parameter(
+        DIRECTIONS, "1", "eight rows (x, y, z): unit force at a positive command", GEOMETRY_SOURCE, -1.0, 1.0
+    )
+    k_T_forward: float = parameter(K_T[12][0], "N", "thrust at command +1", K_T_SOURCE, minimum=1e-3, maximum=1e4)
+    k_T_reverse: float = parameter(K_T[12][1], "N", "thrust at command -1", K_T_SOURCE, minimum=1e-3, maximum=1e4)
+
+
+NOMINAL = Parameters()

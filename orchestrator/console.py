@@ -1,0 +1,60 @@
+"""What a person sees while and after a run: progress, the comparison table, the summary."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+console = Console(highlight=False, soft_wrap=True)
+PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
+
+
+@contextmanager
+def progress(total: float, what: str) -> Iterator[Callable[[float], None]]:
+    """A bar on a terminal, a line now and then elsewhere; the callback takes the time reached, of `total` seconds."""
+    if not console.is_terminal:
+        last = [time.monotonic()]
+
+        def line(reached: float) -> None:
+            if time.monotonic() - last[0] >= PLAIN_INTERVAL:
+                last[0] = time.monotonic()
+                console.print(f"{what}: {reached:.3g} of {total:g} s")
+
+        yield line
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.completed:.2f}/{task.total:g} s"), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(what, total=total)
+        yield lambda reached: bar.update(task, completed=reached)
+
+
+def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
+    """The paper's numbers beside the run's."""
+    if not rows:
+        return
+    table = Table(title="Paper and simulation, means over the steady window", title_justify="left")
+    for heading, justify in (("quantity", "left"), ("unit", "left"), ("paper", "right"), ("simulated", "right"), ("ratio", "right"), ("bound", "right"), ("", "left")):
+        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    for row in rows:
+        verdict = {None: "", True: "within", False: "[bold red]outside[/]"}[row["within"]]
+        bound = "" if row.get("tolerance") is None else f"{100 * row['tolerance']:g} %"
+        table.add_row(row["label"], row["unit"], f"{row['reference']:g}", f"{row['value']:.5g}", f"{row['ratio']:.4f}", bound, verdict)
+    console.print(table)
+    for row in rows:
+        if row.get("note"):
+            console.print(f"{row['label']}: {row['note']}")
+
+
+def print_summary(summary: Mapping[str, Any]) -> None:
+    """Figures of merit, one a line."""
+    for key, value in summary.items():
+        if isinstance(value, float):
+            console.print(f"  {key:<28} {value:.6g}")
+        elif isinstance(value, (int, str)):
+            console.print(f"  {key:<28} {value}")

@@ -1,0 +1,47 @@
+"""The energy that the coupling makes or loses at a power bond.
+
+A bond is a pair effort and flow that cross between two components in opposite directions. Each side computes its
+power with what it knows: its own output, and the other's signal as it received it (held over the step). What the two
+differ by is made or lost by the coupling; it vanishes as the periods shrink.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .signals import Signal, Signals
+from .system import Bond
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Energies [J] over the run at both sides of a bond, and what the coupling made of it."""
+
+    name: str
+    effort_side: float
+    flow_side: float
+
+    @property
+    def made(self) -> float:
+        return self.flow_side - self.effort_side
+
+    @property
+    def relative(self) -> float:
+        """|made| over the larger of the two energies; 0 for a bond that carries nothing."""
+        carried = max(abs(self.effort_side), abs(self.flow_side))
+        return abs(self.made) / carried if carried else 0.0
+
+
+def work(held: Signal, own: Signal, sign: float) -> np.ndarray:
+    """Cumulative work of a held input times an output of the same component (trapezoidal in the output), (rows,)."""
+    step = sign * held.values[1:] * 0.5 * (own.values[1:] + own.values[:-1]) * np.diff(own.time)
+    return np.concatenate([[0.0], np.cumsum(step)])
+
+
+def ledger(signals: Signals, bond: Bond) -> Ledger:
+    """The books of one bond. Its four signals must be recorded."""
+    effort = work(signals[bond.flow[1]], signals[bond.effort[0]], bond.sign)
+    flow = work(signals[bond.effort[1]], signals[bond.flow[0]], bond.sign)
+    return Ledger(bond.name, float(effort[-1]), float(flow[-1]))

@@ -1,0 +1,81 @@
+"""A plan as text: whatever the executor does can be read here first."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .clock import seconds_text
+from .plan import ACCUMULATE, COPY, GET, LINEAR, MEAN, NAMES, PUSH, RECORD, SET, STEP, Plan
+
+
+def explain(plan: Plan, operations: int | None = None) -> str:
+    """Components, connections with their transfers and reasons, order, and the operations of one hyperperiod.
+
+    `operations` limits how many operations are shown (None: all).
+    """
+    system, clock = plan.system, plan.clock
+    tick = seconds_text(clock.seconds(1))
+    lines = [
+        f"system {system.name}: {system.description}",
+        f"stop {seconds_text(system.stop)}; tick {tick}; the schedule repeats every {seconds_text(clock.seconds(clock.hyperperiod))}",
+        f"algorithm {system.algorithm}; order {', '.join(plan.order)} ({plan.order_reason})",
+        "", "components",
+    ]  # fmt: skip
+    for name in plan.order:
+        component = system.components[name]
+        lines.append(f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, sha256 {component.fmu.digest[:12]}")
+    lines += ["", "connections"]
+    for connection, choice in plan.choices.items():
+        converted = "" if (connection.gain, connection.offset) == (1.0, 0.0) else f"; converted: {connection.gain:g} x + {connection.offset:g}"
+        lines.append(f"  {connection.label:<46} {choice.transfer:<7} {choice.reason}{converted}")
+    for bond in system.bonds:
+        lines.append(f"  power bond {bond.name}: {' -> '.join(bond.effort)} times {' -> '.join(bond.flow)}")
+    lines += ["", "recorded"]
+    for group in plan.groups:
+        lines.append(f"  every {seconds_text(clock.seconds(group.period)):<8} {len(group.columns)} signals of {', '.join(group.components)}")
+    total = len(plan.prologue) + len(plan.cycle)
+    lines += ["", f"operations ({total}; those at time 0 once, the others every {seconds_text(clock.seconds(clock.hyperperiod))})"]
+    shown = np.concatenate([plan.prologue, plan.cycle])[:operations]
+    names = _Names(plan)
+    for row in shown.tolist():
+        lines.append(f"  {seconds_text(clock.seconds(row[1])) if row[1] else '0 s':>10}  {names.text(row)}")
+    if len(shown) < total:
+        lines.append(f"  ... and {total - len(shown)} more (--all shows them)")
+    return "\n".join(lines)
+
+
+class _Names:
+    """Operations in words."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        layout = plan.layout
+        self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
+        self.slots |= {slot: f"previous {'.'.join(key)}" for key, slot in layout.previous.items()}
+        self.slots |= {slot: f"integral for {'.'.join(key)}" for key, slot in layout.integrals.items()}
+
+    def text(self, row: list[int]) -> str:
+        code, tick, component, a, b, p, q, k = row
+        c, clock, s = self.plan.coefficients, self.plan.clock, self.slots
+        name = list(self.plan.system.components)[component] if component >= 0 else ""
+        head = f"{NAMES[code]:<10} "
+        if code == STEP:
+            return f"{head} {name} from {seconds_text(clock.seconds(tick - a)) if tick > a else '0 s'} by {seconds_text(clock.seconds(a))}"
+        if code in (SET, GET):
+            table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
+            return f"{head} {name}: {sum(owner == name for owner, _ in table)} values"
+        if code == RECORD:
+            group = self.plan.groups[a]
+            return f"{head} {len(group.columns)} signals of {', '.join(group.components)}"
+        if code == PUSH:
+            return f"{head} {s[b]} = {s[a]}"
+        if code == ACCUMULATE:
+            return f"{head} {s[b]} += {c[k]:g} ({s[p]} + {s[a]})"
+        gain = "" if (c[k], c[k + 1]) == (1.0, 0.0) else f" (times {c[k]:g} plus {c[k + 1]:g})"
+        if code == COPY:
+            return f"{head} {s[b]} = {s[a]}{gain}"
+        if code == LINEAR:
+            return f"{head} {s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}){gain}"
+        assert code == MEAN
+        tail = "" if (c[k + 2], c[k + 3]) == (0.0, 0.0) else f" + {c[k + 2]:g} {s[a]} + {c[k + 3]:g} {s[p]}"
+        return f"{head} {s[b]} = {s[q]}{tail}{gain}, begin a new integral"

@@ -1,0 +1,62 @@
+"""Figures of a run, as its system file asks for them; every axis is labelled `name [unit]`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from .signals import Signals
+from .simulation import Run
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def figures(run: Run) -> Iterator[tuple[str, Figure]]:
+    """File name and figure for every `[[figures]]` entry whose signals were recorded.
+
+    An entry has `file`, `title` and `signals`, or a `kind` that a study draws; optional: `from`, `to` [s] and
+    `reference` (a value drawn as a dashed line).
+    """
+    from .studies.mode_shapes import mode_shapes
+
+    signals = Signals(run)
+    for entry in run.plan.system.reporting["figures"]:
+        if entry.get("kind") == "mode_shapes":
+            yield entry["file"], mode_shapes(run.calculated, entry)
+        elif all(name in signals for name in entry["signals"]):
+            yield entry["file"], time_series(signals, entry)
+
+
+def new_figure(title: str, rows: int = 1) -> tuple[Figure, list[Any]]:
+    """An empty figure with `rows` axes one above the other."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, 1.2 + 2.6 * rows), dpi=110, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
+    figure.suptitle(title)
+    for axis in axes:
+        axis.grid(alpha=0.3)
+        axis.margins(x=0)
+    return figure, list(axes)
+
+
+def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
+    """One axis per unit, the signals of that unit in it."""
+    found = [signals[name] for name in entry["signals"]]
+    units = list(dict.fromkeys(s.unit for s in found))
+    figure, axes = new_figure(entry["title"], len(units))
+    for axis, unit in zip(axes, units, strict=True):
+        members = [s for s in found if s.unit == unit]
+        for signal in members:
+            inside = (signal.time >= entry.get("from", 0.0)) & (signal.time <= entry.get("to", signals.run.end))
+            axis.plot(signal.time[inside], signal.values[inside], linewidth=0.9, label=signal.name)
+        axis.set_ylabel(members[0].label if len(members) == 1 else f"[{unit}]")
+        if "reference" in entry:
+            axis.axhline(entry["reference"], linestyle="--", color="black", linewidth=0.9, label=f"paper: {entry['reference']:g} {unit}")
+        if len(members) > 1 or "reference" in entry:
+            axis.legend(loc="best", fontsize="small")
+    axes[-1].set_xlabel("time [s]")
+    return figure

@@ -1,0 +1,29 @@
+"""What this process has used so far: time since it began, and its peak memory."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from pathlib import Path
+
+_IMPORTED = time.time()
+
+
+def seconds_since_start() -> float:
+    """Wall time since the process began [s]; where the system does not tell, since this module was imported."""
+    stat, uptime = Path("/proc/self/stat"), Path("/proc/uptime")
+    if stat.is_file() and uptime.is_file():
+        started = float(stat.read_text().rsplit(")", 1)[1].split()[19]) / os.sysconf("SC_CLK_TCK")
+        return float(uptime.read_text().split()[0]) - started
+    return time.time() - _IMPORTED
+
+
+def peak_memory() -> float:
+    """Largest resident size so far [MB]; 0 where the system does not tell."""
+    try:
+        import resource
+    except ImportError:
+        return 0.0
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak / (1e6 if sys.platform == "darwin" else 1e3)

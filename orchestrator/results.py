@@ -1,0 +1,155 @@
+"""What a run leaves on disk: result.nc, result.csv, summary.json, manifest.json and figures.
+
+Every file is written under a temporary name and renamed when complete.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .clock import seconds_text
+from .errors import InputError, RunError
+from .explain import explain
+from .plan import Plan
+from .signals import Signals
+from .simulation import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
+
+
+def prepare_folder(folder: Path) -> None:
+    """Create the output folder and prove that it can be written to, before anything is computed. Raises InputError."""
+    probe = folder / f".probe.{os.getpid()}.tmp"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe.write_bytes(b"")
+        probe.unlink()
+    except OSError as error:
+        raise InputError(f"cannot write to the output folder {folder}: {error.strerror}; choose another with --out") from error
+
+
+def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
+    """Let `write` fill a temporary file, then rename it. Raises RunError if the disk refuses."""
+    temporary = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
+    try:
+        write(temporary)
+        temporary.replace(path)
+    except OSError as error:
+        raise RunError(f"cannot write {path}: {error.strerror or error}; nothing was left half-written") from error
+    finally:
+        temporary.unlink(missing_ok=True)
+    return path
+
+
+def datasets(run: Run) -> dict[str, xarray.Dataset]:
+    """One dataset per rate, by a name such as `every_0.5_ms`; variables carry unit and description."""
+    import xarray
+
+    signals = Signals(run)
+    found = {}
+    for g, group in enumerate(run.plan.groups):
+        variables = {}
+        for name in (".".join(key) for key in group.columns):
+            signal = signals[name]
+            variables[name] = ("time", signal.values, {"units": signal.unit, "long_name": signal.description})
+        time = ("time", signals.times[g], {"units": "s", "long_name": "time"})
+        attributes = {"period": seconds_text(run.plan.clock.seconds(group.period)), "complete": int(not run.failure)}
+        found[group_name(run.plan, g)] = xarray.Dataset(variables, {"time": time}, attributes)
+    return found
+
+
+def group_name(plan: Plan, group: int) -> str:
+    """Name of a rate's table in the results file."""
+    return "every_" + seconds_text(plan.clock.seconds(plan.groups[group].period)).replace(" ", "_").replace("/", "_per_")
+
+
+def write_results(run: Run, folder: Path, summary: dict[str, Any]) -> list[Path]:
+    """Write everything; returns the paths in the order of writing. Raises RunError if the disk refuses."""
+    tables = datasets(run)
+
+    def netcdf(path: Path) -> None:
+        for k, (group, dataset) in enumerate(tables.items()):
+            dataset.to_netcdf(path, mode="a" if k else "w", group=group, engine="h5netcdf")
+
+    return [
+        write_file(folder / "result.nc", netcdf),
+        write_file(folder / "result.csv", lambda path: write_csv(run, path)),
+        write_file(folder / "summary.json", lambda path: write_json(path, summary)),
+        write_file(folder / "manifest.json", lambda path: write_json(path, manifest(run))),
+        *_figures(run, folder),
+    ]
+
+
+def _figures(run: Run, folder: Path) -> list[Path]:
+    from .plots import figures
+
+    return [write_file(folder / name, figure.savefig) for name, figure in figures(run)]
+
+
+def write_csv(run: Run, path: Path) -> None:
+    """One row per instant of the fastest rate, one column `name [unit]` per signal; slower signals leave cells empty."""
+    signals = Signals(run)
+    base = run.plan.groups[0].period
+    header, columns = ["time [s]"], [[repr(t) for t in signals.times[0].tolist()]]
+    rows = len(columns[0])
+    for g, group in enumerate(run.plan.groups):
+        stride, rest = divmod(group.period, base)
+        if rest:
+            raise RunError(f"result.csv: {group_name(run.plan, g)} does not fit the grid of the fastest rate; read result.nc instead")
+        for name in (".".join(key) for key in group.columns):
+            signal = signals[name]
+            header.append(signal.label)
+            texts = [f"{value:.10g}" for value in signal.values.tolist()]
+            column = texts if stride == 1 else [""] * rows
+            if stride > 1:
+                column[::stride] = texts[: len(column[::stride])]
+            columns.append(column)
+    with path.open("w", encoding="utf-8") as file:
+        file.write(",".join(header) + "\n")
+        file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+
+
+def write_json(path: Path, content: Any) -> None:
+    """JSON with sorted-by-insertion keys; refuses NaN, which is no JSON."""
+    path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def manifest(run: Run) -> dict[str, Any]:
+    """Everything needed to know what was run: values, content hashes, versions, plan. No dates: reruns are equal."""
+    system = run.plan.system
+    components = {}
+    for name, component in system.components.items():
+        fmu = component.fmu
+        values = {v: fmu.variables[v].start for v in fmu.names("parameter")}
+        components[name] = {
+            "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid, "period_s": float(component.period),
+            "parameters": {v: _plain(value) for v, value in {**values, **component.parameters}.items()},
+            "inputs": dict(component.inputs),
+        }  # fmt: skip
+    return {
+        "system": system.name, "description": system.description, "stop_s": float(system.stop), "complete": not run.failure,
+        "components": components, "calculated": run.calculated,
+        "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],
+        "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},
+        "platform": f"{platform.system()} {platform.machine()}",
+        "plan": explain(run.plan).splitlines(),
+    }  # fmt: skip
+
+
+def _plain(value: Any) -> Any:
+    """A start value of a model description (text) as a number where it is one."""
+    if not isinstance(value, str):
+        return value
+    try:
+        return {"true": True, "false": False}[value] if value in ("true", "false") else float(value)
+    except ValueError:
+        return value

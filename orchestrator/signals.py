@@ -1,0 +1,66 @@
+"""The recorded signals of a run, by name: their own time grid, values and unit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .errors import InputError, nearest
+from .simulation import Run
+
+
+@dataclass(frozen=True)
+class Signal:
+    """One recorded variable: time [s] and values, both of shape (rows,)."""
+
+    name: str
+    unit: str
+    description: str
+    time: np.ndarray
+    values: np.ndarray
+
+    @property
+    def label(self) -> str:
+        return f"{self.name} [{self.unit}]"
+
+    def mean(self, begin: float, end: float) -> float:
+        """Time average between two instants inside the run, by the trapezoidal rule; a value where they coincide."""
+        if len(self.time) < 2 or end <= begin:
+            return float(self.values[-1])
+        inside = (self.time > begin) & (self.time < end)
+        t = np.concatenate([[begin], self.time[inside], [end]])
+        return float(np.trapezoid(np.interp(t, self.time, self.values), t) / (end - begin))
+
+
+class Signals:
+    """All signals of a run; `signals["brush.F_z"]`."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+
+    @cached_property
+    def places(self) -> dict[str, tuple[int, int]]:
+        """Group and column of every recorded variable."""
+        return {".".join(key): (g, k) for g, group in enumerate(self.run.plan.groups) for k, key in enumerate(group.columns)}
+
+    def time(self, group: int) -> np.ndarray:
+        """The instants of a group [s], each exact to the last bit."""
+        clock, period = self.run.plan.clock, self.run.plan.groups[group].period
+        return np.array([clock.time(row * period) for row in range(len(self.run.tables[group]))])
+
+    @cached_property
+    def times(self) -> list[np.ndarray]:
+        return [self.time(group) for group in range(len(self.run.plan.groups))]
+
+    def __getitem__(self, name: str) -> Signal:
+        if name not in self.places:
+            raise InputError(f"no recorded signal '{name}'{nearest(name, self.places)}")
+        group, column = self.places[name]
+        component, _, variable = name.partition(".")
+        v = self.run.plan.system.components[component].fmu.variables[variable]
+        return Signal(name, v.unit or "1", v.description or "", self.times[group], self.run.tables[group][:, column])
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.places

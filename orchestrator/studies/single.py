@@ -1,0 +1,46 @@
+"""One run of one system, from its file to the results folder."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from ..clock import duration
+from ..console import console, print_comparison, print_summary, progress
+from ..errors import RunError
+from ..plan import Plan, make_plan
+from ..reader import load_system
+from ..results import prepare_folder, write_results
+from ..simulation import simulate
+from ..summary import check_summary, comparison, summarize
+
+
+def planned(name: str, values: Mapping[str, object], stop: str = "", fmus: Path | None = None) -> Plan:
+    """Load a system, apply values and a stop time, plan it and check what it wants reported. Raises InputError."""
+    system = load_system(name, fmus).with_values(values, "--set")
+    if stop:
+        system = replace(system, stop=duration(stop, "--stop"))
+    plan = make_plan(system)
+    check_summary({".".join(key) for group in plan.groups for key in group.columns}, system.reporting, system.path.name)
+    return plan
+
+
+def run_system(name: str, out: Path, values: Mapping[str, object], stop: str, fmus: Path | None, check: bool) -> None:
+    """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
+    plan = planned(name, values, stop, fmus)
+    prepare_folder(out)
+    with progress(float(plan.system.stop), f"running {plan.system.name}") as report:
+        run = simulate(plan, progress=report)
+    summary = summarize(run)
+    rows = comparison(run, summary)
+    summary["comparison"] = [{k: row[k] for k in ("label", "unit", "reference", "value", "ratio", "within")} for row in rows]
+    paths = write_results(run, out, summary)
+    print_comparison(rows)
+    print_summary(summary)
+    console.print(f"wrote {', '.join(path.name for path in paths)} to {out}")
+    if run.failure:
+        raise RunError(f"{run.failure}\nwhat was computed until then is in {out}, marked incomplete")
+    outside = [row["label"] for row in rows if row["within"] is False]
+    if check and outside:
+        raise RunError(f"outside their bounds: {', '.join(outside)}")

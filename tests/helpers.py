@@ -1,0 +1,110 @@
+"""What the tests of FMUs and master share: building fixtures, writing system files, running them, reading results."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rovbrush.components.build import build, repack
+from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.reader import load_system
+from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.system import System
+
+FIXTURES = Path(__file__).parent / "fixtures"
+ROOT = Path(__file__).parent.parent
+
+Part = tuple[str, str] | tuple[str, str, Mapping[str, Any]]  # FMU, period, parameters
+
+
+def build_fixture(name: str, folder: Path) -> Path:
+    """A fixture as an FMU: a component folder by the project's own build, a script by plain pythonfmu."""
+    if (FIXTURES / name).is_dir():
+        return build(FIXTURES / name, folder)
+    code = "import sys; from pythonfmu.builder import FmuBuilder; print(FmuBuilder.build_FMU(sys.argv[1], sys.argv[2]))"
+    raw = folder / f"raw_{name}"
+    raw.mkdir(parents=True)
+    subprocess.run([sys.executable, "-c", code, str(FIXTURES / f"{name}.py"), str(raw)], check=True, capture_output=True)
+    return repack(next(raw.glob("*.fmu")), folder / f"{name}.fmu")
+
+
+def edited(fmu: Path, target: Path, changes: Mapping[str, bytes | None], replacements: Mapping[str, str] | None = None) -> Path:
+    """A copy of an FMU with entries added, exchanged or (None) dropped, and text replaced in its model description."""
+    with zipfile.ZipFile(fmu) as archive:
+        entries: dict[str, bytes | None] = {name: archive.read(name) for name in archive.namelist()}
+    entries |= changes
+    description = entries["modelDescription.xml"]
+    for old, new in (replacements or {}).items():
+        assert description is not None and old.encode() in description, f"nothing to replace: {old}"
+        description = description.replace(old.encode(), new.encode())
+    entries["modelDescription.xml"] = description
+    with zipfile.ZipFile(target, "w") as archive:
+        for name, content in entries.items():
+            if content is not None:
+                archive.writestr(name, content)
+    return target
+
+
+def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop: str = "1 s", **keys: Any) -> str:
+    """A system file: `parts` by name, further top-level keys as they are."""
+    lines = [f'stop_time = "{stop}"'] + [f"{key} = {_toml(value)}" for key, value in keys.items()]
+    lines += ["connections = [", *(f'  "{c}",' for c in connections), "]"]
+    for name, (fmu, period, *values) in parts.items():
+        lines += ["", f"[components.{name}]", f'fmu = "{fmu}"', f'period = "{period}"']
+        for table in ("parameters", "inputs"):
+            chosen = {k.removeprefix("="): v for k, v in (values[0] if values else {}).items() if k.startswith("=") == (table == "inputs")}
+            if chosen:
+                lines += [f"[components.{name}.{table}]", *(f"{key} = {_toml(value)}" for key, value in chosen.items())]
+    return "\n".join(lines) + "\n"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else f"[{', '.join(map(_toml, value))}]" if isinstance(value, (list, tuple)) else repr(value)
+
+
+def read_system(folder: Path, fmus: Path, *args: Any, **keys: Any) -> System:
+    """Write a system file and read it: arguments as for `system_text`."""
+    path = folder / "case.toml"
+    path.write_text(system_text(*args, **keys), encoding="utf-8")
+    return load_system(str(path), fmus)
+
+
+def plan_of(folder: Path, fmus: Path, *args: Any, **keys: Any) -> Plan:
+    """The plan of a system given as for `system_text`."""
+    return make_plan(read_system(folder, fmus, *args, **keys))
+
+
+def run_of(folder: Path, fmus: Path, *args: Any, interpreted: bool = False, **keys: Any) -> Run:
+    """The run of a system given as for `system_text`, which must reach its end."""
+    run = simulate(plan_of(folder, fmus, *args, **keys), interpreted)
+    assert not run.failure, run.failure
+    return run
+
+
+def column(run: Run, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Times and values of `component.variable`."""
+    key = tuple(name.split(".", 1))
+    for group, table in zip(run.plan.groups, run.tables, strict=True):
+        if key in group.columns:
+            times = np.array([run.plan.clock.time(k * group.period) for k in range(len(table))])
+            return times, table[:, group.columns.index(key)]
+    raise KeyError(name)
+
+
+def last(run: Run, name: str) -> float:
+    """The value of `component.variable` at the end of a run."""
+    return float(column(run, name)[1][-1])
+
+
+def python(code: str, *arguments: str, timeout: float = 60.0, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run Python code in a process of its own."""
+    command = [sys.executable, "-c", code, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=timeout, env={**os.environ, **environment}, check=False)
