@@ -31,7 +31,7 @@ class Variable:
     kind: Kind = "Real"
     source: str = ""
     depends: tuple[str, ...] = ()  # inputs with direct feedthrough to this output
-    sampled: bool = False  # changes at samples only and holds its value between them (FMI variability `discrete`)
+    sampled: bool = False  # matters or changes at samples only (FMI variability `discrete`)
 
     @property
     def element_names(self) -> list[str]:
@@ -84,9 +84,9 @@ def _parameter_variable(field: dataclasses.Field[Any]) -> Variable:
 
 
 def input_(name: str, unit: str, description: str, start: float = 0.0, size: int = 0,
-           minimum: float = -INF, maximum: float = INF) -> Variable:
-    """An input; it keeps its value over a communication step."""
-    return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size)
+           minimum: float = -INF, maximum: float = INF, sampled: bool = False) -> Variable:
+    """An input; it keeps its value over a communication step. `sampled`: only its value at the samples counts."""
+    return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size, sampled=sampled)
 
 
 def output(name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0,

@@ -33,11 +33,11 @@ def duration(value: object, what: str) -> Fraction:
 
 
 def seconds_text(value: Fraction) -> str:
-    """A time as a person writes it: `0.5 ms`, `10 s`, `1/60 s`."""
+    """A time as a person writes it, exactly: `1.5 ms`, `10 s`, `1/60 s`."""
     for unit in ("s", "ms", "us", "ns"):
-        scaled = value / SCALES[unit]
-        if scaled >= 1 and float(scaled) == round(float(scaled), 6) and scaled.denominator in (1, 2, 4, 5, 10, 20, 25, 50, 100):
-            return f"{float(scaled):g} {unit}"
+        text = f"{float(value / SCALES[unit]):.9g}"
+        if value >= SCALES[unit] and "e" not in text and Fraction(text) * SCALES[unit] == value:
+            return f"{text} {unit}"
     return f"{value} s"
 
 
@@ -75,6 +75,6 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction) -> Clock:
     numerator = gcd(*(int(t * denominator) for t in all_times))
     tick = Fraction(numerator, denominator)
     ticks = {name: int(period / tick) for name, period in periods.items()}
-    if stop / tick * numerator >= 2**53:
+    if max(stop / tick * numerator, denominator) >= 2**53:  # the loop divides them as doubles
         raise InputError(f"the periods have no common tick above {float(tick):.1e} s that counts exactly to {seconds_text(stop)}; round them to microseconds")
     return Clock(tick.numerator, tick.denominator, ticks, int(stop / tick), lcm(*ticks.values()))

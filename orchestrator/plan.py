@@ -81,8 +81,8 @@ def make_plan(system: System) -> Plan:
 
 def _choice(system: System, clock: Clock, connection: Connection) -> Choice:
     source, target = (clock.periods[end[0]] for end in (connection.source, connection.target))
-    variable = system.components[connection.source[0]].fmu.variables[connection.source[1]]
-    choice = choose(connection.transfer, source, target, variable.variability == "discrete")
+    sampled = [system.components[name].fmu.variables[v].variability == "discrete" for name, v in (connection.source, connection.target)]
+    choice = choose(connection.transfer, source, target, *sampled)
     if choice.transfer == "mean" and source > target:
         raise InputError(
             f"connection {connection.label}: 'mean' needs a source that is no slower than the target "

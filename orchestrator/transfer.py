@@ -26,18 +26,20 @@ class Choice:
     reason: str
 
 
-def choose(stated: str, source_period: int, target_period: int, sampled: bool) -> Choice:
+def choose(stated: str, source_period: int, target_period: int, source_sampled: bool, target_sampled: bool) -> Choice:
     """The transfer of one connection, as stated in the system file or by the ratio of the rates.
 
-    `sampled` says that the source is piecewise constant by nature (FMI variability `discrete`).
+    `sampled` (FMI variability `discrete`): a source that is piecewise constant by nature; a target that samples.
     """
     if stated:
         return Choice(stated, "stated in the system file")
     if source_period == target_period:
         return Choice("hold", "same rate")
+    if target_sampled:
+        return Choice("hold", "a sampled input takes the latest value")
     if source_period < target_period:
         return Choice("mean", "fast to slow: the average over the slow step keeps the impulse and does not alias")
-    if sampled:
+    if source_sampled:
         return Choice("hold", "slow to fast, and a sampled output holds its value by nature")
     return Choice("linear", "slow to fast: extrapolated to the middle of the fast step, second order")
 

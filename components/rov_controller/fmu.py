@@ -22,13 +22,13 @@ class RovController(ComponentSlave):
     kernel = kernel
     default_step = 0.02
     inputs = (
-        *(input_(f"{name}_n", "m", f"measured position {text}") for name, text in POSITION.items()),
-        *(input_(name, "rad", f"measured {text} angle") for name, text in ATTITUDE.items()),
-        *(input_(name, "m/s", f"measured {text} velocity, body frame") for name, text in VELOCITY.items()),
-        *(input_(name, "rad/s", f"measured {text} rate, body frame") for name, text in RATES.items()),
-        *(input_(f"{name}_ref", "m", f"set-point of the position {text}") for name, text in POSITION.items()),
-        *(input_(f"{name}_ref", "rad", f"set-point of the {text} angle") for name, text in ATTITUDE.items()),
-        input_("V_ref", "V", "set-point of the brush motor voltage", start=12.0),
+        *(input_(f"{name}_n", "m", f"measured position {text}", sampled=True) for name, text in POSITION.items()),
+        *(input_(name, "rad", f"measured {text} angle", sampled=True) for name, text in ATTITUDE.items()),
+        *(input_(name, "m/s", f"measured {text} velocity, body frame", sampled=True) for name, text in VELOCITY.items()),
+        *(input_(name, "rad/s", f"measured {text} rate, body frame", sampled=True) for name, text in RATES.items()),
+        *(input_(f"{name}_ref", "m", f"set-point of the position {text}", sampled=True) for name, text in POSITION.items()),
+        *(input_(f"{name}_ref", "rad", f"set-point of the {text} angle", sampled=True) for name, text in ATTITUDE.items()),
+        input_("V_ref", "V", "set-point of the brush motor voltage", start=12.0, sampled=True),
     )
     outputs = (
         output("u_thruster", "1", "thruster commands, -1 to 1", size=8, sampled=True),
