@@ -57,7 +57,14 @@ class Parameters:
     thruster_lag: float = parameter(
         0.02, "s", "time constant of the thrust, 0 = at once", "T200 step: 63 % at 20 ms", minimum=0.0, maximum=10.0
     )
-    r_tool: tuple[float, ...] = parameter((0.0, 0.0, 0.3), "m", "centre of the brush axis", "assumed", -10.0, 10.0)
+    r_tool: tuple[float, ...] = parameter(
+        (0.15, 0.0, 0.3),
+        "m",
+        "centre of the brush axis",
+        "assumed: under the frame, ahead of its middle so that the normal force largely offsets the moment of the others",
+        -10.0,
+        10.0,
+    )
     R_tool_body: tuple[float, ...] = parameter(
         (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
         "1",
