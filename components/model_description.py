@@ -73,7 +73,7 @@ def model_description(component: type[Any]) -> Element:
         index[v.name] = [len(scalars) + k + 1 for k in range(len(v.start))]
         for k, element_name in enumerate(v.element_names):
             scalars.append(_scalar_variable(v, element_name, len(scalars), v.start[k]))
-    _model_structure(root, variables, index)
+    _model_structure(root, variables, index, component.started_by())
     return root
 
 
@@ -107,7 +107,7 @@ def _literal(value: float, v: Variable) -> str:
     return str(bool(value)).lower() if v.kind == "Boolean" else str(int(value)) if v.kind == "Integer" else repr(float(value))
 
 
-def _model_structure(root: Element, variables: tuple[Variable, ...], index: dict[str, list[int]]) -> None:
+def _model_structure(root: Element, variables: tuple[Variable, ...], index: dict[str, list[int]], started_by: set[str]) -> None:
     structure = SubElement(root, "ModelStructure")
     outputs = SubElement(structure, "Outputs")
     unknowns = SubElement(structure, "InitialUnknowns")
@@ -116,10 +116,11 @@ def _model_structure(root: Element, variables: tuple[Variable, ...], index: dict
         if v.causality not in ("output", "calculatedParameter"):
             continue
         inputs = sorted(k for name in v.depends for k in index[name])
+        at_start = sorted(k for name in {*v.depends, *started_by} for k in index[name])
         for k in index[v.name]:
             if v.causality == "output":
                 SubElement(outputs, "Unknown", {"index": str(k), **_dependencies(inputs)})
-            SubElement(unknowns, "Unknown", {"index": str(k), **_dependencies(parameters + inputs)})
+            SubElement(unknowns, "Unknown", {"index": str(k), **_dependencies(parameters + at_start)})
 
 
 def _dependencies(indices: list[int]) -> dict[str, str]:

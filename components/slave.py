@@ -13,7 +13,7 @@ import struct
 import traceback
 from collections.abc import Callable
 from types import ModuleType
-from typing import Any, ClassVar
+from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -31,20 +31,26 @@ def keep_alive(*objects: object) -> None:
         ctypes.pythonapi.Py_IncRef(ctypes.py_object(item))
 
 
-class ComponentSlave(Fmi2Slave):
+class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     """Base class of the Python FMUs; subclasses are declarations only."""
 
-    parameters: ClassVar[type[Any]]
-    kernel: ClassVar[ModuleType]
-    inputs: ClassVar[tuple[Variable, ...]]
-    outputs: ClassVar[tuple[Variable, ...]]
-    arrays: ClassVar[tuple[Array, ...]]
-    default_step: ClassVar[float] = 1e-3
+    parameters: type[Any]
+    kernel: ModuleType
+    inputs: tuple[Variable, ...]
+    outputs: tuple[Variable, ...]
+    arrays: tuple[Array, ...]
+    default_step: float = 1e-3
 
     @classmethod
     def variables(cls) -> tuple[Variable, ...]:
         """The whole interface, in value-reference order: parameters, inputs, outputs."""
         return (*parameter_variables(cls.parameters), *cls.inputs, *cls.outputs)
+
+    @classmethod
+    def started_by(cls) -> set[str]:
+        """The inputs from which the initial state follows, and with it every output at time 0."""
+        stages = [getattr(cls.kernel, stage) for stage in ("setup", "initialize") if hasattr(cls.kernel, stage)]
+        return {a for stage in stages for a in inspect.signature(stage).parameters} & {v.name for v in cls.inputs}
 
     @classmethod
     def component_name(cls) -> str:
@@ -57,7 +63,7 @@ class ComponentSlave(Fmi2Slave):
         self.views: dict[str, np.ndarray] = {}
         starts = [start for v in self.variables() for start in v.start]
         self.values = np.array([*starts, 0.0, 0.0])  # behind the last variable: time and step size
-        self.cells = memoryview(self.values)  # shares memory; reads and writes plain floats
+        self.cells: Any = memoryview(self.values)  # type: ignore[arg-type]  # shares memory; reads and writes plain floats
         self.index: dict[str, int] = {"t": len(starts), "h": len(starts) + 1}
         first = 0
         for v in self.variables():
@@ -78,7 +84,7 @@ class ComponentSlave(Fmi2Slave):
 
     def get_real(self, vrs: list[int]) -> list[float]:
         if not self.ready:
-            self.refresh()
+            self.guarded(self.refresh)
         cells = self.cells
         return [cells[vr] for vr in vrs]
 
@@ -109,8 +115,9 @@ class ComponentSlave(Fmi2Slave):
         for v in parameter_variables(self.parameters):
             values = self.views[v.name]
             if not np.all((values >= v.minimum) & (values <= v.maximum)):
+                shown = values.tolist() if v.size else values[0]
                 raise ValueError(
-                    f"{self.instance_name}.{v.name} = {values.tolist()} {v.unit}: allowed are {v.minimum:g} to {v.maximum:g}"
+                    f"{self.instance_name}.{v.name} = {shown} is out of range: {v.minimum:g} to {v.maximum:g} {v.unit} are allowed"
                 )
             chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
         parameters = self.parameters(**chosen)
@@ -185,21 +192,17 @@ class ComponentSlave(Fmi2Slave):
     # --- complete state: all values and all arrays that carry anything from one call to the next ---
 
     def _get_fmu_state(self) -> dict[str, Any]:
-        kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.store}
+        kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.ready}
         return {"values": self.values.copy(), "arrays": kept, "flags": (self.ready, self.initializing)}
 
     def _set_fmu_state(self, state: dict[str, Any]) -> None:
         self.values[:] = state["values"]
-        if state["arrays"]:
-            self.refresh_for(state)
         self.ready, self.initializing = state["flags"]
-
-    def refresh_for(self, state: dict[str, Any]) -> None:
-        """Allocate for the parameters of a saved state, then put the saved arrays and outputs in place."""
-        self.refresh()
-        for name, array in state["arrays"].items():
-            self.store[name][...] = array.reshape(self.store[name].shape)
-        self.values[:] = state["values"]
+        if self.ready:
+            self.refresh()  # allocates for the saved parameters and binds them
+            for name, array in state["arrays"].items():
+                self.store[name][...] = array.reshape(self.store[name].shape)
+            self.values[:] = state["values"]
 
     @staticmethod
     def _fmu_state_to_bytes(state: dict[str, Any]) -> bytes:

@@ -34,7 +34,7 @@ DIRECTIONS: tuple[float, ...] = (
     0.0, 0.0, 1.0,
 )  # fmt: skip
 
-# Forward and reverse k_T [N] of the T200 by supply voltage [V]: least squares on the published thrust table.
+# Forward and reverse k_T [N] of the T200 by supply voltage [V], as fitted to the published thrust table.
 K_T: dict[int, tuple[float, float]] = {12: (40.9, 32.2), 16: (58.0, 45.4)}
 
 GEOMETRY_SOURCE = "ArduSub VECTORED_6DOF frame, dimensions of Wu 2018"

@@ -43,7 +43,7 @@ def _pointer(builder: Any, value: Any) -> Any:
     return builder.inttoptr(value, cgutils.voidptr_t)
 
 
-@intrinsic  # type: ignore[misc]
+@intrinsic
 def _exchange_native(typing: Any, function: Any, component: Any, references: Any, count: Any, values: Any) -> Any:
     signature = types.int32(types.int64, types.int64, types.int64, types.int64, types.int64)
 
@@ -55,7 +55,7 @@ def _exchange_native(typing: Any, function: Any, component: Any, references: Any
     return signature, codegen
 
 
-@intrinsic  # type: ignore[misc]
+@intrinsic
 def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step: Any) -> Any:
     signature = types.int32(types.int64, types.int64, types.float64, types.float64)
 
@@ -68,11 +68,11 @@ def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step:
 
 
 # Numba compares the argument names and annotations of an overload with those of its implementation: neither has any.
-@overload(exchange)  # type: ignore[misc]
+@overload(exchange)
 def _exchange_overload(function, component, references, count, values):  # type: ignore[no-untyped-def]
-    return lambda function, component, references, count, values: _exchange_native(function, component, references, count, values)
+    return lambda function, component, references, count, values: _exchange_native(function, component, references, count, values)  # type: ignore[call-arg]
 
 
-@overload(do_step)  # type: ignore[misc]
+@overload(do_step)
 def _do_step_overload(function, component, time, step):  # type: ignore[no-untyped-def]
-    return lambda function, component, time, step: _do_step_native(function, component, time, step)
+    return lambda function, component, time, step: _do_step_native(function, component, time, step)  # type: ignore[call-arg]

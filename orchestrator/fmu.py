@@ -7,6 +7,7 @@ functions are called by their addresses (`calls.py`).
 from __future__ import annotations
 
 import ctypes
+from collections import deque
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -114,7 +115,7 @@ class Instance:
 
     def __init__(self, fmu: Fmu, name: str) -> None:
         self.fmu, self.name = fmu, name
-        self.messages: list[str] = []
+        self.messages: deque[str] = deque(maxlen=50)  # an FMU may warn at every step
         self.dead = False
         assert fmu.description.coSimulation is not None
         if (fmu.folder / "resources" / "slavemodule.txt").is_file():
@@ -127,7 +128,7 @@ class Instance:
                 unzipDirectory=str(fmu.folder),
                 instanceName=name,
             )
-            self.slave.instantiate(callbacks=self._callbacks)
+            self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
         except Exception as error:
             raise FmuError(f"component {name}: {fmu.path.name} cannot be instantiated: {error}{self.log_text()}") from error
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import tomllib
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -121,14 +120,13 @@ def _component(file: _File, name: str, table: dict[str, Any], fmus: Path | None)
         path = (fmus or fmu_folder()) / f"{path}.fmu"
     component = Component(name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period"))
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):
-        values = {}
         for key, value in table.get(kind, {}).items():
             origin = f"{kind} of {name} {file.at(key)}"
             found = checked_values(component, key, value, origin)
             if component.fmu.variables[next(iter(found))].causality != causality:
                 raise InputError(f"{origin}: {name}.{key} is no {causality}")
-            values |= found
-        component = replace(component, **{kind: values})
+            for scalar, scalar_value in found.items():
+                component = component.with_value(scalar, scalar_value)
     return component
 
 

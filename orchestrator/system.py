@@ -24,6 +24,12 @@ class Component:
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
 
+    def with_value(self, name: str, value: Value) -> Component:
+        """A copy with one scalar parameter or input set."""
+        if self.fmu.variables[name].causality == "input":
+            return replace(self, inputs={**self.inputs, name: value})
+        return replace(self, parameters={**self.parameters, name: value})
+
 
 @dataclass(frozen=True)
 class Connection:
@@ -83,18 +89,13 @@ class System:
                 if f"{name}.{scalar}" in driven:
                     source = next(c.label for c in self.connections if ".".join(c.target) == f"{name}.{scalar}")
                     raise InputError(f"{origin}: {name}.{scalar} is driven by the connection {source}; remove that first")
-                kind = "inputs" if component.fmu.variables[scalar].causality == "input" else "parameters"
-                component = replace(component, **{kind: {**getattr(component, kind), scalar: scalar_value}})
+                component = component.with_value(scalar, scalar_value)
             components[name] = component
         return replace(self, components=components)
 
     def with_periods(self, factor: Fraction) -> System:
-        """A copy with every period multiplied by `factor`, except those of FMUs that sample on a clock of their own."""
-        components = {
-            name: c if c.fmu.description.coSimulation.canHandleVariableCommunicationStepSize is False else replace(c, period=c.period * factor)
-            for name, c in self.components.items()
-        }  # fmt: skip
-        return replace(self, components=components)
+        """A copy with every communication period multiplied by `factor`."""
+        return replace(self, components={name: replace(c, period=c.period * factor) for name, c in self.components.items()})
 
 
 def checked_values(component: Component, name: str, value: object, origin: str) -> dict[str, Value]:

@@ -13,7 +13,9 @@ from .errors import InputError
 
 @cache
 def _registry() -> Any:
-    return pint.UnitRegistry()
+    registry = pint.UnitRegistry()
+    registry.define("@alias ohm = Ohm")  # as FMI and Modelica write it
+    return registry
 
 
 @cache

@@ -333,7 +333,7 @@ def advance_free(N_m: int, M: float, K: 'float[:,:]', P: 'float[:,:]', work: 'fl
 
 
 def tip_speed_bound(N_m: int, K: 'float[:,:]', work: 'float[:,:]') -> float:
-    """Bound on the tip speed of free vibration from rows 0, 1 of work: all energy kinetic, modes in phase, half more."""
+    """Bound on the tip speed of free vibration, rows 0, 1 of work: all energy kinetic, modes in phase, times 1.5."""
     speed = 0.0
     for r in range(N_m):
         speed = speed + 3.0 * sqrt(work[1, r] * work[1, r] + K[r, r] * work[0, r] * work[0, r])
@@ -544,8 +544,8 @@ def outputs(
             slope = slope + modes[2, r] * work[0, r]
             shortening = shortening + 0.5 * work[9, r] * work[0, r]
         shear, moment, y_tip = base_reactions(
-            -F_f * sin_psi - F_n * cos_psi, F_f * cos_psi - F_n * sin_psi, shortening, M * c[3] * c[4] / L, c[0] - L, -c[1],
-            mode_acceleration, N_m, L, EI, M / L, omega_r, modes, work)
+            -F_f * sin_psi - F_n * cos_psi, F_f * cos_psi - F_n * sin_psi, shortening, M * c[3] * c[4] / L, c[0] - L,
+            -c[1], mode_acceleration, N_m, L, EI, M / L, omega_r, modes, work)
         F_y_eq11 = F_y_eq11 + shear
         M_b_eq12 = M_b_eq12 + moment
         F_z_eq13 = F_z_eq13 + F_n * slope - F_f  # Eq. 13

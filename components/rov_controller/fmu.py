@@ -24,10 +24,10 @@ class RovController(ComponentSlave):
     inputs = (
         *(input_(f"{name}_n", "m", f"measured position {text}", sampled=True) for name, text in POSITION.items()),
         *(input_(name, "rad", f"measured {text} angle", sampled=True) for name, text in ATTITUDE.items()),
-        *(input_(name, "m/s", f"measured {text} velocity, body frame", sampled=True) for name, text in VELOCITY.items()),
+        *(input_(name, "m/s", f"{text} velocity, body frame", sampled=True) for name, text in VELOCITY.items()),
         *(input_(name, "rad/s", f"measured {text} rate, body frame", sampled=True) for name, text in RATES.items()),
-        *(input_(f"{name}_ref", "m", f"set-point of the position {text}", sampled=True) for name, text in POSITION.items()),
-        *(input_(f"{name}_ref", "rad", f"set-point of the {text} angle", sampled=True) for name, text in ATTITUDE.items()),
+        *(input_(f"{name}_ref", "m", f"position set-point {text}", sampled=True) for name, text in POSITION.items()),
+        *(input_(f"{name}_ref", "rad", f"{text} angle set-point", sampled=True) for name, text in ATTITUDE.items()),
         input_("V_ref", "V", "set-point of the brush motor voltage", start=12.0, sampled=True),
     )
     outputs = (
@@ -38,7 +38,6 @@ class RovController(ComponentSlave):
         output("saturated", "1", "1 when the thrusters cannot give the requested wrench", sampled=True),
         output("saturation_count", "1", "number of samples in which they could not", sampled=True),
     )
-    arrays = (
-        *(Array(name, lambda p, shape=shape: shape) for name, shape in STATE.items()),
-        *(Array(name, lambda p, shape=shape: shape, scratch=True) for name, shape in SCRATCH.items()),
+    arrays = tuple(
+        Array(n, lambda p, k=k: k, n in SCRATCH) for n, k in (STATE | SCRATCH).items()  # type: ignore[misc]
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from ..interface import parameter
 from ..thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
 
-GAINS = "assumed, after public BlueROV2 simulations"
+GAINS = "assumed, from mass, inertia and thruster lag"
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from .parameters import Parameters
 TOOL = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")
 POSITION = {"x_n": "position north", "y_n": "position east", "z_n": "position down"}
 ATTITUDE = {"phi": "roll angle", "theta": "pitch angle", "psi": "yaw angle"}
-VELOCITY = {"u": "surge", "v": "sway", "w": "heave"}
-RATES = {"p": "roll", "q": "pitch", "r": "yaw"}
+VELOCITY, RATES = {"u": "surge", "v": "sway", "w": "heave"}, {"p": "roll", "q": "pitch", "r": "yaw"}
 WORK = {"W_thruster": "work of the thrusters", "W_tool": "work of the tool", "W_external": "work of further wrenches",
         "W_current": "work of the moving water", "W_damping": "energy lost to damping", "E_kinetic": "kinetic energy",
         "E_potential": "energy of weight and buoyancy", "energy_residual": "unaccounted energy"}  # fmt: skip
@@ -56,7 +55,6 @@ class RovVehicle(ComponentSlave):
         output("P_damping", "W", "power lost to damping", ("v_c",)),
         *(output(name, "J", text) for name, text in WORK.items()),
     )
-    arrays = (
-        *(Array(name, lambda p, shape=shape: shape) for name, shape in STATE.items()),
-        *(Array(name, lambda p, shape=shape: shape, scratch=True) for name, shape in SCRATCH.items()),
+    arrays = tuple(
+        Array(n, lambda p, k=k: k, n in SCRATCH) for n, k in (STATE | SCRATCH).items()  # type: ignore[misc]
     )

@@ -61,7 +61,7 @@ class Parameters:
         (0.15, 0.0, 0.3),
         "m",
         "centre of the brush axis",
-        "assumed: under the frame, ahead of its middle so that the normal force largely offsets the moment of the others",
+        "assumed: under the frame; x picked from a scan, where Table 3's wrench leaves it upright",
         -10.0,
         10.0,
     )

@@ -10,7 +10,12 @@ import numpy as np
 import pytest
 from lives import Case, component, history, lives
 
+MEASURED = {
+    "x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
+    "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0),
+}  # fmt: skip
 CASES = (
+    Case("filament_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05)}),
     Case("dc_motor", 1e-3, 60, {"V_in": (8.0, 6.0), "T_brush": (-10.0, 9.0)}),
     Case(
         "dc_motor", 5e-3, 40, {"V_in": (0.0, 12.0), "T_brush": (0.0, 20.0)},
@@ -22,17 +27,8 @@ CASES = (
          "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
         {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
     ),
-    Case(
-        "rov_controller", 0.02, 60,
-        {"x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
-         "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0)},
-    ),
-    Case(
-        "rov_controller", 0.01, 60,
-        {"x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
-         "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0)},
-        {"attitude_first": False}, "clipping",
-    ),
+    Case("rov_controller", 0.02, 60, MEASURED),
+    Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 

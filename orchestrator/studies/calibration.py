@@ -1,0 +1,106 @@
+"""Fit the parameters that the paper does not give to its Table 3, with runs of the FMUs themselves."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..console import console
+from ..errors import RunError
+from ..plan import make_plan
+from ..reader import SYSTEMS
+from ..results import prepare_folder, write_file
+from ..simulation import require_complete, simulate
+from ..summary import summarize
+from ..system import System
+from .single import planned
+
+SPECIFICATION = Path(__file__).with_name("calibration.toml")
+EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladder
+
+
+@dataclass(frozen=True)
+class Fit:
+    """The result for one rung: values by name, the summary they give, and which bounds they miss."""
+
+    values: dict[str, float]
+    summary: dict[str, Any]
+    missed: list[str]
+
+
+def calibrate(out: Path | None, fmus: Path | None) -> Fit:
+    """Climb the ladder, fit at each rung, write the parameter file of the first that meets every bound.
+
+    Deterministic: no random numbers. Raises RunError if no rung does; the file is then left as it is.
+    """
+    with SPECIFICATION.open("rb") as file:
+        specification = tomllib.load(file)
+    target_file = out or SYSTEMS / specification["write"]
+    prepare_folder(target_file.parent)
+    system = planned(specification["system"], {}, fmus=fmus).system
+    ((rung, candidates),) = specification["ladder"].items()
+    for candidate in candidates:
+        fit = fit_rung(system, specification, {rung: float(candidate)})
+        report(fit, specification)
+        if not fit.missed:
+            write_file(target_file, lambda path, fit=fit: path.write_text(parameter_file(fit, specification), encoding="utf-8"))  # type: ignore[misc]
+            console.print(f"wrote {target_file}")
+            return fit
+    raise RunError(f"no {rung} of {candidates} meets every bound; {target_file} is left as it was")
+
+
+def fit_rung(system: System, specification: Mapping[str, Any], fixed: Mapping[str, float]) -> Fit:
+    """Bounded nonlinear least squares (scipy, trust region reflective) over the free parameters."""
+    from scipy.optimize import least_squares
+
+    free = specification["free"]
+    coded = {name: np.log if entry.get("log") else np.asarray for name, entry in free.items()}
+    edges = np.array([[coded[name](entry[key]) for name, entry in free.items()] for key in ("low", "start", "high")])
+
+    def values(x: np.ndarray) -> dict[str, float]:
+        decoded = {name: float(np.exp(v)) if free[name].get("log") else float(v) for name, v in zip(free, x, strict=True)}
+        return {**fixed, **decoded}
+
+    def run(x: np.ndarray) -> dict[str, Any]:
+        return summarize(require_complete(simulate(make_plan(system.with_values(values(x), "calibration")))))
+
+    def residuals(x: np.ndarray) -> np.ndarray:
+        summary = run(x)
+        terms = [(summary[key] / t["reference"] - 1.0) / t["scale"] for key, t in specification["targets"].items()]
+        terms += [max(0.0, summary[key] - limit["at_most"]) / limit["scale"] for key, limit in specification["limits"].items()]
+        return np.array(terms)
+
+    # Contact makes the means a little rough: differences over 1e-3 of each parameter, not over rounding errors.
+    solution = least_squares(residuals, edges[1], bounds=(edges[0], edges[2]), x_scale="jac", diff_step=1e-3, max_nfev=EVALUATIONS)
+    best = {name: float(f"{v:.5g}") for name, v in values(solution.x).items()}
+    summary = summarize(require_complete(simulate(make_plan(system.with_values(best, "calibration")))))
+    missed = [key for key, t in specification["targets"].items() if abs(summary[key] / t["reference"] - 1) > t["bound"]]
+    missed += [key for key, limit in specification["limits"].items() if summary[key] > limit["at_most"] * 1.005]
+    return Fit(best, summary, missed)
+
+
+def report(fit: Fit, specification: Mapping[str, Any]) -> None:
+    """One paragraph per rung."""
+    console.print("  ".join(f"{name} = {value:g}" for name, value in fit.values.items()))
+    for key, target in specification["targets"].items():
+        console.print(f"  {key:<14} {fit.summary[key]:10.4f}  target {target['reference']:g}  ({100 * (fit.summary[key] / target['reference'] - 1):+.2f} %)")
+    for key, limit in specification["limits"].items():
+        console.print(f"  {key:<14} {fit.summary[key]:10.4f}  at most {limit['at_most']:g}")
+    console.print(f"  misses {', '.join(fit.missed)}" if fit.missed else "  meets every bound")
+
+
+def parameter_file(fit: Fit, specification: Mapping[str, Any]) -> str:
+    """The TOML text of the fitted values, with what they reach."""
+    lines = ["# Calibrated to the paper's Table 3 by `rovbrush calibrate`; do not edit by hand.", "#"]
+    for key, target in specification["targets"].items():
+        lines.append(f"# {key} = {fit.summary[key]:.4f} (paper {target['reference']:g}, {100 * (fit.summary[key] / target['reference'] - 1):+.2f} %)")
+    lines += [f"# {key} = {fit.summary[key]:.4f}" for key in specification["limits"]]
+    for component in dict.fromkeys(name.split(".")[0] for name in fit.values):
+        lines += ["", f"[{component}]"]
+        lines += [f"{name.split('.')[1]} = {value!r}" for name, value in fit.values.items() if name.startswith(f"{component}.")]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,191 @@
+"""The brush's integrator: order, error control, stability, independence of communication points, energy, state."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from lives import Instance, component
+from rovbrush.components.kernels import compiled
+
+DECLARED = component("filament_brush")
+P = DECLARED.parameters()
+KERNEL = compiled(DECLARED.kernel)
+NOMINAL = {"omega_b": 15.7, "delta": 5e-3, "v_rov": 0.05}
+WORKS = ("W_hub", "W_hull", "W_damping", "W_friction", "W_contact")
+
+
+def start(inputs: dict[str, float], **parameters: Any) -> Instance:
+    instance = Instance(DECLARED, KERNEL, **parameters)
+    instance.set(**inputs)
+    instance.start()
+    return instance
+
+
+def state(instance: Instance) -> np.ndarray:
+    return np.concatenate([instance.arrays["eta"].ravel(), instance.arrays["eta_dot"].ravel() / 1e3])
+
+
+def fixed(h: float) -> Instance:
+    """A filament that stays in contact and keeps sliding for 8 ms, with micro-steps of h."""
+    instance = start(NOMINAL, n=1, theta_b_0=-0.05, c_c=5.0, h_min=h, h_max=h, tolerance=1.0)
+    for _ in range(8):
+        instance.step(1e-3)
+        assert instance["contact_count"] == 1.0
+    return instance
+
+
+def test_micro_steps_are_of_fourth_order() -> None:
+    steps = (1e-4, 5e-5, 2.5e-5)
+    runs = [fixed(h) for h in steps]
+    reference = fixed(1e-6)
+    errors = [np.max(np.abs(state(r) - state(reference))) for r in runs]
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert orders == pytest.approx(4.0, abs=0.2)
+    # impulses and losses are carried by the same stages
+    errors = [abs(r["W_friction"] - reference["W_friction"]) for r in runs]
+    assert np.log2(np.array(errors[:-1]) / errors[1:]) == pytest.approx(4.0, abs=0.2)
+
+
+def error_estimate(h: float) -> float:
+    """h/6 (k5 - k4), velocity part, from the stages that one micro-step of h leaves behind."""
+    a = start(NOMINAL, n=1, theta_b_0=-0.05).arrays
+    psi, h_plane = -0.05 - P.alpha, P.R_brush - 5e-3
+    work = np.zeros((15, 6))
+    KERNEL.free_acceleration(0, 1, 4, P.N_m, a["modes"], a["K"], work)
+    Delta, rate = KERNEL.tip_force(
+        0, 1, 4, P.N_m, np.sin(psi), np.cos(psi), h_plane, True, a["modes"], a["G"], a["c"], work
+    )
+    KERNEL.advance_touching(
+        psi, h, h, rate, Delta, h_plane, P.N_m, P.L, True, h, h, 1.0,
+        a["omega_r"], a["modes"], a["G"], a["K"], a["c"], work, np.zeros(14),
+    )  # fmt: skip
+    return float(np.max(np.abs(h / 6.0 * (work[8, :3] - work[7, :3]))))
+
+
+def test_error_estimate_belongs_to_a_third_order_companion() -> None:
+    # The local error of a method of third order goes with h^4.
+    assert np.log2(error_estimate(2e-5) / error_estimate(1e-5)) == pytest.approx(4.0, abs=0.2)
+
+
+def test_free_flight_is_the_damped_oscillation() -> None:
+    # Three uncoupled modes without rotation; the map's relative error is 2e-5 per radian at most (omega h = 0.2).
+    instance = start({"delta": -0.1}, n=1)
+    eta, omega_r, zeta = np.array([2e-3, 2e-4, 5e-5]), instance["omega_r"][:3], np.array(P.zeta[:3])
+    instance.arrays["eta"][0] = eta
+    for _ in range(10):
+        instance.step(1e-3)
+    t = 0.01
+    damped = omega_r * np.sqrt(1.0 - zeta**2)
+    expected = eta * np.exp(-zeta * omega_r * t) * (np.cos(damped * t) + zeta * omega_r / damped * np.sin(damped * t))
+    assert np.max(np.abs(instance.arrays["eta"][0] - expected) / eta) < 1e-3
+
+
+def history(h: float, inputs: dict[str, float], duration: float, every: float, **parameters: Any) -> np.ndarray:
+    instance = start(inputs, **parameters)
+    rows = []
+    for k in range(1, round(duration / h) + 1):
+        instance.set(delta=inputs["delta"] + inputs.get("delta_dot", 0.0) * (k - 1) * h)
+        instance.step(h)
+        if round(k * h / every) * every == pytest.approx(k * h, abs=1e-9):
+            rows.append([instance["F_x"], instance["F_z"], instance["T_brush"]])
+    return np.array(rows)
+
+
+@pytest.mark.parametrize("delta_dot", [0.0, 0.02])
+def test_forces_do_not_depend_on_where_communication_points_fall(delta_dot: float) -> None:
+    inputs = NOMINAL | {"delta_dot": delta_dot}
+    reference = history(1e-4, inputs, 0.2, 5e-3, tolerance=1e-9, h_min=1e-6)
+    for h in (1e-4, 5e-4, 1e-3, 2.5e-3):
+        difference = np.abs(history(h, inputs, 0.2, 5e-3) - reference)
+        # at the default tolerance, in units of the mean force
+        assert np.max(difference / np.abs(np.mean(reference, axis=0))) < 1e-3
+
+
+def test_communication_step_leaves_converged_forces_alone() -> None:
+    tight = {"tolerance": 1e-10, "h_min": 1e-7, "n": 8}
+    reference = history(5e-4, NOMINAL, 0.1, 5e-3, **tight)
+    difference = np.abs(history(2.5e-3, NOMINAL, 0.1, 5e-3, **tight) - reference)
+    assert np.max(difference / np.max(np.abs(reference), axis=0)) < 2e-5  # free flight maps differ by 1e-5
+
+
+def balance(instance: Instance) -> float:
+    return abs(instance["energy_residual"]) / instance["W_friction"]
+
+
+@pytest.mark.parametrize("parameters", [{}, {"c_c": 30.0}, {"N_m": 6}, {"foreshortening": False}, {"C_a": 1.0}])
+def test_energy_balance_closes(parameters: dict[str, Any]) -> None:
+    instance = start(NOMINAL, **parameters)
+    for _ in range(400):
+        instance.step(1e-3)
+    assert balance(instance) < 1e-4
+    energy = sum(instance[f"E_{part}"] for part in ("kinetic", "strain", "centrifugal", "contact"))
+    works = {name: instance[name] for name in WORKS}
+    given = works["W_hub"] + works["W_hull"] - works["W_damping"] - works["W_friction"] - works["W_contact"]
+    assert energy - given == pytest.approx(instance["energy_residual"], abs=1e-9)
+    assert all(works[name] >= 0.0 for name in ("W_damping", "W_friction", "W_contact"))
+
+
+def test_energy_balance_closes_when_inputs_jump() -> None:
+    instance = start(NOMINAL, c_c=5.0)
+    for k in range(400):
+        instance.set(
+            omega_b=15.0 + 3.0 * np.sin(0.3 * k), delta=5e-3 + 1e-3 * np.sin(0.11 * k), v_rov=0.2 * np.sin(0.05 * k),
+            delta_dot=0.05 * np.cos(0.2 * k), friction_scale=1.0 + 0.4 * np.sin(0.07 * k),
+        )  # fmt: skip
+        instance.step(1e-3)
+    assert balance(instance) < 1e-4
+
+
+def test_energy_residual_falls_with_the_micro_step() -> None:
+    residuals = []
+    for tolerance, h_min in ((1e-6, 1e-4), (1e-9, 1e-6), (1e-12, 1e-7)):
+        instance = start(NOMINAL, n=1, c_c=20.0, tolerance=tolerance, h_min=h_min)
+        for _ in range(800):
+            instance.step(1e-3)
+        residuals.append(balance(instance))
+    assert residuals[2] < 2e-9 and residuals[1] < 1e-7 and residuals[0] < 1e-4
+
+
+def test_impulses_are_the_time_integrals_of_the_forces() -> None:
+    instance = start(NOMINAL)
+    h = 1e-4
+    samples = [instance["F_z"]]
+    for _ in range(1000):
+        instance.step(h)
+        samples.append(instance["F_z"])
+    trapezoid = h * (np.sum(samples) - 0.5 * (samples[0] + samples[-1]))
+    assert instance["J_z"] == pytest.approx(trapezoid, rel=1e-4)  # the trapezoidal rule at 0.1 ms, kinks at touch
+
+
+@pytest.mark.parametrize("v_eps", [0.02, 1e-3])
+def test_sticking_stays_stable(v_eps: float) -> None:
+    # Creep far below v_eps: the friction law is a damper of mu F_n/v_eps, stiff against the tip's small mass.
+    instance = start({"omega_b": 0.01, "delta": 5e-3}, v_eps=v_eps, bristles_per_filament=500.0)
+    for _ in range(50):
+        instance.step(1e-3)
+    assert np.all(np.isfinite(instance.values["y"])) and instance["deflection_ratio_max"] < 1.0
+    assert balance(instance) < 1e-2
+
+
+def test_a_restored_state_continues_bit_by_bit() -> None:
+    original = start(NOMINAL)
+    for _ in range(50):
+        original.step(1e-3)
+    copy = start({"omega_b": 3.0, "delta": 1e-3})
+    for array in DECLARED.arrays:
+        copy.arrays[array.name][...] = np.nan if array.scratch else original.arrays[array.name]
+    copy.set(**NOMINAL)
+    for _ in range(50):
+        original.step(1e-3)
+        copy.step(1e-3)
+    assert np.array_equal(original.values["y"], copy.values["y"])
+
+
+@pytest.mark.parametrize(("n", "N_m"), [(1, 1), (3, 2), (300, 4), (2, 6)])
+def test_any_number_of_filaments_and_modes_runs(n: int, N_m: int) -> None:
+    instance = start(NOMINAL, n=n, N_m=N_m)
+    for _ in range(20):
+        instance.step(1e-3)
+    assert np.all(np.isfinite(instance.values["y"]))

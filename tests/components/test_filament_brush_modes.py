@@ -1,0 +1,142 @@
+"""Mode shapes, centrifugal stiffness and base reactions of the filament against known solutions of the beam."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from lives import Instance, component
+from rovbrush.components.kernels import compiled
+from scipy.integrate import quad
+
+DECLARED = component("filament_brush")
+P = DECLARED.parameters()
+REFERENCE = Path(__file__).parent.parent / "reference"
+LAMBDA = (1.875104068711961, 4.694091132974175, 7.854757438237613,
+          10.995540734875467, 14.137168391046471, 17.278759532088237)  # fmt: skip
+
+
+def brush(**parameters: Any) -> Instance:
+    instance = Instance(DECLARED, compiled(DECLARED.kernel), **parameters)
+    instance.start()
+    return instance
+
+
+def printed_slope(lam: float, xi: float) -> float:
+    """L Y_r' as Eq. 3 prints it; its cancellation costs about 1e-16 cosh(lam), harmless for three modes."""
+    sigma = (np.sinh(lam) - np.sin(lam)) / (np.cosh(lam) + np.cos(lam))
+    x = lam * xi
+    return lam * (np.sinh(x) + np.sin(x) - sigma * (np.cosh(x) - np.cos(x)))
+
+
+def test_eigenvalues_solve_the_frequency_equation() -> None:
+    assert brush()["lambda_r"] == pytest.approx(LAMBDA, rel=1e-14)
+    # cos x + 1/cosh x has slope 1 at its roots: the residual is the error of the root.
+    assert np.max(np.abs(np.cos(brush()["lambda_r"]) + 1.0 / np.cosh(brush()["lambda_r"]))) < 1e-14
+
+
+def test_natural_frequencies_follow_from_table_2() -> None:
+    assert brush()["omega_r"][:3] == pytest.approx((162.71, 1019.70, 2855.18), abs=5e-3)
+
+
+def test_added_mass_lowers_the_frequencies() -> None:
+    ratio = brush(C_a=1.0)["omega_r"] / brush()["omega_r"]
+    assert ratio == pytest.approx(np.sqrt(P.rho / (P.rho + P.rho_w)), rel=1e-14)
+
+
+def test_slope_integrals_match_quadrature_of_the_printed_mode_shapes() -> None:
+    instance = brush()
+    r_A = instance["R_h"] * np.cos(P.alpha) / P.L
+    for r in range(3):
+        for s in range(3):
+            def product(xi: float, r: int = r, s: int = s) -> float:
+                return printed_slope(LAMBDA[r], xi) * printed_slope(LAMBDA[s], xi)
+
+            def tensioned(xi: float, r: int = r, s: int = s) -> float:
+                return product(xi, r, s) * (r_A * (1.0 - xi) + 0.5 * (1.0 - xi * xi))
+
+            # products of modes have values around 20, quad is good to 1e-12 of that
+            assert instance.arrays["G"][r, s] * P.L == pytest.approx(quad(product, 0.0, 1.0)[0], abs=1e-9)
+            assert instance.arrays["S"][r, s] == pytest.approx(quad(tensioned, 0.0, 1.0)[0], abs=1e-9)
+
+
+def test_slope_integrals_of_high_modes_are_symmetric_and_resolved() -> None:
+    # For i = j: int Y'^2 dx L = sigma lam (2 + sigma lam), the closed form for a cantilever (Blevins 1979).
+    sigma = np.array([compiled(DECLARED.kernel).mode_sigma(x) for x in LAMBDA])
+    closed = sigma * np.array(LAMBDA) * (2.0 + sigma * np.array(LAMBDA))
+    G = brush().arrays["G"] * P.L
+    assert np.diag(G) == pytest.approx(closed, rel=1e-10)
+    assert np.array_equal(G, G.T)
+
+
+@pytest.mark.parametrize("row", np.loadtxt(REFERENCE / "rotating_cantilever.csv", delimiter=",", skiprows=4).tolist())
+def test_rotating_frequencies_match_the_reference_table(row: list[float]) -> None:
+    # Zero hub radius: tips at R_brush = L. In the plane of rotation omega^2 is lower by Omega^2. Six modes.
+    instance = brush(R_brush=P.L, alpha=0.0)
+    unit = instance["omega_r"][0] / LAMBDA[0] ** 2
+    speed = row[0] * unit
+    K = np.zeros((7, 6))
+    compiled(DECLARED.kernel).stiffness(
+        speed**2, 6, P.L, 1.0, 0.0, instance.arrays["omega_r"], instance.arrays["modes"], instance.arrays["S"], K
+    )
+    in_plane = np.sort(np.linalg.eigvalsh(K[:6]))
+    flap = np.sqrt(in_plane + speed**2) / unit
+    assert flap[:2] == pytest.approx(row[1:3], rel=5e-3)
+
+
+def test_frequency_bound_is_above_all_frequencies() -> None:
+    instance = brush()
+    K = np.zeros((7, 6))
+    for speed in (0.0, 15.7, 500.0):
+        bound = compiled(DECLARED.kernel).stiffness(
+            speed**2, 6, P.L, 1.0, 0.0, instance.arrays["omega_r"], instance.arrays["modes"], instance.arrays["S"], K
+        )
+        assert np.sqrt(np.max(np.linalg.eigvalsh(K[:6]))) <= bound
+
+
+@pytest.mark.parametrize(("N_m", "share"), [(3, 1.207), (4, 0.843)])
+def test_plain_base_shear_of_a_static_load_converges_slowly(N_m: int, share: float) -> None:
+    shear, _, _ = static_reactions(N_m, mode_acceleration=False)
+    assert shear == pytest.approx(-share, abs=5e-4)  # in units of the load; the share is given to three digits
+
+
+@pytest.mark.parametrize("N_m", range(1, 7))
+def test_mode_acceleration_is_exact_in_statics(N_m: int) -> None:
+    shear, moment, deflection = static_reactions(N_m, mode_acceleration=True)
+    assert (shear, moment, deflection) == pytest.approx((-1.0, 1.0, 1.0), rel=1e-12)
+
+
+def static_reactions(N_m: int, mode_acceleration: bool) -> tuple[float, float, float]:
+    """Base shear, base moment and tip deflection under a tip load P, in units of P, P L and P L^3/(3 E I_zz)."""
+    instance = brush(N_m=N_m)
+    EI = P.E * np.pi * P.d**4 / 64.0
+    m = P.rho * np.pi * P.d**2 / 4.0
+    modes, omega_r, work = instance.arrays["modes"], instance.arrays["omega_r"], np.zeros((15, 6))
+    load = 0.01
+    work[0, :N_m] = load * modes[1, :N_m] / (m * P.L * omega_r[:N_m] ** 2)
+    shear, moment, y = compiled(DECLARED.kernel).base_reactions(
+        0.0, load, 0.0, 0.0, 0.0, 0.0, mode_acceleration, N_m, P.L, EI, m, omega_r, modes, work
+    )
+    return shear / load, moment / (load * P.L), y / (load * P.L**3 / (3.0 * EI))
+
+
+def test_a_pressed_filament_at_rest_obeys_beam_statics() -> None:
+    # Linear beam, no friction, no rotation: the tip is loaded across by -F_n sin(psi) alone. After 0.6 s with half of
+    # critical damping, exp(-0.5 * 163 * 0.6) is left of the transient.
+    instance = Instance(
+        DECLARED, compiled(DECLARED.kernel), n=1, alpha=0.0, theta_b_0=0.2, zeta=(0.5,) * 6, foreshortening=False
+    )
+    instance.set(delta=6e-3, friction_scale=0.0)
+    instance.values["k_v"] = 0.0
+    instance.start()
+    for _ in range(600):
+        instance.step(1e-3)
+    phi, F_n, F_f, deflection = instance.arrays["filament"][0]
+    load = -F_n * np.sin(phi)
+    EI = P.bristles_per_filament * P.E * np.pi * P.d**4 / 64.0
+    assert F_n > 1.0 and F_f == 0.0
+    assert deflection == pytest.approx(load * P.L**3 / (3.0 * EI), rel=1e-6)
+    assert instance["F_y_eq11"] == pytest.approx(-load, rel=1e-6)
+    assert instance["M_b_eq12"] == pytest.approx(load * P.L, rel=1e-6)
