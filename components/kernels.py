@@ -6,8 +6,14 @@ import importlib.util
 import inspect
 import sys
 from types import FunctionType, ModuleType
+from typing import Any
 
 import numba
+
+
+def precompile(function: Any, arguments: list[Any]) -> None:
+    """Compile a function for the types of these arguments, or load what an earlier run has compiled."""
+    function.compile(tuple(numba.typeof(argument) for argument in arguments))
 
 
 def compiled(kernel: ModuleType) -> ModuleType:

@@ -21,7 +21,7 @@ from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from .interface import Array, Variable, parameter_variables
-from .kernels import compiled
+from .kernels import compiled, precompile
 from .model_description import model_description
 
 
@@ -127,6 +127,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 function, arguments, _ = self.bind(stage)
                 function(*arguments)
         self.step_function, self.arguments, self.dynamic = self.bind("step")
+        precompile(self.step_function, self.arguments)
         self.ready = True
 
     def scalar(self, variable: Variable) -> float | int | bool:

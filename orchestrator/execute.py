@@ -90,4 +90,7 @@ def compiled_run() -> Any:
     """`run` under Numba. Its compiled form holds no address, so one cached compilation serves every system."""
     import numba
 
-    return numba.njit(cache=True, error_model="numpy")(run)
+    compiled = numba.njit(cache=True, error_model="numpy")(run)
+    table, cells, numbers = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1]
+    compiled.compile((table, numbers, table, numbers, cells, table, numbers, cells, cells, *(numba.int64,) * 5))
+    return compiled

@@ -118,7 +118,8 @@ class Instance:
         self.messages: deque[str] = deque(maxlen=50)  # an FMU may warn at every step
         self.dead = False
         assert fmu.description.coSimulation is not None
-        if (fmu.folder / "resources" / "slavemodule.txt").is_file():
+        self.made_by_pythonfmu = (fmu.folder / "resources" / "slavemodule.txt").is_file()
+        if self.made_by_pythonfmu:
             end_before_library_destructors()
         self._callbacks = self._make_callbacks()
         try:
@@ -137,12 +138,16 @@ class Instance:
         callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log)
         callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
         callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
-        fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))  # formats the printf arguments of the FMI logger
+        # The proxy formats the printf arguments of the FMI logger. pythonfmu passes none, but bare messages as the
+        # format: an exception whose text holds %s would end the process there.
+        if not self.made_by_pythonfmu:
+            fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
         return callbacks
 
     def _log(self, _environment: Any, _instance: bytes, status: int, _category: bytes, message: bytes) -> None:
         if status > 0 and message:
-            self.messages.append(message.decode("utf-8", "replace").strip())
+            text = message.decode("utf-8", "replace").strip()
+            self.messages.append(text.replace("%%", "%") if self.made_by_pythonfmu else text)
 
     def log_text(self) -> str:
         """What the FMU has logged, as the tail of an error message."""

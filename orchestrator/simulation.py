@@ -95,8 +95,7 @@ class _Loop:
     def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
         clock, plan = self.plan.clock, self.plan
         function = execute.run if interpreted else execute.compiled_run()
-        full, rest = divmod(clock.stop, clock.hyperperiod)
-        parts = [(plan.prologue, 0, 1), (plan.cycle, 0, full), (plan.cycle[plan.cycle[:, 1] <= rest], full, 1 if rest else 0)]
+        parts = [(plan.prologue, 0, 1), (plan.cycle, 0, clock.stop // clock.hyperperiod)]  # every period divides the stop
         code, wall, reached, start = execute.DONE, 0.0, 0.0, 0.0
         with _stop_on_interrupt(self.control):
             for operations, first, count in parts:
@@ -134,18 +133,21 @@ class _Loop:
         """The time until which every component is complete, and what happened."""
         clock = self.plan.clock
         row = operations[self.control[execute.AT_OPERATION]]
-        at = clock.time(int(self.control[execute.AT_CYCLE]) * clock.hyperperiod + int(row[1]))
+        begin = int(self.control[execute.AT_CYCLE]) * clock.hyperperiod
+        at = clock.time(begin + int(row[1]))
+        ticks = operations[:, 1]
+        end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
         if code == execute.INTERRUPTED:
-            return at, f"interrupted by the user at t = {at:.9g} s"
+            return end, f"interrupted by the user at t = {end:.9g} s"
         name = list(self.plan.system.components)[row[2]]
         log = self.instances[name].log_text()
         if code == execute.NOT_FINITE:
             slot = int(self.control[execute.SLOT])
             variable = next(key for key, s in self.plan.layout.outputs.items() if s == slot)[1]
-            return at, f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; see its inputs and parameters{log}"
+            return end, f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; see its inputs and parameters{log}"
         status = int(self.control[execute.STATUS])
         self.instances[name].dead = status == 4
-        return at, f"component {name} returned fmi2{STATUS[status]} in the step to t = {at:.9g} s{log}"
+        return end, f"component {name} returned fmi2{STATUS[status]} in the step to t = {at:.9g} s{log}"
 
 
 @contextmanager

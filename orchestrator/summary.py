@@ -2,9 +2,10 @@
 
     [summary]
     window = { angle = "brush.theta_b", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
-    F_z_mean = "mean brush.F_z"                         # mean | peak | max | min | last, then a signal
+    F_z_mean = "mean brush.F_z"                         # an operation and its signals
 
-Means are time averages over the window; peak is the largest magnitude of the whole run, max and min likewise.
+Over the window: `mean`, the time average; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run:
+`peak`, the largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude of a over that of b, both at the end.
 """
 
 from __future__ import annotations
@@ -18,10 +19,10 @@ import numpy as np
 from .energy import ledger
 from .errors import InputError, nearest
 from .process import peak_memory
-from .signals import Signals
+from .signals import Signal, Signals
 from .simulation import Run
 
-OPERATIONS = ("mean", "peak", "max", "min", "last")
+OPERATIONS = {"mean": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2}  # and how many signals
 
 
 def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], origin: str) -> None:
@@ -30,10 +31,11 @@ def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], ori
         if key == "window":
             names = [text["angle"]] if "angle" in text else []
         else:
-            operation, _, name = str(text).partition(" ")
+            operation, *names = str(text).split()
             if operation not in OPERATIONS:
                 raise InputError(f"{origin}: summary {key} = {text!r}: unknown operation '{operation}'{nearest(operation, OPERATIONS)}")
-            names = [name]
+            if len(names) != OPERATIONS[operation]:
+                raise InputError(f"{origin}: summary {key} = {text!r}: {operation} takes {OPERATIONS[operation]} signals")
         for name in names:
             if name not in run_or_plan_names:
                 raise InputError(f"{origin}: summary {key} = {text!r}: '{name}' is not recorded{nearest(name, run_or_plan_names)}")
@@ -63,16 +65,8 @@ def summarize(run: Run) -> dict[str, Any]:
     if run.failure:
         result["failure"] = run.failure
     for key, text in specification.items():
-        operation, _, name = str(text).partition(" ")
-        signal = signals[name]
-        value = {
-            "mean": lambda s=signal: s.mean(begin, end),
-            "peak": lambda s=signal: s.values[np.argmax(np.abs(s.values))],
-            "max": lambda s=signal: s.values.max(),
-            "min": lambda s=signal: s.values.min(),
-            "last": lambda s=signal: s.values[-1],
-        }[operation]()  # fmt: skip
-        result[key] = float(value)
+        operation, *names = str(text).split()
+        result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)
     ledgers = [ledger(signals, bond) for bond in run.plan.system.bonds]
     if ledgers:
         carried = max(max(abs(x.effort_side), abs(x.flow_side)) for x in ledgers)
@@ -84,6 +78,29 @@ def summarize(run: Run) -> dict[str, Any]:
     result["macro_steps"] = round(run.end / clock.time(min(clock.periods.values())))
     result |= {"simulated_s": run.end, "wall_s": run.wall, "real_time_factor": run.end / run.wall if run.wall else 0.0}
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
+
+
+def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: float) -> float:
+    """One number from one or two signals; see the head of this module."""
+    signal = signals[0]
+    if operation == "mean":
+        return signal.mean(begin, end)
+    if operation == "frequency":
+        return strongest_frequency(signal, begin, end)
+    if operation == "ratio":
+        other = abs(float(signals[1].values[-1]))
+        return abs(float(signal.values[-1])) / other if other else 0.0
+    at = {"peak": int(np.argmax(np.abs(signal.values))), "max": int(np.argmax(signal.values)), "min": int(np.argmin(signal.values)), "last": -1}
+    return float(signal.values[at[operation]])
+
+
+def strongest_frequency(signal: Signal, begin: float, end: float) -> float:
+    """The frequency [Hz] of the highest line of the spectrum, the mean taken away; 0 if there are too few samples."""
+    values = signal.values[(signal.time >= begin) & (signal.time < end)]
+    if len(values) < 4:
+        return 0.0
+    spectrum = np.abs(np.fft.rfft(values - values.mean()))
+    return float(np.fft.rfftfreq(len(values), signal.time[1] - signal.time[0])[np.argmax(spectrum)])
 
 
 def comparison(run: Run, summary: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -5,7 +5,8 @@ Frames and symbols are those of README.md. Tables filled by `setup`, column r - 
   G[r, s] = int Y_r' Y_s' dx;  S[r, s] = centrifugal stiffness over omega_b^2 and the modal mass
 State: eta, eta_dot [n, N_m], the next micro-step h_next [n], and total: 0 theta_b, 1 J_x, 2 J_z, 3 J_T, 4 W_hub,
   5 W_hull, 6 W_damping, 7 W_friction, 8 W_contact; at the end of the last step 9 E_contact, 10 E_centrifugal over
-  omega_b^2, 11 omega_b^2; largest |y|/L 12 in the last step and 13 since the start
+  omega_b^2, 11 omega_b^2; largest |y|/L 12 in the last step and 13 since the start;
+  14 number and 15 shortest of the micro-steps
 Scratch: K[r, s] stiffness and K[6, r] load per modal mass; c the constants of a step (see `constants`); P, Q, A the
   map of free flight and its making; filament [n, 4]: phi, F_n, F_f, tip deflection; work rows 0 eta, 1 eta_dot, 2 and
   3 the same at a Runge-Kutta stage, 4..8 accelerations of stages 1..5, 9 G eta, 10..14 the stages' F_f, F_n, moment
@@ -394,17 +395,22 @@ def advance_touching(
             e = w * (work[8, r] - work[7, r])
             error = error + e * e
         error = sqrt(error) / v_tolerance
-        factor = 2.0
+        h_new = 2.0 * h_s
         if error > 0.04:
-            factor = max(0.9 / sqrt(sqrt(error)), 0.2)
+            h_new = h_s * max(0.9 / sqrt(sqrt(error)), 0.2)
+        if h_new < h_min:
+            h_new = min(h_min, 1.7 * h_new)  # below h_min for ten times the tolerance
         if h_s * rate_end > 4.0 and h_s > 1e-9:  # contact or sticking began: the step is outside the stability limit
             h_goal = max(2.0 / rate_end, 0.25 * h_s)
-        elif error > 1.0 and h_s > 1.000001 * h_min:
-            h_goal = max(h_s * factor, h_min)
+        elif (error > 1.0 and h_s > 1.000001 * h_min) or (error > 10.0 and h_s > 1e-9):
+            h_goal = h_new
         else:
-            if factor < 1.0 or h_s * factor > h_goal:
-                h_goal = h_s * factor
-            h_goal = min(max(h_goal, h_min), h_max)
+            if h_s < left:
+                total[15] = min(total[15], h_s)
+            total[14] = total[14] + 1.0
+            if h_new < h_s or h_new > h_goal:
+                h_goal = h_new
+            h_goal = min(h_goal, h_max)
             total[1] = total[1] - w * (work[10, 0] + 2.0 * (work[11, 0] + work[12, 0]) + work[13, 0])
             total[2] = total[2] - w * (work[10, 1] + 2.0 * (work[11, 1] + work[12, 1]) + work[13, 1])
             total[3] = total[3] + w * (work[10, 2] + 2.0 * (work[11, 2] + work[12, 2]) + work[13, 2])
@@ -571,6 +577,8 @@ def outputs(
     P_hull = F_x * v_rov - F_z * delta_dot
     deflection_ratio = total[12]
     deflection_ratio_max = total[13]
+    micro_steps = total[14]
+    h_micro_min = total[15]
     J_filaments = n * M * c[3] * (R_h * R_h + R_h * cos(alpha) * L + L * L / 3.0)
     for r in range(6):
         kinetic_fraction[r] = kinetic_fraction[r] / max(E_kinetic, 1e-30)
@@ -604,24 +612,27 @@ def outputs(
     y[26] = W_friction
     y[27] = W_contact
     y[28] = energy_residual
+    y[29] = micro_steps
+    y[30] = h_micro_min
     for r in range(6):
-        y[29 + r] = kinetic_fraction[r]
+        y[31 + r] = kinetic_fraction[r]
     for r in range(6):
-        y[35 + r] = lambda_r[r]
+        y[37 + r] = lambda_r[r]
     for r in range(6):
-        y[41 + r] = omega_r[r]
-    y[47] = R_h
-    y[48] = J_filaments
+        y[43 + r] = omega_r[r]
+    y[49] = R_h
+    y[50] = J_filaments
 
 
 def initialize(
-    n: int, N_m: int, theta_b_0: float, h_min: float, eta: 'float[:,:]', eta_dot: 'float[:,:]', h_next: 'float[:]',
-    total: 'float[:]',
+    n: int, N_m: int, theta_b_0: float, h_min: float, h_max: float, eta: 'float[:,:]', eta_dot: 'float[:,:]',
+    h_next: 'float[:]', total: 'float[:]',
 ):
     """Straight filaments at rest in the turning brush. Energy counts from here; what is pressed in is hull work."""
-    for k in range(14):
+    for k in range(15):
         total[k] = 0.0
     total[0] = theta_b_0
+    total[15] = h_max
     for i in range(n):
         h_next[i] = h_min
         for r in range(N_m):

@@ -26,12 +26,12 @@ class Parameters:
     h_min: float = parameter(1e-4, "s", "smallest micro-step that error control asks for", "section 3.6",
                              minimum=1e-7, maximum=1e-2)
     h_max: float = parameter(1e-3, "s", "largest micro-step", "section 3.6", minimum=1e-7, maximum=1e-2)
-    k_c: float = parameter(1.0676e5, "N/m1.5", "contact stiffness of a bundle", "calibrated to Table 3",
+    k_c: float = parameter(1.06678e5, "N/m1.5", "contact stiffness of a bundle", "calibrated to Table 3",
                            minimum=0.0, maximum=1e9)
     c_c: float = parameter(0.0, "N.s/m", "contact damping of a bundle", "calibrated to Table 3",
                            minimum=0.0, maximum=1e5)
     v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "calibrated to Table 3", minimum=1e-4, maximum=10.0)
-    k_v: float = parameter(0.04364, "s/m", "viscous friction coefficient", "calibrated to Table 3",
+    k_v: float = parameter(0.043666, "s/m", "viscous friction coefficient", "calibrated to Table 3",
                            minimum=0.0, maximum=10.0)
     alpha: float = parameter(-0.64, "rad", "cant angle: positive trails, negative is raked forward",
                              "calibrated to Table 3", minimum=-1.2, maximum=1.2)

@@ -14,7 +14,8 @@ CASES = (
     Case("filament_brush", 1e-3, 50, INPUTS, {"n": 8}),
     Case(
         "filament_brush", 1e-3, 20, INPUTS,
-        {"n": 3, "N_m": 6, "foreshortening": False, "mode_acceleration": False, "c_c": 20.0}, "six modes, linear",
+        {"n": 3, "N_m": 6, "theta_b_0": -0.4, "foreshortening": False, "mode_acceleration": False, "c_c": 20.0},
+        "six modes, linear",
     ),
     Case(
         "filament_brush", 2e-3, 20, INPUTS, {"n": 20, "N_m": 1, "centrifugal": False, "c_c": 20.0, "Delta_s": 0.0},
