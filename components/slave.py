@@ -115,9 +115,9 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         for v in parameter_variables(self.parameters):
             values = self.views[v.name]
             if not np.all((values >= v.minimum) & (values <= v.maximum)):
-                shown = values.tolist() if v.size else values[0]
+                shown, unit = values.tolist() if v.size else values[0], "" if v.unit == "1" else f" {v.unit}"
                 raise ValueError(
-                    f"{self.instance_name}.{v.name} = {shown} is out of range: {v.minimum:g} to {v.maximum:g} {v.unit} are allowed"
+                    f"{self.instance_name}.{v.name} = {shown}{unit} is out of range: {v.minimum:g} to {v.maximum:g}{unit} are allowed"
                 )
             chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
         parameters = self.parameters(**chosen)

@@ -30,9 +30,9 @@ def run(
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (5): a stop request from outside, and where and why the run ended.
     """
-    last_tick = -1
     for cycle in range(first_cycle, first_cycle + cycles):
         base = cycle * cycle_ticks
+        last_tick = -1
         for m in range(operations.shape[0]):
             code, tick, c = operations[m, 0], operations[m, 1], operations[m, 2]
             a, b, p = operations[m, 3], operations[m, 4], operations[m, 5]

@@ -40,13 +40,13 @@ class Fmu:
         xml = folder / "modelDescription.xml"
         if not xml.is_file():
             raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
-        refuse_doctype(path, xml)
+        version = fmi_version(path, xml)
+        if version != "2.0":
+            raise FmuError(f"FMU {path} is of FMI version {version}; version 2.0 is needed")
         try:
             description = fmpy.read_model_description(str(folder), validate=True)
         except Exception as error:
             raise FmuError(f"FMU {path}: its modelDescription.xml is not valid: {str(error).strip()}") from error
-        if description.fmiVersion != "2.0":
-            raise FmuError(f"FMU {path} is of FMI version {description.fmiVersion}; version 2.0 is needed")
         if description.coSimulation is None:
             raise FmuError(f"FMU {path} is for model exchange only; export it for co-simulation")
         library = folder / "binaries" / fmpy.platform / f"{description.coSimulation.modelIdentifier}{fmpy.sharedLibraryExtension}"
@@ -75,8 +75,8 @@ class Fmu:
         return list(dict.fromkeys(name.split("[")[0] for name in self.names(*causalities)))
 
 
-def refuse_doctype(path: Path, xml: Path) -> None:
-    """A document type declaration can expand entities or open files; no FMU needs one."""
+def fmi_version(path: Path, xml: Path) -> str | None:
+    """The version attribute. Refuses a document type declaration: it can expand entities or open files; no FMU needs one."""
     from lxml import etree
 
     try:
@@ -85,11 +85,13 @@ def refuse_doctype(path: Path, xml: Path) -> None:
         raise FmuError(f"FMU {path}: its modelDescription.xml is not well-formed: {error}") from error
     if tree.docinfo.doctype:
         raise FmuError(f"FMU {path}: its modelDescription.xml has a document type declaration; refused")
+    version: str | None = tree.getroot().get("fmiVersion")
+    return version
 
 
 def parse_value(variable: ModelVariable, value: object, label: str) -> float | int | bool | str:
     """A parameter or start value in the variable's type and range. Raises InputError saying what is allowed."""
-    unit = f" {variable.unit}" if variable.unit else ""
+    unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
     try:
         if variable.type == "String":
             return str(value)

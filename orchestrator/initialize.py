@@ -24,21 +24,23 @@ def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int
             instance.set(variable, value)
         instance.call("set up the experiment", instance.slave.setupExperiment, None, 0.0, plan.clock.time(plan.clock.stop))
         instance.call("enter initialization", instance.slave.enterInitializationMode)
+    known: set[tuple[str, str]] = set()  # outputs read so far; until then an input keeps its start value
     sweeps = len(system.components) + 2
     for sweep in range(1, sweeps + 1):
         before = z.copy()
         for name in plan.order:
             for connection in system.connections:
-                if connection.target[0] == name:
+                if connection.target[0] == name and connection.source in known:
                     value = connection.gain * z[plan.layout.outputs[connection.source]] + connection.offset
                     z[plan.layout.inputs[connection.target]] = value
                     instances[name].set(connection.target[1], value)
             for (owner, variable), slot in plan.layout.outputs.items():
                 if owner == name:
                     z[slot] = instances[name].get(variable)
+                    known.add((owner, variable))
                     if not math.isfinite(z[slot]):
                         raise FmuError(f"component {name}: output {variable} is {z[slot]} at time 0{instances[name].log_text()}")
-        if np.array_equal(before, z):
+        if sweep > 1 and np.array_equal(before, z):
             break
     else:
         loop = sorted({".".join(key) for key, slot in plan.layout.inputs.items() if before[slot] != z[slot]})

@@ -18,6 +18,7 @@ from .units import conversion
 SYSTEMS = Path(__file__).parent / "systems"
 KEYS = {"description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds", "record", "summary", "compare", "figures"}
 COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs"}
+KINDS = {dict: "a table", list: "a list", str: "text"}
 ALGORITHMS = ("gauss-seidel", "jacobi")
 
 
@@ -52,15 +53,34 @@ class _File:
         except tomllib.TOMLDecodeError as error:
             raise InputError(f"{path.name} is not valid TOML: {error}") from error
 
-    def at(self, *needles: str) -> str:
-        """`(nominal.toml, line 31)`: the first line that holds all the needles."""
+    def at(self, needle: str, table: str = "") -> str:
+        """`(nominal.toml, line 31)`: the first line that holds the needle as a word, below the heading of `table`."""
+        word = re.compile(rf"(?<![\w.]){re.escape(needle)}(?!\w)")
+        inside = not table
         for number, line in enumerate(self.text.splitlines(), 1):
-            if all(needle in line for needle in needles):
+            heading = re.match(r"\s*\[+([^\[\]]+)\]", line)
+            if heading and table:
+                inside = f"{heading[1]}.".startswith(f"{table}.")
+            if inside and word.search(line.partition("#")[0]):
                 return f"({self.path.name}, line {number})"
-        return f"({self.path.name})"
+        return self.at(needle) if table else f"({self.path.name})"
 
-    def fail(self, message: str, *needles: str) -> InputError:
-        return InputError(f"{message} {self.at(*needles)}")
+    def fail(self, message: str, needle: str, table: str = "") -> InputError:
+        return InputError(f"{message} {self.at(needle, table)}")
+
+    def entry(self, kind: type[Any], key: str, within: dict[str, Any] | None = None, table: str = "") -> Any:
+        """An optional entry of the file, or of one of its tables: empty where it is missing. Raises InputError for a wrong type."""
+        value = (self.data if within is None else within).get(key, kind())
+        if not isinstance(value, kind):
+            raise self.fail(f"{f'{table}: ' if table else ''}{key} must be {KINDS[kind]}", key, table)
+        return value
+
+    def entries(self, kind: type[Any], key: str) -> list[Any]:
+        """An optional list, all of one type."""
+        values: list[Any] = self.entry(list, key)
+        if not all(isinstance(value, kind) for value in values):
+            raise self.fail(f"{key} must be a list, each entry {KINDS[kind]}", key)
+        return values
 
 
 def load_system(name: str, fmus: Path | None = None) -> System:
@@ -78,50 +98,54 @@ def load_system(name: str, fmus: Path | None = None) -> System:
     for key in data.keys() - KEYS:
         raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
     for key in ("stop_time", "components"):
-        if not data.get(key):
+        if key not in data or data[key] == {}:
             raise InputError(f"{path.name}: '{key}' is missing")
     algorithm = data.get("algorithm", ALGORITHMS[0])
     if algorithm not in ALGORITHMS:
         raise file.fail(f"unknown algorithm '{algorithm}'{nearest(str(algorithm), ALGORITHMS)}", "algorithm")
-    components = {key: _component(file, key, table, fmus) for key, table in data["components"].items()}
-    order = tuple(data.get("order", ()))
+    tables = file.entry(dict, "components")
+    components = {key: _component(file, key, file.entry(dict, key, tables, "components"), fmus) for key in tables}
+    order = tuple(file.entries(str, "order"))
     if order and sorted(order) != sorted(components):
         raise file.fail(f"order must name every component once: {', '.join(components)}", "order")
-    connections = tuple(c for entry in data.get("connections", []) for c in _connections(file, components, entry))
+    connections = tuple(c for entry in file.entry(list, "connections") for c in _connections(file, components, entry))
     _check_drivers(file, components, connections)
     system = System(
         name=path.stem, path=path, description=str(data.get("description", "")),
         stop=_duration(file, data["stop_time"], "stop_time"), algorithm=algorithm, order=order,
         components=components, connections=connections,
-        bonds=tuple(_bond(file, connections, entry) for entry in data.get("bonds", [])),
-        record=tuple(data.get("record", ["*"])),
-        reporting={key: data.get(key, empty) for key, empty in (("summary", {}), ("compare", []), ("figures", []))},
+        bonds=tuple(_bond(file, connections, entry) for entry in file.entries(dict, "bonds")),
+        record=tuple(file.entries(str, "record")) if "record" in data else ("*",),
+        reporting={"summary": file.entry(dict, "summary")} | {key: file.entries(dict, key) for key in ("compare", "figures")},
     )  # fmt: skip
     return _with_parameter_file(file, system)
 
 
-def _duration(file: _File, value: object, what: str) -> Fraction:
+def _duration(file: _File, value: object, what: str, table: str = "") -> Fraction:
     try:
         return duration(value, what)
     except InputError as error:
-        raise file.fail(str(error), what.split()[-1]) from None
+        raise file.fail(str(error), what.split()[-1], table) from None
 
 
 def _component(file: _File, name: str, table: dict[str, Any], fmus: Path | None) -> Component:
+    heading = f"components.{name}"
+    if not re.fullmatch(r"\w+", name):
+        raise file.fail(f"component name '{name}': only letters, digits and _ are allowed", name)
     for key in table.keys() - COMPONENT_KEYS:
-        raise file.fail(f"component {name}: unknown key '{key}'{nearest(key, COMPONENT_KEYS)}", key)
+        raise file.fail(f"component {name}: unknown key '{key}'{nearest(key, COMPONENT_KEYS)}", key, heading)
     for key in ("fmu", "period"):
         if key not in table:
-            raise file.fail(f"component {name}: '{key}' is missing", f"[components.{name}]")
+            raise file.fail(f"component {name}: '{key}' is missing", f"[{heading}]")
     path = Path(str(table["fmu"]))
     if path.suffix == ".fmu":
         path = path if path.is_absolute() else file.path.parent / path
     else:
         path = (fmus or fmu_folder()) / f"{path}.fmu"
-    component = Component(name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period"))
+    component = Component(name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading))
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):
-        for key, value in table.get(kind, {}).items():
-            origin = f"{kind} of {name} {file.at(key)}"
+        for key, value in file.entry(dict, kind, table, heading).items():
+            origin = f"{kind} of {name} {file.at(key, heading)}"
             found = checked_values(component, key, value, origin)
             if component.fmu.variables[next(iter(found))].causality != causality:
                 raise InputError(f"{origin}: {name}.{key} is no {causality}")
@@ -173,7 +197,7 @@ def _check_drivers(file: _File, components: dict[str, Component], connections: t
         if connection.target in driver:
             raise InputError(f"input {label} is driven twice: by {driver[connection.target].label} and by {connection.label} {connection.where}")
         if connection.target[1] in components[connection.target[0]].inputs:
-            raise file.fail(f"input {label} is driven by {connection.label} and has a value too; remove one", connection.target[1].split("[")[0])
+            raise file.fail(f"input {label} is driven by {connection.label} and has a value too; remove one", connection.target[1].split("[")[0], f"components.{connection.target[0]}")
         driver[connection.target] = connection
     for component in components.values():
         for name in component.fmu.names("input"):
@@ -196,6 +220,8 @@ def _bond(file: _File, connections: tuple[Connection, ...], entry: dict[str, Any
     if ends[0].source[0] != ends[1].target[0] or ends[0].target[0] != ends[1].source[0]:
         raise file.fail(f"bond {entry.get('name')}: effort and flow do not cross between the same two components", str(entry["effort"]))
     pairs = [(".".join(c.source), ".".join(c.target)) for c in ends]
+    if entry.get("sign", 1.0) not in (1.0, -1.0):
+        raise file.fail(f"bond {entry.get('name', entry['effort'])}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds")
     return Bond(str(entry.get("name", entry["effort"])), pairs[0], pairs[1], float(entry.get("sign", 1.0)))
 
 
@@ -204,6 +230,8 @@ def _with_parameter_file(file: _File, system: System) -> System:
     name = file.data.get("parameters")
     if name is None:
         return system
+    if not isinstance(name, str):
+        raise file.fail("parameters must be the name of a file", "parameters")
     table = _File(file.path.parent / name)
     values = {f"{c}.{key}": value for c, entries in table.data.items() if isinstance(entries, dict) and c in system.components for key, value in entries.items()}
     own = {f"{c.name}.{key}": value for c in system.components.values() for key, value in {**c.parameters, **c.inputs}.items()}

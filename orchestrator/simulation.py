@@ -44,12 +44,14 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
     hold what was computed and `failure` says who, what and when. Raises FmuError before time 0.
     """
     instances: dict[str, Instance] = {}
+    control = np.zeros(5, dtype=np.int64)
     try:
-        for name, component in plan.system.components.items():
-            instances[name] = Instance(component.fmu, name)
-        z = np.zeros(max(plan.layout.size, 1))
-        sweeps = initialize(plan, instances, z)
-        run = _Loop(plan, instances, z).go(interpreted, progress)
+        with _stop_on_interrupt(control):
+            for name, component in plan.system.components.items():
+                instances[name] = Instance(component.fmu, name)
+            z = np.zeros(max(plan.layout.size, 1))
+            sweeps = initialize(plan, instances, z)
+            run = _Loop(plan, instances, z, control).go(interpreted, progress)
         run.sweeps = sweeps
         run.calculated = {
             f"{name}.{variable}": float(instance.get(variable))
@@ -65,8 +67,8 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
 class _Loop:
     """The arrays that the loop works on, laid out for `execute.run`."""
 
-    def __init__(self, plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> None:
-        self.plan, self.instances, self.z = plan, instances, z
+    def __init__(self, plan: Plan, instances: dict[str, Instance], z: np.ndarray, control: np.ndarray) -> None:
+        self.plan, self.instances, self.z, self.control = plan, instances, z, control
         self.keep: list[np.ndarray] = []  # value references, alive as long as their addresses are in use
         self.components = np.array([self._component(name) for name in plan.system.components], dtype=np.int64)
         self.rows_wanted = [plan.clock.stop // group.period + 1 for group in plan.groups]
@@ -77,7 +79,6 @@ class _Loop:
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.buffer = np.zeros(max(int(cells[-1]), 1))
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
-        self.control = np.zeros(5, dtype=np.int64)
         for k, group in enumerate(plan.groups):
             self.buffer[cells[k] : cells[k] + len(group.slots)] = z[group.slots]
 
@@ -97,29 +98,28 @@ class _Loop:
         function = execute.run if interpreted else execute.compiled_run()
         parts = [(plan.prologue, 0, 1), (plan.cycle, 0, clock.stop // clock.hyperperiod)]  # every period divides the stop
         code, wall, reached, start = execute.DONE, 0.0, 0.0, 0.0
-        with _stop_on_interrupt(self.control):
-            for operations, first, count in parts:
-                operations = np.ascontiguousarray(operations)
-                block = 1
-                while count > 0 and code == execute.DONE:
-                    size = min(block, count)
-                    begin = time.perf_counter()
-                    code = function(
-                        operations, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
-                        self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
-                    )  # fmt: skip
-                    spent = time.perf_counter() - begin
-                    wall += spent
-                    start = start or seconds_since_start()
-                    first, count = first + size, count - size
-                    block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
-                    if code == execute.DONE and operations is not plan.prologue:
-                        reached = clock.time(min(first * clock.hyperperiod, clock.stop))
-                        if progress:
-                            progress(reached)
-                failed = operations
-                if code != execute.DONE:
-                    break
+        for operations, first, count in parts:
+            operations = np.ascontiguousarray(operations)
+            block = 1
+            while count > 0 and code == execute.DONE:
+                size = min(block, count)
+                begin = time.perf_counter()
+                code = function(
+                    operations, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
+                    self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
+                )  # fmt: skip
+                spent = time.perf_counter() - begin
+                wall += spent
+                start = start or seconds_since_start()
+                first, count = first + size, count - size
+                block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
+                if code == execute.DONE and operations is not plan.prologue:
+                    reached = clock.time(min(first * clock.hyperperiod, clock.stop))
+                    if progress:
+                        progress(reached)
+            failed = operations
+            if code != execute.DONE:
+                break
         failure = ""
         if code != execute.DONE:
             reached, failure = self._failure(code, failed)
@@ -152,12 +152,14 @@ class _Loop:
 
 @contextmanager
 def _stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
-    """Ctrl-C asks the loop to stop at the next instant, instead of raising inside an FMU's Python code."""
+    """Ctrl-C asks the loop to stop at the next instant, instead of raising inside an FMU's Python code; twice insists."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
 
     def request(_signal: int, _frame: Any) -> None:
+        if control[execute.STOP_REQUEST]:
+            raise KeyboardInterrupt
         control[execute.STOP_REQUEST] = 1
 
     before = signal.signal(signal.SIGINT, request)

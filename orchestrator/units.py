@@ -11,6 +11,10 @@ import pint
 from .errors import InputError
 
 
+# pint takes both Hz and rad/s for 1/s and would convert one into the other by 1.
+TURNS, ANGLES = re.compile(r"Hz"), re.compile(r"rad|deg|rpm|rev")
+
+
 @cache
 def _registry() -> Any:
     registry = pint.UnitRegistry()
@@ -38,6 +42,8 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
     """
     if source == target or source is None or target is None:
         return 1.0, 0.0
+    if any(TURNS.search(x) and ANGLES.search(y) for x, y in ((source, target), (target, source))):
+        raise InputError(f"{label}: the units do not fit: of {source} and {target} one counts turns and one angle, 2 pi apart; use one kind")
     try:
         a, b = parse_unit(source), parse_unit(target)
         quantity = _registry().Quantity

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -11,6 +11,8 @@ import pytest
 from helpers import FIXTURES, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
 
+Measured = Callable[[str, float | str, str], None]
+MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
 FIXTURE_NAMES = sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")) + ["plain"]
 
 
@@ -37,3 +39,32 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for task in built:
             task.result()
     return folder
+
+
+@pytest.fixture(scope="session")
+def measured(request: pytest.FixtureRequest) -> Measured:
+    """`measured(claim, value, bound)` puts a number into the report; of several for one claim the largest stays."""
+    rows = request.config.stash.setdefault(MEASURED, {})
+
+    def record(claim: str, value: float | str, bound: str) -> None:
+        known = rows.get(claim, (value, bound))[0]
+        if not isinstance(value, str) and not isinstance(known, str) and abs(known) > abs(value):
+            value = known
+        rows[claim] = (value if isinstance(value, str) else float(value), bound)
+
+    return record
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """The report: every number that a test measured, beside what is claimed of it."""
+    rows = [
+        (claim, value if isinstance(value, str) else f"{value:.6g}", bound)
+        for claim, (value, bound) in config.stash.get(MEASURED, {}).items()
+    ]
+    if not rows:
+        return
+    table = [("claim", "measured", "bound"), *rows]
+    widths = [max(len(row[column]) for row in table) for column in range(2)]
+    terminalreporter.section("measured numbers")
+    for claim, value, bound in table:
+        terminalreporter.write_line(f"{claim:<{widths[0]}}  {value:>{widths[1]}}  {bound}")

@@ -472,15 +472,16 @@ def base_reactions(
     if mode_acceleration:
         shear = -F_t + q * L * offset
         moment = F_t * (L - shortening) - q * 0.5 * L * L * offset
-        flexibility = L * L * L / (3.0 * EI)
         if shortening > 0.0:
             moment = moment - F_a * y
         for r in range(N_m):
             inertia = m * (work[4, r] + modes[0, r] * work[1, r])
             shear = shear + (inertia - q * work[0, r]) * modes[3, r]
             moment = moment - inertia * modes[4, r] - q * r_A * modes[3, r] * work[0, r]
-            flexibility = flexibility - modes[1, r] * modes[1, r] / (m * L * omega_r[r] * omega_r[r])
-        y = y + F_t * flexibility
+        if F_t != 0.0:
+            y = y + F_t * L * L * L / (3.0 * EI)
+            for r in range(N_m):
+                y = y - F_t * modes[1, r] * modes[1, r] / (m * L * omega_r[r] * omega_r[r])
     return shear, moment, y
 
 
@@ -500,6 +501,8 @@ def outputs(
     R_h = hub_radius(R_brush, L, alpha)
     M = c[2]
     EI = bristles_per_filament * E * pi * d * d * d * d / 64.0
+    sin_alpha = sin(alpha)
+    cos_alpha = cos(alpha)
     F_x = 0.0
     F_z = 0.0
     T_brush = 0.0
@@ -513,7 +516,6 @@ def outputs(
     P_contact = 0.0
     E_kinetic = 0.0
     E_strain = 0.0
-    E_centrifugal = 0.0
     E_contact = 0.0
     for r in range(6):
         kinetic_fraction[r] = 0.0
@@ -539,7 +541,6 @@ def outputs(
         if F_n > 0.0:
             contact_count = contact_count + 1.0
         E_contact = E_contact + contact_energy(Delta, k_c)
-        E_centrifugal = E_centrifugal + c[4] * centrifugal_energy(N_m, L, modes, S, c, work)
         slope = 0.0
         shortening = 0.0
         for r in range(N_m):
@@ -555,7 +556,7 @@ def outputs(
         F_y_eq11 = F_y_eq11 + shear
         M_b_eq12 = M_b_eq12 + moment
         F_z_eq13 = F_z_eq13 + F_n * slope - F_f  # Eq. 13
-        T_brush_eq15 = T_brush_eq15 + R_brush * shear * cos(phi)  # Eq. 15
+        T_brush_eq15 = T_brush_eq15 + R_brush * shear * (cos_psi * cos_alpha - sin_psi * sin_alpha)  # Eq. 15
         filament[i, 0] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
         filament[i, 1] = F_n
         filament[i, 2] = F_f
@@ -569,6 +570,7 @@ def outputs(
     W_damping = total[6]
     W_friction = total[7]
     W_contact = total[8]
+    E_centrifugal = c[4] * total[10]
     # inputs that jump do work at once; it is booked when the next step begins
     jump = E_contact - total[9] + E_centrifugal - total[10] * total[11]
     supplied = W_hub + W_hull + jump - W_damping - W_friction - W_contact

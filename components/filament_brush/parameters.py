@@ -9,7 +9,7 @@ from ..interface import parameter
 
 @dataclass(frozen=True)
 class Parameters:
-    """One brush; the defaults are the nominal case."""
+    """One brush; the defaults are the closest fit to Table 3 with the fewest bristles that keeps |y| below 0.18 L."""
 
     L: float = parameter(0.08, "m", "filament length", "Table 2", minimum=1e-3, maximum=1.0)
     d: float = parameter(0.8e-3, "m", "filament diameter", "Table 2", minimum=1e-5, maximum=0.02)
@@ -30,7 +30,7 @@ class Parameters:
                            minimum=0.0, maximum=1e9)
     c_c: float = parameter(0.0, "N.s/m", "contact damping of a bundle", "calibrated to Table 3",
                            minimum=0.0, maximum=1e5)
-    v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "calibrated to Table 3", minimum=1e-4, maximum=10.0)
+    v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "assumed", minimum=1e-4, maximum=10.0)
     k_v: float = parameter(0.043666, "s/m", "viscous friction coefficient", "calibrated to Table 3",
                            minimum=0.0, maximum=10.0)
     alpha: float = parameter(-0.64, "rad", "cant angle: positive trails, negative is raked forward",
@@ -51,3 +51,7 @@ class Parameters:
     centrifugal: bool = parameter(True, "1", "centrifugal stiffening, softening and load", "section 3.5")
     mode_acceleration: bool = parameter(True, "1", "base reactions exact in statics (false: Eqs. 11, 12 as printed)",
                                         "assumed")
+
+
+# Fits Table 3 less closely (2.2 % in F_x and T_brush) with more bristles, but answers mildly to friction and damping.
+MODERATE_RAKE = Parameters(k_c=1.64221e5, k_v=0.043338, alpha=-0.3, bristles_per_filament=12000.0)

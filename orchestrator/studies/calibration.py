@@ -34,7 +34,7 @@ class Fit:
 
 
 def calibrate(out: Path | None, fmus: Path | None) -> Fit:
-    """Climb the ladder, fit at each rung, write the parameter file of the first that meets every bound.
+    """Descend the ladder, fit at each rung from the fit above, write the parameter file of the lowest that meets every bound.
 
     Deterministic: no random numbers. Raises RunError if no rung does; the file is then left as it is.
     """
@@ -44,23 +44,32 @@ def calibrate(out: Path | None, fmus: Path | None) -> Fit:
     prepare_folder(target_file.parent)
     system = planned(specification["system"], {}, fmus=fmus).system
     ((rung, candidates),) = specification["ladder"].items()
+    start = {name: entry["start"] for name, entry in specification["free"].items()}
+    best = None
     for candidate in candidates:
-        fit = fit_rung(system, specification, {rung: float(candidate)})
+        fit = fit_rung(system, specification, {rung: float(candidate)}, start)
         report(fit, specification)
+        start = {name: fit.values[name] for name in start}
         if not fit.missed:
-            write_file(target_file, lambda path, fit=fit: path.write_text(parameter_file(fit, specification), encoding="utf-8"))  # type: ignore[misc]
-            console.print(f"wrote {target_file}")
-            return fit
-    raise RunError(f"no {rung} of {candidates} meets every bound; {target_file} is left as it was")
+            best = fit
+        elif best is not None:
+            break
+    if best is None:
+        raise RunError(f"no {rung} of {candidates} meets every bound; {target_file} is left as it was")
+    text = parameter_file(best, specification)
+    write_file(target_file, lambda path: path.write_text(text, encoding="utf-8"))
+    console.print(f"wrote {target_file}")
+    return best
 
 
-def fit_rung(system: System, specification: Mapping[str, Any], fixed: Mapping[str, float]) -> Fit:
+def fit_rung(system: System, specification: Mapping[str, Any], fixed: Mapping[str, float], start: Mapping[str, float]) -> Fit:
     """Bounded nonlinear least squares (scipy, trust region reflective) over the free parameters."""
     from scipy.optimize import least_squares
 
     free = specification["free"]
     coded = {name: np.log if entry.get("log") else np.asarray for name, entry in free.items()}
-    edges = np.array([[coded[name](entry[key]) for name, entry in free.items()] for key in ("low", "start", "high")])
+    first = {name: {**entry, "start": start[name]} for name, entry in free.items()}
+    edges = np.array([[coded[name](entry[key]) for name, entry in first.items()] for key in ("low", "start", "high")])
 
     def values(x: np.ndarray) -> dict[str, float]:
         decoded = {name: float(np.exp(v)) if free[name].get("log") else float(v) for name, v in zip(free, x, strict=True)}

@@ -93,14 +93,14 @@ def history(h: float, inputs: dict[str, float], duration: float, every: float, *
     return np.array(rows)
 
 
-@pytest.mark.parametrize("delta_dot", [0.0, 0.02])
-def test_forces_do_not_depend_on_where_communication_points_fall(delta_dot: float) -> None:
+@pytest.mark.parametrize(("delta_dot", "bound"), [(0.0, 5e-5), (0.02, 1e-3)])  # 0.02 m/s goes 9 mm deep, tips stick
+def test_forces_do_not_depend_on_where_communication_points_fall(delta_dot: float, bound: float) -> None:
     inputs = NOMINAL | {"delta_dot": delta_dot}
     reference = history(1e-4, inputs, 0.2, 5e-3, tolerance=1e-9, h_min=1e-6)
     for h in (1e-4, 5e-4, 1e-3, 2.5e-3):
         difference = np.abs(history(h, inputs, 0.2, 5e-3) - reference)
         # at the default tolerance, in units of the mean force
-        assert np.max(difference / np.abs(np.mean(reference, axis=0))) < 1e-3
+        assert np.max(difference / np.abs(np.mean(reference, axis=0))) < bound
 
 
 def test_communication_step_leaves_converged_forces_alone() -> None:

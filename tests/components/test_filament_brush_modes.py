@@ -140,3 +140,18 @@ def test_a_pressed_filament_at_rest_obeys_beam_statics() -> None:
     assert deflection == pytest.approx(load * P.L**3 / (3.0 * EI), rel=1e-6)
     assert instance["F_y_eq11"] == pytest.approx(-load, rel=1e-6)
     assert instance["M_b_eq12"] == pytest.approx(load * P.L, rel=1e-6)
+
+
+def test_large_deflection_stays_close_to_the_elastica() -> None:
+    # The bounds are the README's: linear bending is too soft, foreshortening of second order slightly too small.
+    table = np.loadtxt(REFERENCE / "elastica_tip_load.csv", delimiter=",", skiprows=3)
+    instance = brush(N_m=6)
+    modes, omega_r, G = instance.arrays["modes"], instance.arrays["omega_r"], instance.arrays["G"]
+    m = P.rho * np.pi * P.d**2 / 4.0
+    EI = P.E * np.pi * P.d**4 / 64.0
+    for row, softness, shortness in zip(table[:2], (0.03, 0.11), (0.012, 0.035), strict=True):
+        eta = row[0] * EI / P.L**2 * modes[1] / (m * P.L * omega_r**2)
+        w = float(modes[1] @ eta) / P.L
+        s = 0.5 * float(eta @ G @ eta) / P.L
+        assert 1.0 < w / row[1] < 1.0 + softness
+        assert 1.0 - shortness < s * (row[1] / w) ** 2 / row[2] < 1.0  # at equal deflection

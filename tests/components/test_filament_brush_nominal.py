@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 import pytest
 from lives import Instance, component
+from rovbrush.components.filament_brush.parameters import MODERATE_RAKE
 from rovbrush.components.kernels import compiled
 
 DECLARED = component("filament_brush")
@@ -25,6 +27,7 @@ class Steady:
         self.brush.start()
         h = 2.0 * np.pi / OMEGA_B / STEPS
         samples = []
+        self.deflection_ratio = 0.0  # of the settled revolution
         before = {}
         for k in range(13 * STEPS):
             if k == 12 * STEPS:
@@ -32,6 +35,7 @@ class Steady:
             self.brush.step(h)
             if k >= 12 * STEPS:
                 samples.append([self.brush[name] for name in FORCES])
+                self.deflection_ratio = max(self.deflection_ratio, self.brush["deflection_ratio"])
         self.samples = np.array(samples)
         self.F_x, self.F_z, self.T_brush = ((self.brush[j] - start) / (STEPS * h) for j, start in before.items())
 
@@ -65,3 +69,26 @@ def test_a_fourth_mode_changes_steady_forces_little(nominal: Steady) -> None:
 
 def test_steady_forces_do_not_depend_on_the_form_of_the_base_reactions(nominal: Steady) -> None:
     assert Steady(mode_acceleration=False).F_z == nominal.F_z
+
+
+def test_moderate_rake_fits_table_3_within_three_percent_and_bears_friction() -> None:
+    base, slippery, rough = (Steady(**asdict(MODERATE_RAKE) | friction(f)) for f in (1.0, 0.8, 1.2))
+    assert base.F_z == pytest.approx(-221.7, rel=1e-4)
+    assert base.F_x == pytest.approx(-110.9, rel=0.03)
+    assert base.T_brush == pytest.approx(-16.63, rel=0.03)
+    assert base.deflection_ratio < 0.2  # 0.21 while settling
+    assert slippery.F_z / base.F_z == pytest.approx(0.92, abs=0.02)
+    assert rough.F_z / base.F_z == pytest.approx(1.05, abs=0.02)
+    assert slippery.F_x / base.F_x == pytest.approx(0.78, abs=0.02)
+    assert rough.F_x / base.F_x == pytest.approx(1.22, abs=0.02)
+
+
+def test_strongly_raked_tips_dig_in(nominal: Steady) -> None:
+    # The numbers of the README: the closest fit to Table 3 is sensitive to friction and to damping.
+    assert Steady(**friction(0.8)).F_z / nominal.F_z == pytest.approx(0.65, abs=0.02)
+    assert Steady(**friction(1.2)).F_z / nominal.F_z == pytest.approx(1.65, abs=0.02)
+    assert Steady(zeta=(0.01,) * 6).F_z / nominal.F_z == pytest.approx(1.49, abs=0.02)
+
+
+def friction(factor: float) -> dict[str, float]:
+    return {"mu_s": 0.6 * factor, "mu_c": 0.4 * factor}

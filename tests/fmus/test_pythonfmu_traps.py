@@ -172,7 +172,7 @@ def test_an_exception_at_the_start_arrives_with_its_text(tmp_path: Path, fmus: P
 
 
 def test_a_parameter_out_of_range_is_refused_by_the_fmu_itself(fmus: Path) -> None:
-    with pytest.raises(FmuError, match=r"k = 1000000000.0 is out of range: -1e\+06 to 1e\+06 1 are allowed"), started(fmus / "gain.fmu", k=1e9):
+    with pytest.raises(FmuError, match=r"k = 1000000000.0 is out of range: -1e\+06 to 1e\+06 are allowed"), started(fmus / "gain.fmu", k=1e9):
         pass
 
 

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from helpers import system_text
+from helpers import Part, plan_of, system_text
+from rovbrush.orchestrator.simulation import simulate
 
 CODE = """
 import json, signal, sys
@@ -23,7 +24,7 @@ def progress(time):
     print("at", time, flush=True)
 
 plan = make_plan(load_system(sys.argv[1], Path(sys.argv[2])))
-run = simulate(plan, interpreted=sys.argv[3] == "interpreted", progress=progress)
+run = simulate(plan, progress=progress)
 assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 rows = [len(table) for table in run.tables]
 last = [table[-1].tolist() for table in run.tables]
@@ -32,13 +33,32 @@ sys.exit(3)
 """
 
 
-@pytest.mark.parametrize("how", ["compiled", "interpreted"])
-def test_an_interrupted_run_keeps_its_complete_rows(how: str, tmp_path: Path, fmus: Path) -> None:
+def pressing(mode: int) -> dict[str, Part]:
+    """A system in which somebody presses Ctrl-C: mode 4 at the end of initialization, mode 5 in the step to 6 ms."""
+    parts: dict[str, Part] = {"fast": ("wave", "0.5 ms", {"c1": 1.0})}
+    return parts | {"p": ("plain", "1 ms", {"mode": mode, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0})}
+
+
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_ctrl_c_in_a_step_lets_the_instant_be_completed(interpreted: bool, tmp_path: Path, fmus: Path) -> None:
+    run = simulate(plan_of(tmp_path, fmus, pressing(5)), interpreted)
+    assert (run.end, run.failure) == (0.006, "interrupted by the user at t = 0.006 s")
+    assert [len(table) for table in run.tables] == [13, 7]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_ctrl_c_during_initialization_is_no_fault_of_the_fmu(tmp_path: Path, fmus: Path) -> None:
+    run = simulate(plan_of(tmp_path, fmus, pressing(4)))
+    assert (run.end, run.failure) == (0.0, "interrupted by the user at t = 0 s")
+    assert [len(table) for table in run.tables] == [1, 1]
+
+
+def test_an_interrupted_process_keeps_its_complete_rows(tmp_path: Path, fmus: Path) -> None:
     sleeper = {"mode": 3, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}  # 20 ms of wall time per step
     parts = {"slow": ("plain", "20 ms", sleeper), "fast": ("wave", "10 ms", {"c1": 1.0})}
     path = tmp_path / "case.toml"
     path.write_text(system_text(parts, stop="1000 s"))
-    command = [sys.executable, "-c", CODE, str(path), str(fmus), how]
+    command = [sys.executable, "-c", CODE, str(path), str(fmus)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ) as process:
         assert process.stdout is not None and process.stderr is not None
         try:

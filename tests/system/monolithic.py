@@ -5,7 +5,7 @@ them are exchanged in every evaluation of the right-hand side. The controller ta
 integrations, at multiples of its period: a sample sees the state of its instant and acts from that instant on.
 
 State: 0 i, 1 omega_m, 2 theta_b, 3 J_x, 4 J_z, 5 J_T (time integrals of F_x, F_z, T_brush), then eta and eta_dot of
-every filament, then x (18) and thrust_state (8) of the vehicle, where x holds the velocity through the water.
+every filament, then x (18) and thrust_state (8) of the vehicle. The water is at rest: x holds nu and nu_r alike.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ from rovbrush.orchestrator.system import Component, System
 from scipy.integrate import solve_ivp
 
 TO_CONTROLLER = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")
-POSE = 6  # first place behind the brush's and the motor's own six numbers
+ETA = 6  # first place of eta in the state
+ROWS_PER_SAMPLE = 20  # of the solution, per period of the controller
 
 
 class Part:
@@ -67,7 +68,7 @@ class Part:
 
     def constants(self) -> Any:
         """All values as one named tuple, which Numba takes as constants."""
-        return namedtuple("Values", self.values)(**self.values)  # type: ignore[misc]  # noqa: PYI024
+        return namedtuple("Values", self.values)(**self.values)  # type: ignore[misc]
 
 
 def _truth(text: Any) -> bool:
@@ -85,16 +86,15 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
     n, N_m = b.n, b.N_m
-    lag = v.thruster_lag
 
-    @njit(error_model="numpy")  # not cached: Numba would not notice a changed kernel
+    @njit(error_model="numpy")  # not cached: Numba would not notice that a kernel changed
     def rates(t: float, state: np.ndarray, u_thruster: np.ndarray, V_in: float) -> np.ndarray:
         rate = np.zeros_like(state)
         N_g = gear_ratio(m.gear_ratio_per_stage, m.gear_stages)
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, c, work = np.zeros((7, 6)), np.zeros(17), np.zeros((15, 6))
+        K, c, work = np.zeros(b.K.shape), np.zeros(b.c.shape), np.zeros(b.work.shape)
         constants(
             omega_b, b.delta_dot, b.v_rov, b.friction_scale, b.L, b.d, b.rho, b.rho_w, b.C_a, N_m,
             b.bristles_per_filament, b.R_brush, b.alpha, b.k_c, b.c_c, b.Delta_s, b.mu_s, b.mu_c, b.v_0, b.k_v,
@@ -103,7 +103,7 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
             psi = state[2] + 2.0 * np.pi * filament / n - b.alpha
-            eta = 6 + filament * N_m
+            eta = ETA + filament * N_m
             eta_dot = eta + n * N_m
             for r in range(N_m):
                 work[0, r], work[1, r] = state[eta + r], state[eta_dot + r]
@@ -117,23 +117,24 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         rate[2], rate[3], rate[4], rate[5] = omega_b, F_x, F_z, T_brush
 
         # motor
-        powers = motor_rates(
+        motor_rate = motor_rates(
             state[0], state[1], V_in, T_brush, False, N_g, m.R, m.L_a, m.K_t, m.K_e, m.B_m, m.J_m, m.J_b,
             m.gear_efficiency, m.gear_speed_eps)  # fmt: skip
-        rate[0], rate[1] = powers[0], powers[1]
+        rate[0], rate[1] = motor_rate[0], motor_rate[1]
 
         # vehicle, whose housing takes T_brush
-        at = 6 + 2 * n * N_m
+        x = ETA + 2 * n * N_m
+        thrust_state = state[x + 18 :]
         tau_control, tau_disturb, tau_external = np.zeros(6), np.zeros(6), np.zeros(6)
-        thrust = state[at + 18 : at + 26]
-        thruster_wrench(tau_control, v.B, thrust, u_thruster, v.k_T_forward, v.k_T_reverse, 1.0)
+        thruster_wrench(tau_control, v.B, thrust_state, u_thruster, v.k_T_forward, v.k_T_reverse, 1.0)
         tool_wrench(tau_disturb, v.r_tool, v.R_tool_body, F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z)
         tau_external[:3], tau_external[3:] = v.F_external, v.M_external
         vehicle_rates(
-            rate[at : at + 18], state[at : at + 18], np.zeros(9), np.zeros(3), np.zeros(15), tau_control, tau_disturb,
+            rate[x : x + 18], state[x : x + 18], np.zeros(9), np.zeros(3), np.zeros(15), tau_control, tau_disturb,
             tau_external, v.v_c, v.M, v.M_inv, v.added_mass, v.D, v.lever, v.net_buoyancy)  # fmt: skip
         for j in range(8):
-            rate[at + 18 + j] = (thrust_of(u_thruster[j], v.k_T_forward, v.k_T_reverse) - thrust[j]) / lag
+            steady = thrust_of(u_thruster[j], v.k_T_forward, v.k_T_reverse)
+            rate[x + 18 + j] = (steady - thrust_state[j]) / v.thruster_lag
         return rate
 
     return rates
@@ -141,55 +142,73 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
 
 @dataclass(frozen=True)
 class Solution:
-    """What is compared: rows of `time` [s], pose [m] and attitude quaternion, brush angle [rad] and impulses."""
+    """The state at every row of `time` [s]; `x` is the place of the vehicle's state in it."""
 
     time: np.ndarray  # (rows,)
-    theta_b: np.ndarray  # (rows,)
-    impulses: np.ndarray  # (rows, 3): time integrals of F_x, F_z, T_brush
-    position: np.ndarray  # (rows, 3)
-    quat: np.ndarray  # (rows, 4)
+    state: np.ndarray  # (rows, size of the state)
+    x: int
     evaluations: int
 
+    @property
+    def position(self) -> np.ndarray:
+        """Position of the vehicle [m], (rows, 3)."""
+        return self.state[:, self.x : self.x + 3]
+
+    @property
+    def quat(self) -> np.ndarray:
+        """Attitude of the vehicle as a unit quaternion, (rows, 4)."""
+        quat = self.state[:, self.x + 3 : self.x + 7]
+        return quat / np.linalg.norm(quat, axis=1, keepdims=True)
+
     def means(self, turns: int) -> dict[str, float]:
-        """Time averages of F_x, F_z, T_brush and omega_b over the last whole turns of the brush."""
-        begin = float(np.interp(self.theta_b[-1] - 2.0 * np.pi * turns, self.theta_b, self.time))
-        span = self.time[-1] - begin
-        before = [np.interp(begin, self.time, self.impulses[:, k]) for k in range(3)]
-        F_x, F_z, T_brush = (self.impulses[-1] - before) / span
+        """Time averages of F_z, F_x, T_brush and omega_b over the last whole turns of the brush."""
+        theta_b, impulses = self.state[:, 2], self.state[:, 3:6]
+        begin = float(np.interp(theta_b[-1] - 2.0 * np.pi * turns, theta_b, self.time))
+        span = float(self.time[-1]) - begin
+        F_x, F_z, T_brush = (float(J[-1] - np.interp(begin, self.time, J)) / span for J in impulses.T)
         return {"F_z": F_z, "F_x": F_x, "T_brush": T_brush, "omega_b": 2.0 * np.pi * turns / span}
 
 
-def solve(system: System, stop: float, rtol: float = 1e-8, method: str = "DOP853") -> Solution:
-    """Integrate `system` (components motor, brush, vehicle, controller, connected as in nominal.toml) to `stop` [s]."""
-    parts = {name: Part(component) for name, component in system.components.items()}
-    motor, brush, vehicle, controller = (parts[name] for name in ("motor", "brush", "vehicle", "controller"))
-    rates = right_hand_side(motor, brush, vehicle)
-    eta, eta_dot = (brush.values[name].ravel() for name in ("eta", "eta_dot"))
-    at = 6 + 2 * eta.size
-    state = np.concatenate([
-        motor.values["x"][:2], brush.values["total"][:4], eta, eta_dot, vehicle.values["x"],
-        vehicle.values["thrust_state"],
-    ])  # fmt: skip
-    # What is small in each part: A, rad/s; modal displacements of a bent filament are some mm, at some m/s.
-    scale = np.ones(state.size)
-    scale[6 : 6 + eta.size] = 1e-3
-    atol = rtol * scale
-    T_s = controller.values["T_s"]
-    rows, evaluations, step = [np.concatenate([[0.0], state])], 0, 1e-6
-    for sample in range(round(stop / T_s)):
-        vehicle.values["x"][:] = state[at : at + 18]
-        vehicle.values["thrust_state"][:] = state[at + 18 :]
+class Monolithic:
+    """The whole of a system with components motor, brush, vehicle and controller, connected as in nominal.toml."""
+
+    def __init__(self, system: System) -> None:
+        self.parts = {name: Part(component) for name, component in system.components.items()}
+        motor, brush, vehicle = (self.parts[name] for name in ("motor", "brush", "vehicle"))
+        assert motor.values["current_limit"] == 0.0, "the current limit has a state of its own, which is not modelled"
+        assert not np.any(vehicle.values["v_c"]), "x holds nu and nu_r alike"
+        self.rates = right_hand_side(motor, brush, vehicle)
+        eta, eta_dot = (brush.values[name].ravel() for name in ("eta", "eta_dot"))
+        self.x = ETA + eta.size + eta_dot.size
+        self.state = np.concatenate([
+            motor.values["x"][:2], brush.values["total"][:4], eta, eta_dot, vehicle.values["x"],
+            vehicle.values["thrust_state"],
+        ])  # fmt: skip
+        self.scale = np.ones(self.state.size)
+        self.scale[ETA : ETA + eta.size] = 1e-3  # a bent filament: some mm at some m/s
+
+    def solve(self, stop: float, first_sample: int = 0, rtol: float = 1e-8, method: str = "DOP853") -> Solution:
+        """Integrate to `stop` [s], a multiple of the controller's period. Before its first sample thrusters are off."""
+        self.parts["controller"].call("initialize")
+        T_s = self.parts["controller"].values["T_s"]
+        state, step, tables, evaluations = self.state, 1e-6, [np.append(0.0, self.state)[None]], 0
+        for sample in range(round(stop / T_s)):
+            command, V_in = self.control(state, sample, T_s, sample >= first_sample)
+            grid = np.linspace(sample * T_s, (sample + 1) * T_s, ROWS_PER_SAMPLE + 1)
+            part = solve_ivp(
+                self.rates, (grid[0], grid[-1]), state, method, grid[1:], args=(command, V_in), rtol=rtol,
+                atol=rtol * self.scale, first_step=step)  # fmt: skip
+            assert part.success, part.message
+            tables.append(np.column_stack([part.t, part.y.T]))
+            state, step, evaluations = part.y[:, -1].copy(), 1e-5, evaluations + part.nfev
+        table = np.concatenate(tables)
+        return Solution(table[:, 0], table[:, 1:], self.x, evaluations)
+
+    def control(self, state: np.ndarray, sample: int, T_s: float, active: bool) -> tuple[np.ndarray, float]:
+        """What the controller decides at a sample from the state at that instant: thruster commands and voltage."""
+        vehicle, controller = self.parts["vehicle"], self.parts["controller"]
+        vehicle.values["x"][:], vehicle.values["thrust_state"][:] = state[self.x : self.x + 18], state[self.x + 18 :]
         vehicle.call("outputs")
-        seen = {name: vehicle[name] for name in TO_CONTROLLER}
-        controller.call("step", t=sample * T_s, h=T_s, **seen)
-        command = np.array([controller[f"u_thruster[{j}]"] for j in range(1, 9)])
-        grid = np.linspace(sample * T_s, (sample + 1) * T_s, 21)
-        part = solve_ivp(
-            rates, (grid[0], grid[-1]), state, method, grid[1:], args=(command, controller["V_in"]), rtol=rtol,
-            atol=atol, first_step=step)  # fmt: skip
-        assert part.success, part.message
-        state, evaluations = part.y[:, -1].copy(), evaluations + part.nfev
-        rows += [np.concatenate([[t], y]) for t, y in zip(part.t, part.y.T, strict=True)]
-    table = np.array(rows)
-    pose = table[:, 1 + at :]
-    return Solution(table[:, 0], table[:, 3], table[:, 4:7], pose[:, :3], pose[:, 3:7], evaluations)
+        measured = {name: vehicle[name] for name in TO_CONTROLLER}
+        controller.call("step" if active else "outputs", t=sample * T_s, h=T_s, **measured)
+        return np.array([controller[f"u_thruster[{j}]"] for j in range(1, 9)]), controller["V_in"]

@@ -1,0 +1,76 @@
+"""The rules that keep the parts apart, read from the source."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from helpers import ROOT
+from rovbrush.components.build import COMPONENTS
+
+ORCHESTRATOR = sorted((ROOT / "orchestrator").rglob("*.py"))
+COMPONENT_FILES = sorted((ROOT / "components").rglob("*.py"))
+ARITHMETIC = (ast.BinOp, ast.AugAssign)
+
+
+def imported(path: Path) -> Iterator[str]:
+    """Absolute names of what a file of the package imports, wherever in the file."""
+    package = ("rovbrush", *path.relative_to(ROOT).with_suffix("").parts[:-1])
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = ".".join(package[: len(package) + 1 - node.level]) if node.level else ""
+            module = ".".join(filter(None, (base, node.module)))
+            yield from (f"{module}.{alias.name}" for alias in node.names)
+
+
+@pytest.mark.parametrize("path", ORCHESTRATOR, ids=lambda p: str(p.relative_to(ROOT)))
+def test_the_orchestrator_never_imports_components(path: Path) -> None:
+    assert not [name for name in imported(path) if name.startswith("rovbrush.components")]
+
+
+@pytest.mark.parametrize("path", COMPONENT_FILES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_components_never_import_the_orchestrator(path: Path) -> None:
+    names = list(imported(path))
+    assert not [name for name in names if name.startswith("rovbrush.orchestrator")]
+    own = path.relative_to(ROOT / "components").parts[0]
+    others = [f"rovbrush.components.{other}" for other in COMPONENTS if other != own]
+    assert not [name for name in names if name.startswith(tuple(others))], "components meet at FMUs"
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_kernels_import_nothing_but_math_and_keep_no_globals(name: str) -> None:
+    for path in sorted((ROOT / "components" / name).glob("kernel*.py")):
+        assert {module.split(".")[0] for module in imported(path)} <= {"math"}
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        allowed = (ast.FunctionDef, ast.ImportFrom)
+        extra = [node for node in tree.body if not isinstance(node, allowed) and not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))]
+        assert not extra, f"{path.name} line {extra[0].lineno}"
+        for node in ast.walk(tree):
+            forbidden = (ast.Dict, ast.ClassDef, ast.Lambda, ast.Try, ast.Raise, ast.ListComp, ast.Global, ast.With)
+            assert not isinstance(node, forbidden), f"{path.name} line {getattr(node, 'lineno', '?')}"
+            if isinstance(node, ast.FunctionDef):
+                assert ast.get_docstring(node), f"{path.name}: {node.name}"
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_fmu_files_hold_names_and_no_equations(name: str) -> None:
+    text = (ROOT / "components" / name / "fmu.py").read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 60
+    tree = ast.parse(text)
+    shapes = {inner for node in ast.walk(tree) if isinstance(node, ast.Lambda) for inner in ast.walk(node)}
+    for node in ast.walk(tree):
+        if isinstance(node, ARITHMETIC) and node not in shapes:
+            raise AssertionError(f"arithmetic in line {node.lineno}: {ast.unparse(node)}")
+        assert not isinstance(node, (ast.While, ast.If)), "no logic"
+    methods = [node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    assert not methods
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_every_component_has_the_same_files(name: str) -> None:
+    files = {path.name for path in (ROOT / "components" / name).iterdir() if path.is_file()}
+    assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "README.md"} <= files
