@@ -1,38 +1,96 @@
-"""Kernels under Numba: every function of a kernel module compiled in place, in a fresh copy of the module."""
+"""A kernel as one source text, and compiled by Numba.
+
+A kernel may be spread over files of its folder (`from .modes import tables`); `joined_source` makes one text of them.
+The compiled form lives in a per-user cache under the hash of that text, wherever the FMU was unpacked: a second run
+starts at once, and code compiled from other text is never taken.
+"""
 
 from __future__ import annotations
 
+import ast
+import hashlib
 import importlib.util
 import inspect
+import os
 import sys
+import tempfile
+from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
 import numba
 
 
+def joined_source(kernel: ModuleType) -> str:
+    """The text of a kernel module with the sibling modules it imports from put before it, each once."""
+    done: list[Path] = []
+    parts: list[str] = []
+
+    def add(path: Path) -> None:
+        if path in done:
+            return
+        done.append(path)
+        text = path.read_text(encoding="utf-8")
+        lines = text.splitlines()
+        for node in ast.parse(text).body:
+            if isinstance(node, ast.ImportFrom) and (node.level or node.module == "__future__"):
+                if node.level:
+                    add(path.with_name(f"{node.module}.py"))
+                for number in range(node.lineno - 1, node.end_lineno or node.lineno):
+                    lines[number] = ""
+        parts.append("\n".join(lines))
+
+    add(Path(str(kernel.__file__)))
+    return "\n\n".join(parts) + "\n"
+
+
 def precompile(function: Any, arguments: list[Any]) -> None:
     """Compile a function for the types of these arguments, or load what an earlier run has compiled."""
-    function.compile(tuple(numba.typeof(argument) for argument in arguments))
+    function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[attr-defined]
 
 
 def compiled(kernel: ModuleType) -> ModuleType:
-    """A copy of `kernel` whose functions are compiled; the compiled code is cached beside the source file.
+    """The functions of a kernel under Numba, as a module.
 
-    Numba finds a called function through the module's globals, so callees are replaced before their callers are
-    compiled (they compile at their first call). Floating-point results are those of IEEE 754 in source order: no
-    fast-math; a division by zero gives inf or nan, which the component's finiteness check then reports.
+    Numba finds a called function through the module's globals, so each is replaced there by its compiled form (they
+    compile at their first call). Floating-point results are those of IEEE 754 in source order: no fast-math; a
+    division by zero gives inf or nan, which the finiteness checks then report.
     """
-    name = f"{kernel.__name__}__compiled"
+    text = joined_source(kernel)
+    name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(text.encode()).hexdigest()[:24]}"
     if name in sys.modules:
         return sys.modules[name]
-    spec = importlib.util.spec_from_file_location(name, kernel.__file__)
+    spec = importlib.util.spec_from_file_location(name, _stored(name, text))
     assert spec is not None and spec.loader is not None
-    copy = importlib.util.module_from_spec(spec)
-    sys.modules[name] = copy
-    spec.loader.exec_module(copy)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
     jit = numba.njit(cache=True, error_model="numpy")
-    for key, function in inspect.getmembers(copy, inspect.isfunction):
+    for key, function in inspect.getmembers(module, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
-            setattr(copy, key, jit(function))
-    return copy
+            setattr(module, key, jit(function))
+    return module
+
+
+def _stored(name: str, text: str) -> Path:
+    """The file `name.py` in the cache, with exactly this text; in a temporary folder where there is no cache."""
+    for folder in (_cache_folder(), Path(tempfile.gettempdir()) / f"rovbrush-{os.getpid()}"):
+        path = folder / "kernels" / f"{name}.py"
+        try:
+            if path.is_file() and path.read_text(encoding="utf-8") == text:
+                return path
+            path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+            temporary = path.with_name(f"{name}.{os.getpid()}.tmp")
+            temporary.write_text(text, encoding="utf-8")
+            temporary.replace(path)
+            return path
+        except OSError:
+            continue
+    raise OSError(f"no folder to keep compiled kernels in; set ROVBRUSH_CACHE to one that can be written ({_cache_folder()} cannot)")
+
+
+def _cache_folder() -> Path:
+    chosen = os.environ.get("ROVBRUSH_CACHE") or os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    if chosen:
+        return Path(chosen) if "ROVBRUSH_CACHE" in os.environ else Path(chosen) / "rovbrush"
+    return Path.home() / ".cache" / "rovbrush"

@@ -75,6 +75,6 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction) -> Clock:
     numerator = gcd(*(int(t * denominator) for t in all_times))
     tick = Fraction(numerator, denominator)
     ticks = {name: int(period / tick) for name, period in periods.items()}
-    if max(stop / tick * numerator, denominator) >= 2**53:  # the loop divides them as doubles
+    if max(int(stop / tick) * numerator, denominator) >= 2**53:  # the loop divides them as doubles
         raise InputError(f"the periods have no common tick above {float(tick):.1e} s that counts exactly to {seconds_text(stop)}; round them to microseconds")
     return Clock(tick.numerator, tick.denominator, ticks, int(stop / tick), lcm(*ticks.values()))

@@ -18,7 +18,7 @@ from .units import conversion
 SYSTEMS = Path(__file__).parent / "systems"
 KEYS = {"description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds", "record", "summary", "compare", "figures"}
 COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs"}
-KINDS = {dict: "a table", list: "a list", str: "text"}
+KINDS: dict[type[Any], str] = {dict: "a table", list: "a list", str: "text"}
 ALGORITHMS = ("gauss-seidel", "jacobi")
 
 

@@ -17,7 +17,7 @@ TURNS, ANGLES = re.compile(r"Hz"), re.compile(r"rad|deg|rpm|rev")
 
 @cache
 def _registry() -> Any:
-    registry = pint.UnitRegistry()
+    registry: Any = pint.UnitRegistry()
     registry.define("@alias ohm = Ohm")  # as FMI and Modelica write it
     return registry
 

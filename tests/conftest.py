@@ -1,19 +1,18 @@
-"""FMUs are built once per session; what they unpack and compile is kept in pytest's cache, so later sessions start fast."""
+"""FMUs are built once per session; what they unpack and compile stays in pytest's cache for the next one."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from helpers import FIXTURES, build_fixture
+from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
 
-Measured = Callable[[str, float | str, str], None]
 MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
-FIXTURE_NAMES = sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")) + ["plain"]
+FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -32,9 +31,8 @@ def cache_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPa
 def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with all FMUs: the project's components and the fixtures."""
     folder = tmp_path_factory.mktemp("fmus")
-    components = [name for name in COMPONENTS if (HERE / name / "fmu.py").is_file() and (HERE / name / "README.md").is_file()]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        built = [pool.submit(build, HERE / name, folder) for name in components]
+        built = [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
         built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
         for task in built:
             task.result()

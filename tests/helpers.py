@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from rovbrush.orchestrator.system import System
 FIXTURES = Path(__file__).parent / "fixtures"
 ROOT = Path(__file__).parent.parent
 
+Measured = Callable[[str, float | str, str], None]  # the fixture `measured`: claim, number, bound
 Part = tuple[str, str] | tuple[str, str, Mapping[str, Any]]  # FMU, period, parameters
 
 
@@ -30,11 +31,15 @@ def build_fixture(name: str, folder: Path) -> Path:
     code = "import sys; from pythonfmu.builder import FmuBuilder; print(FmuBuilder.build_FMU(sys.argv[1], sys.argv[2]))"
     raw = folder / f"raw_{name}"
     raw.mkdir(parents=True)
-    subprocess.run([sys.executable, "-c", code, str(FIXTURES / f"{name}.py"), str(raw)], check=True, capture_output=True)
+    subprocess.run(
+        [sys.executable, "-c", code, str(FIXTURES / f"{name}.py"), str(raw)], check=True, capture_output=True
+    )
     return repack(next(raw.glob("*.fmu")), folder / f"{name}.fmu")
 
 
-def edited(fmu: Path, target: Path, changes: Mapping[str, bytes | None], replacements: Mapping[str, str] | None = None) -> Path:
+def edited(
+    fmu: Path, target: Path, changes: Mapping[str, bytes | None], replacements: Mapping[str, str] | None = None
+) -> Path:
     """A copy of an FMU with entries added, exchanged or (None) dropped, and text replaced in its model description."""
     with zipfile.ZipFile(fmu) as archive:
         entries: dict[str, bytes | None] = {name: archive.read(name) for name in archive.namelist()}
@@ -58,7 +63,11 @@ def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop
     for name, (fmu, period, *values) in parts.items():
         lines += ["", f"[components.{name}]", f'fmu = "{fmu}"', f'period = "{period}"']
         for table in ("parameters", "inputs"):
-            chosen = {k.removeprefix("="): v for k, v in (values[0] if values else {}).items() if k.startswith("=") == (table == "inputs")}
+            chosen = {
+                k.removeprefix("="): v
+                for k, v in (values[0] if values else {}).items()
+                if k.startswith("=") == (table == "inputs")
+            }
             if chosen:
                 lines += [f"[components.{name}.{table}]", *(f"{key} = {_toml(value)}" for key, value in chosen.items())]
     return "\n".join(lines) + "\n"
@@ -67,7 +76,13 @@ def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop
 def _toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
-    return f'"{value}"' if isinstance(value, str) else f"[{', '.join(map(_toml, value))}]" if isinstance(value, (list, tuple)) else repr(value)
+    return (
+        f'"{value}"'
+        if isinstance(value, str)
+        else f"[{', '.join(map(_toml, value))}]"
+        if isinstance(value, (list, tuple))
+        else repr(value)
+    )
 
 
 def read_system(folder: Path, fmus: Path, *args: Any, **keys: Any) -> System:
@@ -107,4 +122,6 @@ def last(run: Run, name: str) -> float:
 def python(code: str, *arguments: str, timeout: float = 60.0, **environment: str) -> subprocess.CompletedProcess[str]:
     """Run Python code in a process of its own."""
     command = [sys.executable, "-c", code, *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=timeout, env={**os.environ, **environment}, check=False)
+    return subprocess.run(
+        command, capture_output=True, text=True, timeout=timeout, env={**os.environ, **environment}, check=False
+    )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from pyccel import epyccel
 from rovbrush.components.interface import Variable, parameter_variables
-from rovbrush.components.kernels import compiled
+from rovbrush.components.kernels import compiled, joined_source
 from rovbrush.components.slave import ComponentSlave
 
 Range = tuple[float, float]  # an input's mean and amplitude
@@ -53,8 +53,7 @@ def lives(name: str, folder: Path) -> dict[str, Any]:
     library: the C library has an old function `step` of its own, which would be called instead of the kernel's.
     """
     kernel = component(name).kernel
-    source = Path(str(kernel.__file__)).read_text()
-    in_c = epyccel(source, language="c", flags="-ffp-contract=off", wrapper_flags="-Wl,-Bsymbolic", folder=str(folder))
+    in_c = epyccel(joined_source(kernel), language="c", flags="-ffp-contract=off", wrapper_flags="-Wl,-Bsymbolic", folder=str(folder))
     return {"python": kernel, "numba": compiled(kernel), "c": in_c}
 
 

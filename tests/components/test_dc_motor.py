@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers import Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 from scipy.linalg import expm
@@ -36,14 +37,21 @@ def test_nothing_moves_without_voltage_and_load() -> None:
     assert not motor(0.0, 0.0, 0.1)["omega_b"]
 
 
-def test_stall_current_equals_voltage_over_resistance() -> None:
+def test_stall_current_equals_voltage_over_resistance(measured: Measured) -> None:
     # A brush too heavy to turn within 20 ms, 33 electrical time constants.
     assert motor(12.0, 0.0, 0.02, J_b=100.0, gear_stages=1, J_m=1.0)["i"] == pytest.approx(12.0 / P.R, rel=2e-4)
+    # Under the load that just stalls it the motor comes to rest, time constant 0.1 s.
+    stalled = motor(12.0, -P.K_t * 12.0 / P.R * N_G, 4.0)
+    measured("motor: relative error of the stall current", stalled["i"] * P.R / 12.0 - 1.0, "1e-6")
+    assert stalled["i"] == pytest.approx(12.0 / P.R, rel=1e-9)
+    assert stalled["omega_b"] == pytest.approx(0.0, abs=1e-9)
 
 
-def test_no_load_speed_is_that_of_the_circuit() -> None:
+def test_no_load_speed_is_that_of_the_circuit(measured: Measured) -> None:
     omega_m = 12.0 * P.K_t / (P.K_e * P.K_t + P.R * P.B_m)
     seen = motor(12.0, 0.0, 4.0)["omega_b"]
+    measured("motor: relative error of the no-load speed", seen * N_G / omega_m - 1.0, "1e-6")
+    measured("motor: no-load speed with the default parameters [rad/s]", seen, "21.05 within 0.01 (paper: 20)")
     assert seen == pytest.approx(omega_m / N_G, rel=1e-9)
     assert seen == pytest.approx(21.05, abs=0.01)  # the paper's figure rounds it to 20
 
@@ -58,17 +66,20 @@ def test_one_planetary_stage_cannot_carry_the_torque_of_table_3() -> None:
 
 @pytest.mark.parametrize("duration", [0.001, 0.01, 0.1])
 @pytest.mark.parametrize("h", [1e-3, 5e-4])
-def test_step_response_equals_the_matrix_exponential(duration: float, h: float) -> None:
+def test_step_response_equals_the_matrix_exponential(duration: float, h: float, measured: Measured) -> None:
     # Fourth order at a twelfth of L_a/R: the error of the current is 1.3e-7 of its 150 A.
     i, omega_m = exact(12.0, -5.0, duration)
     seen = motor(12.0, -5.0, duration, h)
+    measured("motor: error of the current in a step response over 150 A", (seen["i"] - i) / 150.0, "1e-6")
+    measured("motor: error of the speed in a step response over 570 rad/s", (seen["omega_m"] - omega_m) / 570.0, "1e-6")
     assert seen["i"] == pytest.approx(i, abs=1e-6 * 150.0)
     assert seen["omega_m"] == pytest.approx(omega_m, abs=1e-6 * 570.0)
 
 
-def test_error_falls_with_the_fourth_power_of_the_internal_step() -> None:
+def test_error_falls_with_the_fourth_power_of_the_internal_step(measured: Measured) -> None:
     expected = exact(12.0, -5.0, 2e-3)[0]
     coarse, fine = (abs(motor(12.0, -5.0, 2e-3, max_step=dt)["i"] - expected) for dt in (4e-5, 2e-5))
+    measured("motor: order of the integration", np.log2(coarse / fine), "4 within 0.15")
     assert np.log2(coarse / fine) == pytest.approx(4.0, abs=0.15)
 
 
@@ -88,11 +99,12 @@ def test_small_inductance_is_stepped_inside_the_stability_limit() -> None:
     "parameters",
     [{}, {"gear_efficiency": 0.7}, {"current_limit": 60.0}, {"gear_efficiency": 0.7, "current_limit": 60.0}],
 )
-def test_energy_is_accounted_for(parameters: dict[str, float]) -> None:
+def test_energy_is_accounted_for(parameters: dict[str, float], measured: Measured) -> None:
     # 2 kJ go in; the fourth-order quadrature over the start-up transient leaves less than 1e-6 J.
     # The band in which the gear loss fades out is not smooth and costs some digits.
     seen = motor(12.0, -10.0, 3.0, **parameters)
     assert seen["W_electrical"] > 1000.0
+    measured("motor: energy residual over the work", abs(seen["energy_residual"]) / seen["W_electrical"], "1e-7")
     assert abs(seen["energy_residual"]) < (1e-6 if "gear_efficiency" not in parameters else 1e-4)
 
 

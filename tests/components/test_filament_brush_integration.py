@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers import Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 
@@ -36,12 +37,14 @@ def fixed(h: float) -> Instance:
     return instance
 
 
-def test_micro_steps_are_of_fourth_order() -> None:
+def test_micro_steps_are_of_fourth_order(measured: Measured) -> None:
     steps = (5e-5, 2.5e-5, 1.25e-5)
     runs = [fixed(h) for h in steps]
     reference = fixed(1e-6)
     errors = [np.max(np.abs(state(r) - state(reference))) for r in runs]
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    for k, order in enumerate(orders):
+        measured(f"brush: order of the integration, micro-steps of {1e6 * steps[k]:g} us halved", order, "4 within 0.2")
     assert orders == pytest.approx(4.0, abs=0.2)
     # impulses and losses are carried by the same stages
     errors = [abs(r["W_friction"] - reference["W_friction"]) for r in runs]
@@ -115,10 +118,11 @@ def balance(instance: Instance) -> float:
 
 
 @pytest.mark.parametrize("parameters", [{}, {"c_c": 30.0}, {"N_m": 6}, {"foreshortening": False}, {"C_a": 1.0}])
-def test_energy_balance_closes(parameters: dict[str, Any]) -> None:
+def test_energy_balance_closes(parameters: dict[str, Any], measured: Measured) -> None:
     instance = start(NOMINAL, **parameters)
     for _ in range(400):
         instance.step(1e-3)
+    measured("brush: energy residual over the friction work, five variants", balance(instance), "1e-4")
     assert balance(instance) < 1e-4
     energy = sum(instance[f"E_{part}"] for part in ("kinetic", "strain", "centrifugal", "contact"))
     works = {name: instance[name] for name in WORKS}
@@ -138,13 +142,14 @@ def test_energy_balance_closes_when_inputs_jump() -> None:
     assert balance(instance) < 1e-4
 
 
-def test_energy_residual_falls_with_the_micro_step() -> None:
+def test_energy_residual_falls_with_the_micro_step(measured: Measured) -> None:
     residuals = []
     for tolerance, h_min in ((1e-6, 1e-4), (1e-9, 1e-6), (1e-12, 1e-7)):
         instance = start(NOMINAL, n=1, c_c=20.0, tolerance=tolerance, h_min=h_min)
         for _ in range(800):
             instance.step(1e-3)
         residuals.append(balance(instance))
+        measured(f"brush: energy residual over the friction work at tolerance {tolerance:g}", residuals[-1], "falls")
     assert residuals[2] < 2e-9 and residuals[1] < 1e-7 and residuals[0] < 1e-4
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers import Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 from scipy.integrate import quad
@@ -31,13 +32,16 @@ def printed_slope(lam: float, xi: float) -> float:
     return lam * (np.sinh(x) + np.sin(x) - sigma * (np.cosh(x) - np.cos(x)))
 
 
-def test_eigenvalues_solve_the_frequency_equation() -> None:
+def test_eigenvalues_solve_the_frequency_equation(measured: Measured) -> None:
+    measured("cantilever: error of lambda_1..6", np.abs(brush()["lambda_r"] - LAMBDA).max(), "1e-10")
     assert brush()["lambda_r"] == pytest.approx(LAMBDA, rel=1e-14)
     # cos x + 1/cosh x has slope 1 at its roots: the residual is the error of the root.
     assert np.max(np.abs(np.cos(brush()["lambda_r"]) + 1.0 / np.cosh(brush()["lambda_r"]))) < 1e-14
 
 
-def test_natural_frequencies_follow_from_table_2() -> None:
+def test_natural_frequencies_follow_from_table_2(measured: Measured) -> None:
+    seen = ", ".join(f"{omega:.2f}" for omega in brush()["omega_r"][:3])
+    measured("cantilever: omega_1..3 [rad/s]", seen, "162.71, 1019.70, 2855.18")
     assert brush()["omega_r"][:3] == pytest.approx((162.71, 1019.70, 2855.18), abs=5e-3)
 
 
@@ -72,7 +76,7 @@ def test_slope_integrals_of_high_modes_are_symmetric_and_resolved() -> None:
 
 
 @pytest.mark.parametrize("row", np.loadtxt(REFERENCE / "rotating_cantilever.csv", delimiter=",", skiprows=4).tolist())
-def test_rotating_frequencies_match_the_reference_table(row: list[float]) -> None:
+def test_rotating_frequencies_match_the_reference_table(row: list[float], measured: Measured) -> None:
     # Zero hub radius: tips at R_brush = L. In the plane of rotation omega^2 is lower by Omega^2. Six modes.
     instance = brush(R_brush=P.L, alpha=0.0)
     unit = instance["omega_r"][0] / LAMBDA[0] ** 2
@@ -83,6 +87,9 @@ def test_rotating_frequencies_match_the_reference_table(row: list[float]) -> Non
     )
     in_plane = np.sort(np.linalg.eigvalsh(K[:6]))
     flap = np.sqrt(in_plane + speed**2) / unit
+    for mode in (0, 1):
+        error = flap[mode] / row[1 + mode] - 1.0
+        measured(f"rotating cantilever: relative error of frequency {mode + 1}, six modes", error, "5e-3")
     assert flap[:2] == pytest.approx(row[1:3], rel=5e-3)
 
 
@@ -97,14 +104,17 @@ def test_frequency_bound_is_above_all_frequencies() -> None:
 
 
 @pytest.mark.parametrize(("N_m", "share"), [(3, 1.207), (4, 0.843)])
-def test_plain_base_shear_of_a_static_load_converges_slowly(N_m: int, share: float) -> None:
+def test_plain_base_shear_of_a_static_load_converges_slowly(N_m: int, share: float, measured: Measured) -> None:
     shear, _, _ = static_reactions(N_m, mode_acceleration=False)
+    measured(f"statics: base shear over P by the plain sum of {N_m} modes", -shear, f"{share}")
     assert shear == pytest.approx(-share, abs=5e-4)  # in units of the load; the share is given to three digits
 
 
 @pytest.mark.parametrize("N_m", range(1, 7))
-def test_mode_acceleration_is_exact_in_statics(N_m: int) -> None:
+def test_mode_acceleration_is_exact_in_statics(N_m: int, measured: Measured) -> None:
     shear, moment, deflection = static_reactions(N_m, mode_acceleration=True)
+    measured("statics: relative error of the tip deflection, 1 to 6 modes", deflection - 1.0, "1e-6")
+    measured("statics: relative error of the base shear, 1 to 6 modes", shear + 1.0, "1e-6")
     assert (shear, moment, deflection) == pytest.approx((-1.0, 1.0, 1.0), rel=1e-12)
 
 
@@ -122,7 +132,7 @@ def static_reactions(N_m: int, mode_acceleration: bool) -> tuple[float, float, f
     return shear / load, moment / (load * P.L), y / (load * P.L**3 / (3.0 * EI))
 
 
-def test_a_pressed_filament_at_rest_obeys_beam_statics() -> None:
+def test_a_pressed_filament_at_rest_obeys_beam_statics(measured: Measured) -> None:
     # Linear beam, no friction, no rotation: the tip is loaded across by -F_n sin(psi) alone. After 0.6 s with half of
     # critical damping, exp(-0.5 * 163 * 0.6) is left of the transient.
     instance = Instance(
@@ -137,6 +147,9 @@ def test_a_pressed_filament_at_rest_obeys_beam_statics() -> None:
     load = -F_n * np.sin(phi)
     EI = P.bristles_per_filament * P.E * np.pi * P.d**4 / 64.0
     assert F_n > 1.0 and F_f == 0.0
+    bending = deflection / (load * P.L**3 / (3.0 * EI)) - 1.0
+    measured("pressed filament: relative error of the tip deflection", bending, "1e-6")
+    measured("pressed filament: relative error of the base shear", instance["F_y_eq11"] / -load - 1.0, "1e-6")
     assert deflection == pytest.approx(load * P.L**3 / (3.0 * EI), rel=1e-6)
     assert instance["F_y_eq11"] == pytest.approx(-load, rel=1e-6)
     assert instance["M_b_eq12"] == pytest.approx(load * P.L, rel=1e-6)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers import Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 from rovbrush.components.rov_vehicle.parameters import BENZON_2022, NOMINAL, WU_2018, Parameters, about_origin
@@ -52,7 +53,7 @@ def state(instance: Instance, *names: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("name", "chosen"), [("wu2018", WU_2018), ("benzon2022", BENZON_2022)])
-def test_step_response_equals_the_published_implementation(name: str, chosen: Parameters) -> None:
+def test_step_response_equals_the_published_implementation(name: str, chosen: Parameters, measured: Measured) -> None:
     table = np.loadtxt(REFERENCE / f"vehicle_step_{name}.csv", delimiter=",", skiprows=1)
     seen = vehicle(chosen, {"F_external": (6.0, 3.0, -4.0), "M_external": (0.3, 0.5, 0.4)})
     rows = [state(seen, *POSE_AND_VELOCITY)]
@@ -61,8 +62,10 @@ def test_step_response_equals_the_published_implementation(name: str, chosen: Pa
         rows.append(state(seen, *POSE_AND_VELOCITY))
     difference = np.array(rows) - table[:, 1:]
     difference[:, 3:6] = (difference[:, 3:6] + np.pi) % (2 * np.pi) - np.pi
+    relative = np.abs(difference).max(axis=0) / np.abs(table[:, 1:]).max(axis=0)
+    measured(f"vehicle: step response {name}, largest error over the excursion", relative.max(), "1e-4")
     # Two independent public implementations agree to 1e-9; fourth order at 2.5 ms comes within 1e-8 of the excursion.
-    assert np.all(np.abs(difference).max(axis=0) < 1e-7 * np.abs(table[:, 1:]).max(axis=0))
+    assert np.all(relative < 1e-7)
 
 
 def test_default_set_has_the_net_buoyancy_of_table_2() -> None:
@@ -132,10 +135,11 @@ def disturbed(max_step: float) -> Instance:
     return vehicle(inputs=inputs, max_step=max_step, **TILTED)
 
 
-def test_energy_is_accounted_for_with_every_power_at_work() -> None:
+def test_energy_is_accounted_for_with_every_power_at_work(measured: Measured) -> None:
     seen = run(disturbed(2.5e-3), 4.0)
     for name in ("W_thruster", "W_tool", "W_external", "W_current", "W_damping"):
         assert abs(seen[name]) > 0.5
+    measured("vehicle: energy residual [J]", seen["energy_residual"], "1e-5 of about 100")
     assert abs(seen["energy_residual"]) < 1e-5  # of about 100 J
 
 
@@ -144,13 +148,14 @@ def test_energy_residual_falls_with_the_fourth_power_of_the_step() -> None:
     assert np.log2(coarse / fine) == pytest.approx(4.0, abs=0.4)
 
 
-def test_error_falls_with_the_fourth_power_of_the_step() -> None:
+def test_error_falls_with_the_fourth_power_of_the_step(measured: Measured) -> None:
     # Without damping: |v| v has a kink at each reversal, which blurs the order.
     def moved(max_step: float) -> np.ndarray:
         return state(run(vehicle(**TILTED, **FREE, max_step=max_step), 2.0, 0.02), *POSE_AND_VELOCITY)
 
     exact = moved(6.25e-4)
     coarse, fine = (np.abs(moved(dt) - exact).max() for dt in (0.02, 0.01))
+    measured("vehicle: order of the integration", np.log2(coarse / fine), "4 within 0.2")
     assert np.log2(coarse / fine) == pytest.approx(4.0, abs=0.2)
 
 
@@ -179,11 +184,13 @@ def test_a_current_carries_the_vehicle_to_its_own_speed() -> None:
     assert seen["w"] == pytest.approx(0.3, rel=1e-3)
 
 
-def test_allocation_matrix_equals_the_printed_one_up_to_column_signs() -> None:
+def test_allocation_matrix_equals_the_printed_one_up_to_column_signs(measured: Measured) -> None:
     printed = np.array(json.loads((REFERENCE / "bluerov2.json").read_text())["thrusters"]["B_wu2018_rows_XYZKMN"])
     signs = np.array([-1, -1, -1, -1, -1, 1, 1, -1])
+    difference = np.abs(vehicle().arrays["B"] - printed * signs).max()
+    measured("vehicle: allocation matrix against the printed one, up to signs", difference, "1.2e-4 (printed digits)")
     # Printed to three decimals, 0.0601 as 0.06.
-    np.testing.assert_allclose(vehicle().arrays["B"], printed * signs, atol=1.2e-4)
+    assert difference <= 1.2e-4
 
 
 def test_thrust_authority_is_that_of_the_thrust_curve() -> None:

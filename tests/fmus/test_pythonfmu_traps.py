@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -18,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
-from helpers import FIXTURES, build_fixture, edited, last, plan_of, python, run_of
+from helpers import FIXTURES, last, plan_of, python, run_of
 from lxml import etree
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.interface import Variable
@@ -28,13 +26,6 @@ from rovbrush.orchestrator.simulation import simulate
 
 H = 1e-3
 every_component = pytest.mark.parametrize("name", COMPONENTS)
-
-
-@pytest.fixture(autouse=True)
-def _built(request: pytest.FixtureRequest, fmus: Path) -> None:
-    name = getattr(request.node, "callspec", None) and request.node.callspec.params.get("name")
-    if name and not (fmus / f"{name}.fmu").is_file():
-        pytest.skip("not built")
 
 
 @contextmanager
@@ -89,7 +80,10 @@ def test_two_versions_of_one_fmu_in_one_process_give_their_own_results(tmp_path:
     build(changed, tmp_path)
     (tmp_path / "old.fmu").write_bytes((fmus / "integrator.fmu").read_bytes())
     part = {"x_start": 1.0, "=u": 3.0}
-    parts = {"old": (str(tmp_path / "old.fmu"), "10 ms", part), "new": (str(tmp_path / "integrator.fmu"), "10 ms", part)}
+    parts = {
+        "old": (str(tmp_path / "old.fmu"), "10 ms", part),
+        "new": (str(tmp_path / "integrator.fmu"), "10 ms", part),
+    }
     run = run_of(tmp_path, fmus, parts)
     assert last(run, "old.x") == pytest.approx(4.0, abs=1e-12)
     assert last(run, "new.x") == pytest.approx(7.0, abs=1e-12)
@@ -148,7 +142,9 @@ def test_state_saved_before_initialization_brings_back_the_start_values(fmus: Pa
 # --- exceptions lose their text and crash the process ---
 
 
-def test_an_exception_in_a_step_names_component_time_and_traceback_and_the_process_lives(tmp_path: Path, fmus: Path) -> None:
+def test_an_exception_in_a_step_names_component_time_and_traceback_and_the_process_lives(
+    tmp_path: Path, fmus: Path
+) -> None:
     parts = {"good": ("integrator", "1 ms", {"=u": 1.0}), "bad": ("faulty", "5 ms", {"raise_at": 0.0149})}
     run = simulate(plan_of(tmp_path, fmus, parts))
     for expected in ("component bad", "t = 0.015 s", "Traceback", "gave up", "do_step at t = 0.01 s"):
@@ -172,7 +168,10 @@ def test_an_exception_at_the_start_arrives_with_its_text(tmp_path: Path, fmus: P
 
 
 def test_a_parameter_out_of_range_is_refused_by_the_fmu_itself(fmus: Path) -> None:
-    with pytest.raises(FmuError, match=r"k = 1000000000.0 is out of range: -1e\+06 to 1e\+06 are allowed"), started(fmus / "gain.fmu", k=1e9):
+    with (
+        pytest.raises(FmuError, match=r"k = 1000000000.0 is out of range: -1e\+06 to 1e\+06 are allowed"),
+        started(fmus / "gain.fmu", k=1e9),
+    ):
         pass
 
 
@@ -214,7 +213,12 @@ def test_fmpy_finds_nothing_to_complain_about(name: str, fmus: Path) -> None:
 
 
 def test_the_command_line_of_fmpy_validates(fmus: Path) -> None:
-    run = subprocess.run([sys.executable, "-m", "fmpy", "validate", str(fmus / "dc_motor.fmu")], capture_output=True, text=True, check=False)
+    run = subprocess.run(
+        [sys.executable, "-m", "fmpy", "validate", str(fmus / "dc_motor.fmu")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert run.returncode == 0 and "No problems found" in run.stdout, run.stdout + run.stderr
 
 
@@ -236,17 +240,23 @@ def test_the_xml_holds_the_declaration_in_full(name: str, fmus: Path) -> None:
             scalar, typed = scalars[element], scalars[element][0]
             assert typed.tag == v.kind
             assert scalar.get("causality") == v.causality and v.description in scalar.get("description")
-            assert scalar.get("variability") in {"parameter": ("fixed",), "calculatedParameter": ("fixed",)}.get(v.causality, ("continuous", "discrete"))
+            assert scalar.get("variability") in {"parameter": ("fixed",), "calculatedParameter": ("fixed",)}.get(
+                v.causality, ("continuous", "discrete")
+            )
             assert scalar.get("initial") == {"parameter": "exact", "input": None}.get(v.causality, "calculated")
             if v.kind == "Real":
                 assert typed.get("unit") == v.unit and v.unit in units
             if v.causality in ("parameter", "input"):
-                assert {"true": 1.0, "false": 0.0}.get(typed.get("start")) == start or float(typed.get("start")) == start
+                assert {"true": 1.0, "false": 0.0}.get(typed.get("start")) == start or float(
+                    typed.get("start")
+                ) == start
             else:
                 assert typed.get("start") is None
             for bound, value in (("min", v.minimum), ("max", v.maximum)):
                 written = typed.get(bound)
-                assert (written is None) == (abs(value) == np.inf or v.kind == "Boolean") and (written is None or float(written) == value)
+                assert (written is None) == (abs(value) == np.inf or v.kind == "Boolean") and (
+                    written is None or float(written) == value
+                )
 
 
 def test_start_values_keep_all_digits(fmus: Path) -> None:
@@ -259,7 +269,6 @@ def test_start_values_keep_all_digits(fmus: Path) -> None:
 def test_units_have_the_dimensions_that_pint_gives_them(name: str, fmus: Path) -> None:
     """The exponents in the XML are checked against an independent source."""
     import pint
-
     from rovbrush.orchestrator.units import parse_unit
 
     registry = pint.UnitRegistry()
@@ -280,7 +289,10 @@ def test_model_structure_lists_outputs_unknowns_and_dependencies(name: str, fmus
     names = [s.get("name") for s in xml.iter("ScalarVariable")]
     causality = {s.get("name"): s.get("causality") for s in xml.iter("ScalarVariable")}
     parts = {
-        part.tag: {names[int(u.get("index")) - 1]: {names[int(k) - 1] for k in (u.get("dependencies") or "").split()} for u in part}
+        part.tag: {
+            names[int(u.get("index")) - 1]: {names[int(k) - 1] for k in (u.get("dependencies") or "").split()}
+            for u in part
+        }
         for part in xml.find("ModelStructure")
     }
     outputs = [v for v in names if causality[v] == "output"]
@@ -314,7 +326,9 @@ def test_outputs_at_the_start_answer_only_to_declared_inputs(name: str, fmus: Pa
 
     before = values("")
     for changed in inputs:
-        assert {v for v, value in values(changed).items() if value != before[v]} <= {v for v in declares if changed in declares[v]}, changed
+        assert {v for v, value in values(changed).items() if value != before[v]} <= {
+            v for v in declares if changed in declares[v]
+        }, changed
 
 
 @every_component
@@ -353,15 +367,13 @@ def test_the_fmu_needs_no_tool_and_can_save_and_serialize(fmus: Path) -> None:
 # --- the build ---
 
 
-@pytest.mark.parametrize("name", ["dc_motor"])
-def test_two_builds_are_byte_identical(name: str, tmp_path: Path, fmus: Path) -> None:
-    code = "import os, sys; from pathlib import Path; from rovbrush.components.build import build_all; build_all(Path('out'), (sys.argv[1],))"
-    for k, seed in enumerate(("1", "77")):
-        folder = tmp_path / f"dir {k}"
-        folder.mkdir()
-        run = python(f"import os; os.chdir({str(folder)!r}); {code}", name, PYTHONHASHSEED=seed, TZ=("UTC", "Asia/Tokyo")[k])
-        assert run.returncode == 0, run.stderr
-        assert (folder / "out" / f"{name}.fmu").read_bytes() == (fmus / f"{name}.fmu").read_bytes()
+def test_two_builds_are_byte_identical(tmp_path: Path, fmus: Path) -> None:
+    """The second one from another folder, with another hash seed, in another time zone and language."""
+    code = f"import os; from pathlib import Path; from rovbrush.components.build import build_all; os.chdir({str(tmp_path)!r});"
+    run = python(f"{code} build_all(Path('out'))", PYTHONHASHSEED="77", TZ="Asia/Tokyo", LC_ALL="C")
+    assert run.returncode == 0, run.stderr
+    for name in COMPONENTS:
+        assert (tmp_path / "out" / f"{name}.fmu").read_bytes() == (fmus / f"{name}.fmu").read_bytes(), name
 
 
 def test_any_change_of_a_source_changes_the_guid(tmp_path: Path, fmus: Path) -> None:
@@ -406,10 +418,10 @@ def test_an_fmu_runs_from_its_own_content(name: str, fmus: Path) -> None:
         fmu.exitInitializationMode()
         for k in range(5):
             fmu.doStep(k * 1e-3, 1e-3)
-        references = [v.valueReference for v in described.modelVariables if v.causality == "output" and v.type == "Real"]
-        values = fmu.getReal(references)
+        outputs = [v for v in described.modelVariables if v.causality == "output" and v.type == "Real"]
+        values = fmu.getReal([v.valueReference for v in outputs])
         fmu.terminate()
-        own = {n: m.__file__ for n, m in sys.modules.items() if n.startswith("rovbrush") and getattr(m, "__file__", None)}
+        own = {n: getattr(m, "__file__", None) for n, m in sys.modules.items() if n.startswith("rovbrush")}
         import json, os
         print(json.dumps({"values": values, "own": own, "pythonfmu": sys.modules["pythonfmu"].__file__}), flush=True)
         os._exit(0)
@@ -419,7 +431,7 @@ def test_an_fmu_runs_from_its_own_content(name: str, fmus: Path) -> None:
     assert run.returncode == 0, run.stdout + run.stderr
     seen = json.loads(run.stdout.splitlines()[-1])
     assert seen["own"] and not any(module.split(".")[0] == "rovbrush" for module in seen["own"])
-    assert all(path.startswith(str(folder)) for path in seen["own"].values())
+    assert all(path is None or path.startswith(str(folder)) for path in seen["own"].values())
     assert seen["pythonfmu"].startswith(str(folder)), "pythonfmu itself comes with the FMU"
     with started(fmus / f"{name}.fmu") as here:
         for k in range(5):
@@ -461,7 +473,7 @@ sys.exit(int(sys.argv[3]))
 
 
 def test_exit_codes_survive_the_end_of_the_process(tmp_path: Path, fmus: Path) -> None:
-    """The library of pythonfmu aborts now and then at exit; twenty processes, two at a time, healthy and failing runs."""
+    """The library of pythonfmu aborts now and then at exit: twenty processes, with healthy and failing runs."""
     from concurrent.futures import ThreadPoolExecutor
 
     from helpers import system_text
@@ -475,11 +487,15 @@ def test_exit_codes_survive_the_end_of_the_process(tmp_path: Path, fmus: Path) -
     cases = [(files[k % 4 == 3], (0, 3)[k % 2]) for k in range(20)]
     with ThreadPoolExecutor(2) as pool:
         runs = list(pool.map(lambda case: python(RUN, str(case[0]), str(fmus), str(case[1])), cases))
-    assert [run.returncode for run in runs] == [code for _, code in cases], [run.stderr for run in runs if run.returncode not in (0, 3)]
+    assert [run.returncode for run in runs] == [code for _, code in cases], [
+        run.stderr for run in runs if run.returncode not in (0, 3)
+    ]
     assert all("END" in run.stdout for run in runs)
 
 
-def test_a_cache_folder_beyond_plain_ascii_is_refused_with_the_mend(fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cache_folder_beyond_plain_ascii_is_refused_with_the_mend(
+    fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("ROVBRUSH_CACHE", str(tmp_path / "bürste"))
     with pytest.raises(FmuError, match=r"cache folder .*bürste.*set ROVBRUSH_CACHE"):
         Fmu.open(fmus / "gain.fmu")

@@ -14,7 +14,8 @@ from rovbrush.orchestrator.errors import InputError
 @pytest.mark.parametrize(
     ("text", "seconds"),
     [
-        (0.005, Fraction(1, 200)), ("5 ms", Fraction(1, 200)), ("250us", Fraction(1, 4000)), ("1/60 s", Fraction(1, 60)), (10, Fraction(10)),
+        (0.005, Fraction(1, 200)), ("5 ms", Fraction(1, 200)), ("250us", Fraction(1, 4000)), ("1/60 s", Fraction(1, 60)),
+        (10, Fraction(10)),
         ("1e-3", Fraction(1, 1000)), ("2.5e2 ns", Fraction(1, 4 * 10**6)), (0.1, Fraction(1, 10)),
     ],
 )  # fmt: skip
@@ -22,7 +23,27 @@ def test_durations_are_read_exactly(text: object, seconds: Fraction) -> None:
     assert duration(text, "period") == seconds
 
 
-@pytest.mark.parametrize("text", ["", "ms", "5 min", "-1 ms", "0", 0, "1/0 s", True, "nan", float("inf"), float("nan"), "5 5", "1e", [1], None, "1//2"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "ms",
+        "5 min",
+        "-1 ms",
+        "0",
+        0,
+        "1/0 s",
+        True,
+        "nan",
+        float("inf"),
+        float("nan"),
+        "5 5",
+        "1e",
+        [1],
+        None,
+        "1//2",
+    ],
+)
 def test_what_is_no_positive_time_is_refused_with_its_name(text: object) -> None:
     with pytest.raises(InputError, match="component a: period"):
         duration(text, "component a: period")
@@ -56,7 +77,9 @@ def test_three_and_five_milliseconds_have_a_tick_of_one() -> None:
         (Fraction(2), Fraction(1), ["stop at 2 s"]),
     ],
 )
-def test_a_step_that_does_not_divide_the_stop_time_names_times_that_would(period: Fraction, stop: Fraction, hints: list[str]) -> None:
+def test_a_step_that_does_not_divide_the_stop_time_names_times_that_would(
+    period: Fraction, stop: Fraction, hints: list[str]
+) -> None:
     with pytest.raises(InputError) as error:
         make_clock({"a": period}, stop)
     for hint in hints:

@@ -25,8 +25,12 @@ def equal(a: Run, b: Run) -> bool:
 
 
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
-@pytest.mark.parametrize("transfers", [("", "", ""), (" (hold)",) * 3, (" (linear)",) * 3, (" (mean)", " (linear)", " (mean)")])
-def test_compiled_loop_and_interpreter_agree_bitwise(algorithm: str, transfers: tuple[str, ...], tmp_path: Path, fmus: Path) -> None:
+@pytest.mark.parametrize(
+    "transfers", [("", "", ""), (" (hold)",) * 3, (" (linear)",) * 3, (" (mean)", " (linear)", " (mean)")]
+)
+def test_compiled_loop_and_interpreter_agree_bitwise(
+    algorithm: str, transfers: tuple[str, ...], tmp_path: Path, fmus: Path
+) -> None:
     wires = [wire.format(*transfers) for wire in WIRES]
     plan = plan_of(tmp_path, fmus, LOOP, wires, stop="300 ms", algorithm=algorithm)
     compiled, interpreted = simulate(plan), simulate(plan, interpreted=True)
@@ -62,7 +66,9 @@ def test_every_table_starts_at_zero_and_ends_at_the_stop(tmp_path: Path, fmus: P
             assert t[0] == 0.0 and t[-1] == float(stop.split()[0]) / 1e3
             assert np.all(np.isfinite(values))
     parts = {"a": ("wave", "20 ms", {"c1": 1.0}), "b": ("integrator", "50 ms")}
-    run = simulate(plan_of(tmp_path, fmus, {**parts, "c": ("wave", "30 ms", {"c1": 1.0})}, ["a.y -> b.u"], stop="600 ms"))
+    run = simulate(
+        plan_of(tmp_path, fmus, {**parts, "c": ("wave", "30 ms", {"c1": 1.0})}, ["a.y -> b.u"], stop="600 ms")
+    )
     assert [len(table) for table in run.tables] == [31, 21, 13]
 
 

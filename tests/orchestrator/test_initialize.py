@@ -26,7 +26,11 @@ def test_a_loop_through_a_state_settles(tmp_path: Path, fmus: Path) -> None:
 
 
 def test_an_algebraic_loop_is_refused_by_name(tmp_path: Path, fmus: Path) -> None:
-    parts = {"a": ("gain", "10 ms", {"k": 0.5, "offset": 1.0}), "b": ("gain", "10 ms", {"k": 0.7, "offset": 1.0}), "w": ("wave", "10 ms")}
+    parts = {
+        "a": ("gain", "10 ms", {"k": 0.5, "offset": 1.0}),
+        "b": ("gain", "10 ms", {"k": 0.7, "offset": 1.0}),
+        "w": ("wave", "10 ms"),
+    }
     with pytest.raises(FmuError, match=r"the inputs a\.u, b\.u and the outputs that drive them form an algebraic loop"):
         simulate(plan_of(tmp_path, fmus, parts, ["a.y -> b.u", "b.y -> a.u"]))
 

@@ -59,7 +59,9 @@ def test_an_interrupted_process_keeps_its_complete_rows(tmp_path: Path, fmus: Pa
     path = tmp_path / "case.toml"
     path.write_text(system_text(parts, stop="1000 s"))
     command = [sys.executable, "-c", CODE, str(path), str(fmus)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ) as process:
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ
+    ) as process:
         assert process.stdout is not None and process.stderr is not None
         try:
             while not process.stdout.readline().startswith("at 0.1"):

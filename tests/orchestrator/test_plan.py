@@ -44,7 +44,8 @@ def test_jacobi_forms_inputs_at_the_beginning_of_the_step(tmp_path: Path, fmus: 
     assert names == ["copy"]
     assert steps(plan) == [
         "1: set fast", "1: step fast", "1: get fast", "1: copy fast", "1: record -",
-        "2: set fast", "2: step fast", "2: get fast", "2: step slow", "2: get slow", "2: copy fast", "2: record -", "2: record -",
+        "2: set fast", "2: step fast", "2: get fast", "2: step slow", "2: get slow",
+        "2: copy fast", "2: record -", "2: record -",
     ]  # fmt: skip
 
 
@@ -64,7 +65,12 @@ def test_a_sampled_output_is_held_by_default(tmp_path: Path, fmus: Path) -> None
 
 
 def test_sources_come_before_targets_and_fast_before_slow(tmp_path: Path, fmus: Path) -> None:
-    parts = {"d": ("integrator", "2 ms"), "c": ("integrator", "1 ms"), "b": ("integrator", "1 ms"), "a": ("integrator", "1 ms", {"=u": 1.0})}
+    parts = {
+        "d": ("integrator", "2 ms"),
+        "c": ("integrator", "1 ms"),
+        "b": ("integrator", "1 ms"),
+        "a": ("integrator", "1 ms", {"=u": 1.0}),
+    }
     assert plan_of(tmp_path, fmus, parts, ["a.x -> b.u", "b.x -> c.u", "c.x -> d.u"]).order == ("a", "b", "c", "d")
 
 
@@ -158,13 +164,21 @@ def by_definition(case: dict[str, Any], plan: Plan) -> dict[str, list[float]]:
             source, start, H = case["sources"][name], tick - period[name], period[name]
             u = 0.5
             if source is not None:
-                latest = max(k for k in x[source] if k <= (start if case["algorithm"] == "jacobi" and choice[name] != "mean" else tick))
+                latest = max(
+                    k
+                    for k in x[source]
+                    if k <= (start if case["algorithm"] == "jacobi" and choice[name] != "mean" else tick)
+                )
                 if choice[name] == "hold":
                     u = x[source][latest]
                 elif choice[name] == "linear":
                     u = line(source, latest, start + H / 2)
                 else:
-                    u = (integral(source, latest) + (tick - latest) * line(source, latest, (tick + latest) / 2) - received[name]) / H
+                    u = (
+                        integral(source, latest)
+                        + (tick - latest) * line(source, latest, (tick + latest) / 2)
+                        - received[name]
+                    ) / H
                     received[name] += u * H
             x[name][tick] = x[name][start] + H / 8 * u
     return {name: [x[name][k] for k in sorted(x[name])] for name in period}
@@ -172,19 +186,35 @@ def by_definition(case: dict[str, Any], plan: Plan) -> dict[str, list[float]]:
 
 @settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(case=systems())
-def test_random_multirate_systems_follow_the_definitions_or_are_refused(case: dict[str, Any], tmp_path: Path, fmus: Path) -> None:
+def test_random_multirate_systems_follow_the_definitions_or_are_refused(
+    case: dict[str, Any], tmp_path: Path, fmus: Path
+) -> None:
     template = read_system(tmp_path, fmus, {"i": ("integrator", "1 s", {"=u": 0.0})}).components["i"].fmu
     components = {
         name: Component(name, template, p, {"x_start": k + 1.0}, {} if case["sources"][name] else {"u": 0.5})
         for k, (name, p) in enumerate(case["periods"].items())
     }  # fmt: skip
     connections = tuple(Connection((s, "x"), (t, "u"), case["transfers"][t]) for t, s in case["sources"].items() if s)
-    system = System("random", tmp_path / "random.toml", "", Fraction(LENGTH, 8), case["algorithm"], case["order"], components, connections)
+    system = System(
+        "random",
+        tmp_path / "random.toml",
+        "",
+        Fraction(LENGTH, 8),
+        case["algorithm"],
+        case["order"],
+        components,
+        connections,
+    )
     try:
         plan = make_plan(system)
     except InputError as error:
-        bad_mean = any(c.transfer == "mean" and components[c.source[0]].period > components[c.target[0]].period for c in connections)
-        bad_order = any(components[a].period > components[b].period for a, b in zip(case["order"], case["order"][1:], strict=False))
+        bad_mean = any(
+            c.transfer == "mean" and components[c.source[0]].period > components[c.target[0]].period
+            for c in connections
+        )
+        bad_order = any(
+            components[a].period > components[b].period for a, b in zip(case["order"], case["order"][1:], strict=False)
+        )
         assert ("'mean' needs" in str(error) and bad_mean) or ("order" in str(error) and bad_order)
         return
     assert sorted(plan.order) == sorted(components)

@@ -1,3 +1,4 @@
+# ruff: noqa: E501  one row per case
 """Every way to write a wrong system file, and what the user is told: what, the value, what is allowed, and where."""
 
 from __future__ import annotations
@@ -48,7 +49,13 @@ def read(tmp_path: Path, fmus: Path, text: str, name: str = "case.toml") -> Syst
 
 def test_the_good_file_is_good(tmp_path: Path, fmus: Path) -> None:
     system = read(tmp_path, fmus, GOOD)
-    assert dict(system.components["g"].parameters) == {"k": 2.0, "count": 3, "on": True, "weights[1]": 1.0, "weights[2]": 2.0}
+    assert dict(system.components["g"].parameters) == {
+        "k": 2.0,
+        "count": 3,
+        "on": True,
+        "weights[1]": 1.0,
+        "weights[2]": 2.0,
+    }
     assert [c.transfer for c in system.connections] == ["", "hold"]
 
 
@@ -175,7 +182,9 @@ def fmu_with_units(fmus: Path, folder: Path, name: str, renamed: dict[str, str])
         ("Ohm", "V/A", 3.0, 3.0), ("kg.m2", "g.cm2", 1.0, 1e7), ("rad", "1", 2.0, 2.0),
     ],
 )  # fmt: skip
-def test_units_that_fit_are_converted(source: str, target: str, value: float, expected: float, tmp_path: Path, fmus: Path) -> None:
+def test_units_that_fit_are_converted(
+    source: str, target: str, value: float, expected: float, tmp_path: Path, fmus: Path
+) -> None:
     a = fmu_with_units(fmus, tmp_path, "chassis", {"m/s": source})
     b = fmu_with_units(fmus, tmp_path, "wheel", {"m/s": target})
     system = read_system(tmp_path, fmus, {"c": (a, "1 ms", {"=F": 0.0}), "w": (b, "1 ms")}, ["c.v_c -> w.v_c"])
@@ -192,7 +201,9 @@ def test_units_that_fit_are_converted(source: str, target: str, value: float, ex
         ("rpm", "Hz", ["rpm", "Hz", "2 pi"]),
     ],
 )
-def test_units_that_do_not_fit_are_refused_with_the_line(source: str, target: str, hints: list[str], tmp_path: Path, fmus: Path) -> None:
+def test_units_that_do_not_fit_are_refused_with_the_line(
+    source: str, target: str, hints: list[str], tmp_path: Path, fmus: Path
+) -> None:
     a = fmu_with_units(fmus, tmp_path, "chassis", {"m/s": source})
     b = fmu_with_units(fmus, tmp_path, "wheel", {"m/s": target})
     with pytest.raises(InputError) as error:
@@ -226,7 +237,9 @@ def test_a_converted_signal_arrives_converted(tmp_path: Path, fmus: Path) -> Non
         ({"g.weights[3]": 1.0}, ["g.weights[3] is unknown", "weights"]),
     ],
 )
-def test_wrong_values_given_afterwards_are_refused(values: dict[str, object], hints: list[str], tmp_path: Path, fmus: Path) -> None:
+def test_wrong_values_given_afterwards_are_refused(
+    values: dict[str, object], hints: list[str], tmp_path: Path, fmus: Path
+) -> None:
     system = read(tmp_path, fmus, GOOD)
     with pytest.raises(InputError) as error:
         system.with_values(values, "--set")
@@ -234,7 +247,9 @@ def test_wrong_values_given_afterwards_are_refused(values: dict[str, object], hi
         assert hint in str(error.value)
 
 
-def test_values_given_afterwards_win_over_the_file_and_the_file_over_its_parameter_file(tmp_path: Path, fmus: Path) -> None:
+def test_values_given_afterwards_win_over_the_file_and_the_file_over_its_parameter_file(
+    tmp_path: Path, fmus: Path
+) -> None:
     (tmp_path / "set.toml").write_text("[g]\nk = 9.0\noffset = 8.0\n[source]\nc0 = 7.0\n[unused]\nx = 1\n")
     system = read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD).with_values({"g.offset": "6"}, "--set")
     assert (system.components["g"].parameters["k"], system.components["g"].parameters["offset"]) == (2.0, 6.0)
@@ -248,5 +263,8 @@ def test_a_wrong_value_in_the_parameter_file_names_that_file(tmp_path: Path, fmu
 
 
 def test_parameters_reach_the_fmu_in_their_own_type(tmp_path: Path, fmus: Path) -> None:
-    parts = {"p": ("plain", "10 ms", {"label": "5 % ü", "mode": 0, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}), "g": ("gain", "10 ms", {"count": 7, "on": False, "=u": 1.0, "offset": 0.5})}
+    parts = {
+        "p": ("plain", "10 ms", {"label": "5 % ü", "mode": 0, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}),
+        "g": ("gain", "10 ms", {"count": 7, "on": False, "=u": 1.0, "offset": 0.5}),
+    }
     assert last(run_of(tmp_path, fmus, parts), "g.y") == 1.5

@@ -14,7 +14,16 @@ from rovbrush.orchestrator.transfer import linear_ratio, mean_tail
 SINE = {"a": 1.0, "w": 5.0}
 
 
-def run_pair(tmp_path: Path, fmus: Path, source: str, target: str, transfer: str, signal: dict[str, float], stop: str = "1.2 s", algorithm: str = "jacobi") -> Run:
+def run_pair(
+    tmp_path: Path,
+    fmus: Path,
+    source: str,
+    target: str,
+    transfer: str,
+    signal: dict[str, float],
+    stop: str = "1.2 s",
+    algorithm: str = "jacobi",
+) -> Run:
     parts = {"s": ("wave", source, signal), "t": ("integrator", target)}
     return run_of(tmp_path, fmus, parts, [f"s.y -> t.u ({transfer})"], stop=stop, algorithm=algorithm)
 
@@ -29,8 +38,13 @@ def error(run: Run, after: float = 0.2) -> float:
 
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
 @pytest.mark.parametrize(("transfer", "order"), [("hold", 1.0), ("linear", 2.0)])
-def test_order_of_the_error_from_slow_to_fast(transfer: str, order: float, algorithm: str, tmp_path: Path, fmus: Path) -> None:
-    errors = [error(run_pair(tmp_path, fmus, slow, fast, transfer, SINE, algorithm=algorithm)) for slow, fast in (("20 ms", "5 ms"), ("10 ms", "2.5 ms"))]
+def test_order_of_the_error_from_slow_to_fast(
+    transfer: str, order: float, algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
+    errors = [
+        error(run_pair(tmp_path, fmus, slow, fast, transfer, SINE, algorithm=algorithm))
+        for slow, fast in (("20 ms", "5 ms"), ("10 ms", "2.5 ms"))
+    ]
     # The phase of the sine at which the worst step falls moves with the step: 0.15.
     assert log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
 
@@ -48,7 +62,9 @@ def test_mean_is_second_order(fast: str, slow: str, algorithm: str, tmp_path: Pa
 @pytest.mark.parametrize("transfer", ["hold", "linear", "mean"])
 @pytest.mark.parametrize(("source", "target"), [("1 ms", "5 ms"), ("3 ms", "5 ms"), ("5 ms", "3 ms"), ("5 ms", "5 ms")])
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
-def test_constants_stay_constant(transfer: str, source: str, target: str, algorithm: str, tmp_path: Path, fmus: Path) -> None:
+def test_constants_stay_constant(
+    transfer: str, source: str, target: str, algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
     if (transfer, source) == ("mean", "5 ms") and target == "3 ms":
         return  # refused
     _, held = column(run_pair(tmp_path, fmus, source, target, transfer, {"c0": 0.7}, "150 ms", algorithm), "t.held")
@@ -57,7 +73,9 @@ def test_constants_stay_constant(transfer: str, source: str, target: str, algori
 
 @pytest.mark.parametrize(("source", "target"), [("1 ms", "5 ms"), ("3 ms", "5 ms"), ("5 ms", "3 ms"), ("5 ms", "5 ms")])
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
-def test_linear_is_exact_for_a_ramp_from_the_second_sample_on(source: str, target: str, algorithm: str, tmp_path: Path, fmus: Path) -> None:
+def test_linear_is_exact_for_a_ramp_from_the_second_sample_on(
+    source: str, target: str, algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
     run = run_pair(tmp_path, fmus, source, target, "linear", {"c0": 2.0, "c1": 3.0}, "150 ms", algorithm)
     t, held = column(run, "t.held")
     H = t[1]
@@ -67,7 +85,9 @@ def test_linear_is_exact_for_a_ramp_from_the_second_sample_on(source: str, targe
 
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
 @pytest.mark.parametrize(("fast", "slow", "every"), [("1 ms", "5 ms", 1), ("3 ms", "5 ms", 3), ("1/60 s", "1/20 s", 1)])
-def test_mean_makes_and_loses_no_impulse(fast: str, slow: str, every: int, algorithm: str, tmp_path: Path, fmus: Path) -> None:
+def test_mean_makes_and_loses_no_impulse(
+    fast: str, slow: str, every: int, algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
     """At instants that both reach, the integral of what was held is that of the source's samples, to rounding."""
     run = run_pair(tmp_path, fmus, fast, slow, "mean", {"c0": 1.0, "a": 3.0, "w": 400.0}, "1.5 s", algorithm)
     t_slow, impulse = column(run, "t.impulse")
@@ -80,7 +100,10 @@ def test_mean_makes_and_loses_no_impulse(fast: str, slow: str, every: int, algor
 def test_mean_does_not_alias_a_ripple(tmp_path: Path, fmus: Path) -> None:
     """A 125 Hz ripple into a 100 Hz target: hold shows a slow 25 Hz beat at full height, the mean nearly none of it."""
     signal = {"a": 1.0, "w": 2 * np.pi * 125.0}
-    held = {transfer: column(run_pair(tmp_path, fmus, "0.5 ms", "10 ms", transfer, signal, "400 ms"), "t.held")[1][1:] for transfer in ("hold", "mean")}
+    held = {
+        transfer: column(run_pair(tmp_path, fmus, "0.5 ms", "10 ms", transfer, signal, "400 ms"), "t.held")[1][1:]
+        for transfer in ("hold", "mean")
+    }
     assert np.max(np.abs(held["hold"])) > 0.95
     # The mean of a sine over 1.25 of its periods is at most 1/(1.25 pi) = 0.255 of its height.
     assert np.max(np.abs(held["mean"])) < 0.26

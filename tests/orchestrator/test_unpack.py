@@ -38,11 +38,14 @@ def test_a_missing_file_is_named_with_the_mend(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("how", ["empty", "no zip", "cut off", "flipped bytes", "bad header"])
-def test_a_corrupt_archive_is_refused_and_leaves_nothing_behind(how: str, fmus: Path, tmp_path: Path, own_cache: Path) -> None:
+def test_a_corrupt_archive_is_refused_and_leaves_nothing_behind(
+    how: str, fmus: Path, tmp_path: Path, own_cache: Path
+) -> None:
     content = (fmus / "gain.fmu").read_bytes()
     changed = {
         "empty": b"", "no zip": b"hello" * 100, "cut off": content[: len(content) // 2],
-        "flipped bytes": content[:2000] + bytes(255 - b for b in content[2000:2400]) + content[2400:], "bad header": b"XX" + content[2:40] + b"\0" * 200 + content[240:],
+        "flipped bytes": content[:2000] + bytes(255 - b for b in content[2000:2400]) + content[2400:],
+        "bad header": b"XX" + content[2:40] + b"\0" * 200 + content[240:],
     }[how]  # fmt: skip
     path = tmp_path / "bad.fmu"
     path.write_bytes(changed)
@@ -50,7 +53,9 @@ def test_a_corrupt_archive_is_refused_and_leaves_nothing_behind(how: str, fmus: 
     assert not own_cache.exists() or not list((own_cache / "fmus").iterdir())
 
 
-@pytest.mark.parametrize("name", ["../evil.txt", "resources/../../evil.txt", "/evil.txt", "..\\evil.txt", "C:\\evil.txt", "C:evil.txt"])
+@pytest.mark.parametrize(
+    "name", ["../evil.txt", "resources/../../evil.txt", "/evil.txt", "..\\evil.txt", "C:\\evil.txt", "C:evil.txt"]
+)
 def test_entries_that_leave_the_folder_are_refused(name: str, fmus: Path, tmp_path: Path, own_cache: Path) -> None:
     path = shutil.copy(fmus / "gain.fmu", tmp_path / "bad.fmu")
     with zipfile.ZipFile(path, "a") as archive:
@@ -68,7 +73,9 @@ def test_a_symbolic_link_is_refused(fmus: Path, tmp_path: Path, own_cache: Path)
     refused(Path(path), "'resources/link' is a symbolic link")
 
 
-def test_a_bomb_is_refused_before_it_is_unpacked(fmus: Path, tmp_path: Path, own_cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bomb_is_refused_before_it_is_unpacked(
+    fmus: Path, tmp_path: Path, own_cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(unpacking, "LARGEST", 1 << 20)
     bomb = edited(fmus / "gain.fmu", tmp_path / "bomb.fmu", {"resources/zeros": b"\0" * (1 << 21)})
     refused(bomb, "would unpack to more than")
@@ -76,7 +83,10 @@ def test_a_bomb_is_refused_before_it_is_unpacked(fmus: Path, tmp_path: Path, own
 
 def test_a_document_type_is_refused(fmus: Path, tmp_path: Path) -> None:
     doctype = '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><fmiModelDescription'
-    refused(edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {}, {"<fmiModelDescription": doctype}), "document type declaration")
+    refused(
+        edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {}, {"<fmiModelDescription": doctype}),
+        "document type declaration",
+    )
 
 
 def test_a_missing_description_is_refused(fmus: Path, tmp_path: Path) -> None:
@@ -112,7 +122,9 @@ def test_model_exchange_alone_is_refused(fmus: Path, tmp_path: Path) -> None:
 
 def test_a_missing_binary_names_the_platforms_that_are_there(fmus: Path, tmp_path: Path) -> None:
     own = f"binaries/{fmpy.platform}/gain{fmpy.sharedLibraryExtension}"
-    refused(edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: None}), f"no binary for {fmpy.platform}", "it has win64")
+    refused(
+        edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: None}), f"no binary for {fmpy.platform}", "it has win64"
+    )
     other = "binaries/win64/gain.dll"
     refused(edited(fmus / "gain.fmu", tmp_path / "bad2.fmu", {own: None, other: None}), "it has none")
 
@@ -131,7 +143,9 @@ def test_a_broken_component_source_is_an_error_with_its_reason(fmus: Path, tmp_p
         kernel = next(name for name in archive.namelist() if name.endswith("/kernel.py"))
     path = edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {kernel: b"import nonexistent_module_x\n"})
     # In a process of its own: the package keeps its name, and Python would find the one it has imported before.
-    run = python("import sys; from pathlib import Path; from rovbrush.orchestrator.fmu import *; Instance(Fmu.open(Path(sys.argv[1])), 'g')", str(path))
+    run = python(
+        "import sys; from rovbrush.orchestrator.fmu import *; Instance(Fmu.open(Path(sys.argv[1])), 'g')", str(path)
+    )
     assert run.returncode == 1
     assert "component g: bad.fmu cannot be instantiated" in run.stderr and "nonexistent_module_x" in run.stderr
 
@@ -150,7 +164,9 @@ def test_many_at_once_unpack_into_one_folder(fmus: Path, own_cache: Path) -> Non
     assert len(folders) == 1 and len(list((own_cache / "fmus").iterdir())) == 1
 
 
-def test_an_unwritable_cache_is_named_with_the_mend(fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unwritable_cache_is_named_with_the_mend(
+    fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("ROVBRUSH_CACHE", str(tmp_path / "file"))
     with pytest.raises(FmuError, match=r"cannot write to the cache folder .*set ROVBRUSH_CACHE"):

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 import xarray
 from helpers import system_text
-from rovbrush.orchestrator import studies
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.studies import single
 
 # The command with progress lines at every look, so that a test sees when the run is under way.
 COMMAND = """
@@ -137,7 +137,7 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_the_run(
 ) -> None:
     # A file in the way stops every user, also one who may write anywhere.
     (tmp_path / "taken").write_text("mine")
-    monkeypatch.setattr(studies.single, "simulate", lambda *_args, **_keys: pytest.fail("the run began"))
+    monkeypatch.setattr(single, "simulate", lambda *_args, **_keys: pytest.fail("the run began"))
     out = tmp_path / "taken" / below
     assert rovbrush(monkeypatch, "run", "nominal", "--fmus", fmus, "--out", out) == 2
     assert "cannot write to the output folder" in capsys.readouterr().err
@@ -162,3 +162,7 @@ def test_debug_gives_the_traceback(fmus: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(sys, "argv", ["rovbrush", "run", "nominl", "--debug", "--fmus", str(fmus)])
     with pytest.raises(InputError, match="did you mean 'nominal'"):
         main()
+    command = [sys.executable, "-m", "rovbrush.orchestrator", "run", "nominl"]
+    quiet, loud = (subprocess.run([*command, *more], capture_output=True, text=True) for more in ([], ["--debug"]))
+    assert quiet.returncode == 2 and "Traceback" not in quiet.stderr
+    assert loud.returncode != 0 and "Traceback" in loud.stderr and "did you mean 'nominal'" in loud.stderr

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
+from helpers import Measured
 from monolithic import Monolithic, Solution
 from rovbrush.orchestrator.plan import Plan
 from rovbrush.orchestrator.signals import Signals
@@ -13,7 +12,6 @@ from rovbrush.orchestrator.signals import Signals
 STOP = 5.0  # s
 TURNS = 8  # the last 3.2 s; the speed settles within 1 s
 MEANS = {"F_z": "brush.F_z", "F_x": "brush.F_x", "T_brush": "brush.T_brush", "omega_b": "motor.omega_b"}
-Measured = Callable[[str, float | str, str], None]
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,6 @@ import csv
 import hashlib
 import json
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -16,6 +15,7 @@ import h5py
 import numpy as np
 import pytest
 import xarray
+from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.results import write_results
@@ -25,7 +25,6 @@ from rovbrush.orchestrator.studies.convergence import converge
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.summary import comparison, summarize
 
-Measured = Callable[[str, float | str, str], None]
 KEYS = (
     "F_z_mean", "F_x_mean", "T_brush_mean", "omega_b_mean", "pitch_rate_mean", "pitch_rate_peak", "blade_pass_hz",
     "max_deflection_ratio", "energy_residual_relative", "coupling_energy_relative", "real_time_factor", "wall_s",
