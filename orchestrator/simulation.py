@@ -51,13 +51,13 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
                 instances[name] = Instance(component.fmu, name)
             z = np.zeros(max(plan.layout.size, 1))
             sweeps = initialize(plan, instances, z)
+            calculated = {
+                f"{name}.{variable}": float(instance.get(variable))
+                for name, instance in instances.items()
+                for variable in instance.fmu.names("calculatedParameter")
+            }
             run = _Loop(plan, instances, z, control).go(interpreted, progress)
-        run.sweeps = sweeps
-        run.calculated = {
-            f"{name}.{variable}": float(instance.get(variable))
-            for name, instance in instances.items() if not instance.dead
-            for variable in instance.fmu.names("calculatedParameter")
-        }  # fmt: skip
+        run.sweeps, run.calculated = sweeps, calculated
         return run
     finally:
         for instance in instances.values():

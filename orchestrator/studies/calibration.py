@@ -47,7 +47,7 @@ def calibrate(out: Path | None, fmus: Path | None) -> Fit:
     start = {name: entry["start"] for name, entry in specification["free"].items()}
     best = None
     for candidate in candidates:
-        fit = fit_rung(system, specification, {rung: float(candidate)}, start)
+        fit = fit_rung(system, specification, {rung: float(candidate), **specification["held"]}, start)
         report(fit, specification)
         start = {name: fit.values[name] for name in start}
         if not fit.missed:

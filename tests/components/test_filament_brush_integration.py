@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
+from rovbrush.components.filament_brush.parameters import STEEP_RAKE
 from rovbrush.components.kernels import compiled
 
 DECLARED = component("filament_brush")
@@ -30,7 +32,8 @@ def state(instance: Instance) -> np.ndarray:
 
 def fixed(h: float) -> Instance:
     """A filament that stays in contact and keeps sliding for 8 ms, with micro-steps of h."""
-    instance = start(NOMINAL, n=1, theta_b_0=-0.45, c_c=5.0, h_min=h, h_max=h, tolerance=1.0)
+    settings = asdict(STEEP_RAKE) | {"n": 1, "theta_b_0": -0.45, "c_c": 5.0, "h_min": h, "h_max": h, "tolerance": 1.0}
+    instance = start(NOMINAL, **settings)
     for _ in range(8):
         instance.step(1e-3)
         assert instance["contact_count"] == 1.0

@@ -369,8 +369,9 @@ def test_the_fmu_needs_no_tool_and_can_save_and_serialize(fmus: Path) -> None:
 
 def test_two_builds_are_byte_identical(tmp_path: Path, fmus: Path) -> None:
     """The second one from another folder, with another hash seed, in another time zone and language."""
-    code = f"import os; from pathlib import Path; from rovbrush.components.build import build_all; os.chdir({str(tmp_path)!r});"
-    run = python(f"{code} build_all(Path('out'))", PYTHONHASHSEED="77", TZ="Asia/Tokyo", LC_ALL="C")
+    code = "import os; from pathlib import Path; from rovbrush.components.build import build_all"
+    code = f"{code}; os.chdir({str(tmp_path)!r}); build_all(Path('out'))"
+    run = python(code, PYTHONHASHSEED="77", TZ="Asia/Tokyo", LC_ALL="C")
     assert run.returncode == 0, run.stderr
     for name in COMPONENTS:
         assert (tmp_path / "out" / f"{name}.fmu").read_bytes() == (fmus / f"{name}.fmu").read_bytes(), name

@@ -14,8 +14,8 @@ from rovbrush.orchestrator.errors import InputError
 @pytest.mark.parametrize(
     ("text", "seconds"),
     [
-        (0.005, Fraction(1, 200)), ("5 ms", Fraction(1, 200)), ("250us", Fraction(1, 4000)), ("1/60 s", Fraction(1, 60)),
-        (10, Fraction(10)),
+        (0.005, Fraction(1, 200)), ("5 ms", Fraction(1, 200)), ("250us", Fraction(1, 4000)),
+        ("1/60 s", Fraction(1, 60)), (10, Fraction(10)),
         ("1e-3", Fraction(1, 1000)), ("2.5e2 ns", Fraction(1, 4 * 10**6)), (0.1, Fraction(1, 10)),
     ],
 )  # fmt: skip

@@ -73,8 +73,8 @@ def test_most_of_the_difference_is_the_sample_at_time_0(
     # has no earlier velocity to compare with. With the same first sample the steps of 5 ms are all that is left.
     position, attitude = pose_errors(signals, monolithic.solve(STOP, first_sample=1))
     measured("monolithic: the same without a sample at time 0, position", position, "1e-4")
-    measured("monolithic: the same without a sample at time 0, attitude", attitude, "5e-4")
-    assert position < 1e-4 and attitude < 5e-4
+    measured("monolithic: the same without a sample at time 0, attitude", attitude, "1e-3")
+    assert position < 1e-4 and attitude < 1e-3
 
 
 def test_solution_is_converged(solution: Solution, monolithic: Monolithic) -> None:
