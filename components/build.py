@@ -91,13 +91,17 @@ def build_one(component: Path, folder: Path) -> Path:
             path.write_bytes(content)
         sys.path.insert(0, temporary)
         model = importlib.import_module(f"{package}.{name}.fmu")
-        classes = [key for key, value in vars(model).items() if isinstance(value, type) and value.__module__ == model.__name__]
+        classes = [
+            key for key, value in vars(model).items() if isinstance(value, type) and value.__module__ == model.__name__
+        ]
         script = work / f"{package}_slave.py"
         script.write_text(ENTRY_SCRIPT.format(package=package, name=name, component=classes[0]))
         documentation = work / "documentation"
         documentation.mkdir()
         write_documentation(component, documentation)
-        raw = FmuBuilder.build_FMU(script, work / "raw.fmu", project_files=[work / package], documentation_folder=documentation)
+        raw = FmuBuilder.build_FMU(
+            script, work / "raw.fmu", project_files=[work / package], documentation_folder=documentation
+        )
         return repack(Path(raw), folder / f"{name}.fmu")
 
 
@@ -107,7 +111,8 @@ def write_documentation(component: Path, folder: Path) -> None:
 
     text = (component / "README.md").read_text(encoding="utf-8")
     body = MarkdownIt("commonmark").enable("table").render(text)
-    page = f"<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>{escape(component.name)}</title></head><body>\n{body}</body></html>\n"
+    head = f"<head><meta charset='utf-8'><title>{escape(component.name)}</title></head>"
+    page = f"<!DOCTYPE html>\n<html lang='en'>{head}<body>\n{body}</body></html>\n"
     (folder / "index.html").write_text(page, encoding="utf-8")
 
 

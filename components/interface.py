@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 Causality = Literal["parameter", "calculatedParameter", "input", "output"]
 Kind = Literal["Real", "Integer", "Boolean"]
+Shape = int | tuple[int, ...]
 INF = float("inf")
 
 
@@ -41,14 +42,18 @@ class Variable:
 
 @dataclass(frozen=True)
 class Array:
-    """A float array that a kernel works on; `shape` follows from the parameters.
+    """A float array that a kernel works on; `shape` is a constant or follows from the parameters.
 
     `scratch` arrays carry nothing from one call to the next and are left out of the FMU state.
     """
 
     name: str
-    shape: Callable[[Any], int | tuple[int, ...]]
+    shape: Shape | Callable[[Any], Shape]
     scratch: bool = False
+
+    def shape_for(self, parameters: Any) -> Shape:
+        """The shape in an instance with these parameters (of the component's `Parameters`)."""
+        return self.shape(parameters) if callable(self.shape) else self.shape
 
 
 def parameter(
@@ -83,14 +88,23 @@ def _parameter_variable(field: dataclasses.Field[Any]) -> Variable:
     )
 
 
-def input_(name: str, unit: str, description: str, start: float = 0.0, size: int = 0,
-           minimum: float = -INF, maximum: float = INF, sampled: bool = False) -> Variable:
+def input_(
+    name: str,
+    unit: str,
+    description: str,
+    start: float = 0.0,
+    size: int = 0,
+    minimum: float = -INF,
+    maximum: float = INF,
+    sampled: bool = False,
+) -> Variable:
     """An input; it keeps its value over a communication step. `sampled`: only its value at the samples counts."""
     return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size, sampled=sampled)
 
 
-def output(name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0,
-           sampled: bool = False) -> Variable:
+def output(
+    name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0, sampled: bool = False
+) -> Variable:
     """An output; `depends` names the inputs that act on it at once (direct feedthrough)."""
     starts = (0.0,) * max(size, 1)
     return Variable(name, unit, "output", description, starts, size=size, depends=depends, sampled=sampled)

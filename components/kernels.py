@@ -46,7 +46,7 @@ def joined_source(kernel: ModuleType) -> str:
 
 def precompile(function: Any, arguments: list[Any]) -> None:
     """Compile a function for the types of these arguments, or load what an earlier run has compiled."""
-    function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[attr-defined]
+    function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[no-untyped-call]
 
 
 def compiled(kernel: ModuleType) -> ModuleType:
@@ -86,7 +86,9 @@ def _stored(name: str, text: str) -> Path:
             return path
         except OSError:
             continue
-    raise OSError(f"no folder to keep compiled kernels in; set ROVBRUSH_CACHE to one that can be written ({_cache_folder()} cannot)")
+    raise OSError(
+        f"no folder to keep compiled kernels in: {_cache_folder()} cannot be written; set ROVBRUSH_CACHE to another"
+    )
 
 
 def _cache_folder() -> Path:

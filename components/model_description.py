@@ -1,6 +1,7 @@
 """The FMI 2.0 model description of a component, written from its interface declaration.
 
-References: FMI 2.0.4, sections 2.2.3 (UnitDefinitions), 2.2.7 (ModelVariables), 2.2.8 (ModelStructure), 4.3.1 (CoSimulation).
+References: FMI 2.0.4, sections 2.2.3 (UnitDefinitions), 2.2.7 (ModelVariables), 2.2.8 (ModelStructure),
+4.3.1 (CoSimulation).
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ VERSION = "0.1.0"
 SYMBOLS = {
     "1": {}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "A": {"A": 1}, "rad": {"rad": 1}, "Hz": {"s": -1},
     "N": {"kg": 1, "m": 1, "s": -2}, "Pa": {"kg": 1, "m": -1, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2},
-    "W": {"kg": 1, "m": 2, "s": -3}, "V": {"kg": 1, "m": 2, "s": -3, "A": -1}, "Ohm": {"kg": 1, "m": 2, "s": -3, "A": -2},
-    "H": {"kg": 1, "m": 2, "s": -2, "A": -2},
+    "W": {"kg": 1, "m": 2, "s": -3}, "V": {"kg": 1, "m": 2, "s": -3, "A": -1},
+    "Ohm": {"kg": 1, "m": 2, "s": -3, "A": -2}, "H": {"kg": 1, "m": 2, "s": -2, "A": -2},
 }  # fmt: skip
 
 
@@ -66,7 +67,8 @@ def model_description(component: type[Any]) -> Element:
     categories = SubElement(root, "LogCategories")
     for category, text in component.log_categories.items():
         SubElement(categories, "Category", {"name": category, "description": text})
-    SubElement(root, "DefaultExperiment", {"startTime": "0", "stopTime": "10", "stepSize": repr(component.default_step)})
+    experiment = {"startTime": "0", "stopTime": "10", "stepSize": repr(component.default_step)}
+    SubElement(root, "DefaultExperiment", experiment)
     scalars = SubElement(root, "ModelVariables")
     index: dict[str, list[int]] = {}
     for v in variables:
@@ -79,7 +81,8 @@ def model_description(component: type[Any]) -> Element:
 
 def _scalar_variable(v: Variable, name: str, reference: int, start: float) -> Element:
     source = f" (source: {v.source})" if v.source else ""
-    attributes = {"name": name, "valueReference": str(reference), "description": v.description + source, "causality": v.causality}
+    attributes = {"name": name, "valueReference": str(reference), "description": v.description + source}
+    attributes["causality"] = v.causality
     if v.causality in ("parameter", "calculatedParameter"):
         attributes["variability"] = "fixed"
     else:
@@ -104,10 +107,14 @@ def _scalar_variable(v: Variable, name: str, reference: int, start: float) -> El
 
 def _literal(value: float, v: Variable) -> str:
     """All digits of a number, in the lexical form of its FMI type."""
-    return str(bool(value)).lower() if v.kind == "Boolean" else str(int(value)) if v.kind == "Integer" else repr(float(value))
+    if v.kind == "Boolean":
+        return str(bool(value)).lower()
+    return str(int(value)) if v.kind == "Integer" else repr(float(value))
 
 
-def _model_structure(root: Element, variables: tuple[Variable, ...], index: dict[str, list[int]], started_by: set[str]) -> None:
+def _model_structure(
+    root: Element, variables: tuple[Variable, ...], index: dict[str, list[int]], started_by: set[str]
+) -> None:
     structure = SubElement(root, "ModelStructure")
     outputs = SubElement(structure, "Outputs")
     unknowns = SubElement(structure, "InitialUnknowns")

@@ -26,7 +26,7 @@ from .model_description import model_description
 
 
 def keep_alive(*objects: object) -> None:
-    """Hold one more reference to each object, for good: against references that pythonfmu 0.7.0 drops without owning them."""
+    """Hold one more reference to each object, for good: pythonfmu 0.7.0 drops references that it does not own."""
     for item in objects:
         ctypes.pythonapi.Py_IncRef(ctypes.py_object(item))
 
@@ -117,11 +117,12 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             if not np.all((values >= v.minimum) & (values <= v.maximum)):
                 shown, unit = values.tolist() if v.size else values[0], "" if v.unit == "1" else f" {v.unit}"
                 raise ValueError(
-                    f"{self.instance_name}.{v.name} = {shown}{unit} is out of range: {v.minimum:g} to {v.maximum:g}{unit} are allowed"
+                    f"{self.instance_name}.{v.name} = {shown}{unit} is out of range: "
+                    f"{v.minimum:g} to {v.maximum:g}{unit} are allowed"
                 )
             chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
         parameters = self.parameters(**chosen)
-        self.store = {a.name: np.zeros(a.shape(parameters)) for a in self.arrays}
+        self.store = {a.name: np.zeros(a.shape_for(parameters)) for a in self.arrays}
         for stage in ("setup", "initialize", "outputs"):
             if hasattr(self.functions, stage):
                 function, arguments, _ = self.bind(stage)
@@ -182,7 +183,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             action()
         except Exception:
             self.report("initialization")
-            keep_alive(type(self), self, self.log_queue)  # pythonfmu drops them now and again when the instance is freed
+            keep_alive(type(self), self, self.log_queue)  # pythonfmu drops them once more when the instance is freed
             raise
 
     def report(self, where: str) -> None:

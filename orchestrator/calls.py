@@ -50,7 +50,9 @@ def _exchange_native(typing: Any, function: Any, component: Any, references: Any
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, cgutils.voidptr_t, _INT64, cgutils.voidptr_t])
         target = builder.inttoptr(args[0], kind.as_pointer())
-        return builder.call(target, [_pointer(builder, args[1]), _pointer(builder, args[2]), args[3], _pointer(builder, args[4])])
+        return builder.call(
+            target, [_pointer(builder, args[1]), _pointer(builder, args[2]), args[3], _pointer(builder, args[4])]
+        )
 
     return signature, codegen
 
@@ -70,7 +72,9 @@ def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step:
 # Numba compares the argument names and annotations of an overload with those of its implementation: neither has any.
 @overload(exchange)
 def _exchange_overload(function, component, references, count, values):  # type: ignore[no-untyped-def]
-    return lambda function, component, references, count, values: _exchange_native(function, component, references, count, values)  # type: ignore[call-arg]
+    return lambda function, component, references, count, values: _exchange_native(
+        function, component, references, count, values
+    )  # type: ignore[call-arg]
 
 
 @overload(do_step)

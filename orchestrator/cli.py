@@ -11,13 +11,25 @@ import typer
 
 from .errors import InputError, RovbrushError, RunError
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help="Multirate co-simulation of a hull-cleaning underwater vehicle, by FMUs.")
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Multirate co-simulation of a hull-cleaning underwater vehicle, by FMUs.",
+)
 
-SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or the path of a .toml file.")]
-SetOption = Annotated[list[str], typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable.")]
+SystemName = Annotated[
+    str, typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or the path of a .toml file.")
+]
+SetOption = Annotated[
+    list[str],
+    typer.Option(
+        "--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable."
+    ),
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
-StopOption = Annotated[str, typer.Option("--stop", help="Another stop time, for instance \"2 s\".")]
+StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]
 
 
 def main() -> None:
@@ -43,7 +55,10 @@ def main() -> None:
         elif debug:
             raise
         else:
-            print(f"error: unexpected {type(error).__name__}: {error}; run again with --debug for the traceback", file=sys.stderr)
+            print(
+                f"error: unexpected {type(error).__name__}: {error}; run again with --debug for the traceback",
+                file=sys.stderr,
+            )
             code = 1
     sys.stdout.flush()
     sys.exit(code if isinstance(code, int) else 0)
@@ -63,7 +78,9 @@ def assignments(options: list[str]) -> dict[str, object]:
 
 @app.command()
 def build(
-    names: Annotated[list[str] | None, typer.Argument(metavar="[COMPONENT]...", help="Components to build; all by default.")] = None,
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="[COMPONENT]...", help="Components to build; all by default.")
+    ] = None,
     fmus: FmusOption = None,
 ) -> None:
     """Build the components into FMUs."""
@@ -104,7 +121,11 @@ def plan(
     from .plan import make_plan
     from .reader import load_system
 
-    print(explain(make_plan(load_system(system, fmus).with_values(assignments(set_), "--set")), None if all_operations else 40))
+    print(
+        explain(
+            make_plan(load_system(system, fmus).with_values(assignments(set_), "--set")), None if all_operations else 40
+        )
+    )
 
 
 @app.command()
@@ -114,7 +135,9 @@ def run(
     set_: SetOption = [],  # noqa: B006
     stop: StopOption = "",
     fmus: FmusOption = None,
-    check: Annotated[bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")] = False,
+    check: Annotated[
+        bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
+    ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
     from .studies.single import run_system
@@ -124,7 +147,9 @@ def run(
 
 @app.command()
 def calibrate(
-    out: Annotated[Path | None, typer.Option("--out", help="The parameter file to write; the shipped one by default.")] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="The parameter file to write; the shipped one by default.")
+    ] = None,
     fmus: FmusOption = None,
 ) -> None:
     """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""

@@ -26,7 +26,9 @@ def duration(value: object, what: str) -> Fraction:
             raise ValueError
         seconds = Fraction(match[1]) * scale
     except (ValueError, ZeroDivisionError):
-        raise InputError(f"{what} = {text!r} is not a time; write a number of seconds, \"5 ms\", \"250 us\" or \"1/60 s\"") from None
+        raise InputError(
+            f'{what} = {text!r} is not a time; write a number of seconds, "5 ms", "250 us" or "1/60 s"'
+        ) from None
     if seconds <= 0:
         raise InputError(f"{what} = {text} is not a positive time")
     return seconds
@@ -76,5 +78,8 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction) -> Clock:
     tick = Fraction(numerator, denominator)
     ticks = {name: int(period / tick) for name, period in periods.items()}
     if max(int(stop / tick) * numerator, denominator) >= 2**53:  # the loop divides them as doubles
-        raise InputError(f"the periods have no common tick above {float(tick):.1e} s that counts exactly to {seconds_text(stop)}; round them to microseconds")
+        raise InputError(
+            f"the periods have no common tick above {float(tick):.1e} s "
+            f"that counts exactly to {seconds_text(stop)}; round them to microseconds"
+        )
     return Clock(tick.numerator, tick.denominator, ticks, int(stop / tick), lcm(*ticks.values()))

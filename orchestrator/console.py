@@ -29,7 +29,12 @@ def progress(total: float, what: str) -> Iterator[Callable[[float], None]]:
 
         yield line
         return
-    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.completed:.2f}/{task.total:g} s"), TimeRemainingColumn())
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.completed:.2f}/{task.total:g} s"),
+        TimeRemainingColumn(),
+    )
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(what, total=total)
         yield lambda reached: bar.update(task, completed=reached)
@@ -40,12 +45,28 @@ def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
     if not rows:
         return
     table = Table(title="Paper and simulation, means over the steady window", title_justify="left")
-    for heading, justify in (("quantity", "left"), ("unit", "left"), ("paper", "right"), ("simulated", "right"), ("ratio", "right"), ("bound", "right"), ("", "left")):
+    for heading, justify in (
+        ("quantity", "left"),
+        ("unit", "left"),
+        ("paper", "right"),
+        ("simulated", "right"),
+        ("ratio", "right"),
+        ("bound", "right"),
+        ("", "left"),
+    ):
         table.add_column(heading, justify=justify)  # type: ignore[arg-type]
     for row in rows:
         verdict = {None: "", True: "within", False: "[bold red]outside[/]"}[row["within"]]
         bound = "" if row.get("tolerance") is None else f"{100 * row['tolerance']:g} %"
-        table.add_row(row["label"], row["unit"], f"{row['reference']:g}", f"{row['value']:.5g}", f"{row['ratio']:.4f}", bound, verdict)
+        table.add_row(
+            row["label"],
+            row["unit"],
+            f"{row['reference']:g}",
+            f"{row['value']:.5g}",
+            f"{row['ratio']:.4f}",
+            bound,
+            verdict,
+        )
     console.print(table)
     for row in rows:
         if row.get("note"):

@@ -12,11 +12,13 @@ from typing import Any
 import numpy as np
 
 from .calls import do_step, exchange
-from .plan import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
+from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
 
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE = range(4)
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
-SET_REAL, GET_REAL, DO_STEP, INSTANCE, IN_REFS, IN_COUNT, IN_VALUES, OUT_REFS, OUT_COUNT, OUT_VALUES, OUT_SLOT = range(11)
+SET_REAL, GET_REAL, DO_STEP, INSTANCE, IN_REFS, IN_COUNT, IN_VALUES, OUT_REFS, OUT_COUNT, OUT_VALUES, OUT_SLOT = range(
+    11
+)
 
 
 def run(
@@ -26,8 +28,8 @@ def run(
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS or NOT_FINITE.
 
-    operations (m, 8), see plan.COLUMNS; components (n, 11), addresses and counts, see SET_REAL...; z: all signals;
-    groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
+    operations (m, 8), see operations.COLUMNS; components (n, 11), addresses and counts, see SET_REAL...;
+    z: all signals; groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (5): a stop request from outside, and where and why the run ended.
     """
     for cycle in range(first_cycle, first_cycle + cycles):
@@ -43,18 +45,30 @@ def run(
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return INTERRUPTED
             if code == STEP:
-                start = base + tick - a
+                start = base + b
                 time = (start * numerator) / denominator
                 step = (a * numerator) / denominator
                 status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, step)
                 if status > 1:
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
-            elif code == SET or code == GET:
+            elif code in (SET, GET):
                 if code == SET:
-                    status = exchange(components[c, SET_REAL], components[c, INSTANCE], components[c, IN_REFS], components[c, IN_COUNT], components[c, IN_VALUES])
+                    status = exchange(
+                        components[c, SET_REAL],
+                        components[c, INSTANCE],
+                        components[c, IN_REFS],
+                        components[c, IN_COUNT],
+                        components[c, IN_VALUES],
+                    )
                 else:
-                    status = exchange(components[c, GET_REAL], components[c, INSTANCE], components[c, OUT_REFS], components[c, OUT_COUNT], components[c, OUT_VALUES])
+                    status = exchange(
+                        components[c, GET_REAL],
+                        components[c, INSTANCE],
+                        components[c, OUT_REFS],
+                        components[c, OUT_COUNT],
+                        components[c, OUT_VALUES],
+                    )
                 if status > 1:
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from .clock import seconds_text
-from .plan import ACCUMULATE, COPY, GET, LINEAR, MEAN, NAMES, PUSH, RECORD, SET, STEP, Plan
+from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, NAMES, PUSH, RECORD, SET, STEP
+from .plan import Plan
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:
@@ -14,28 +13,43 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     `operations` limits how many operations are shown (None: all).
     """
     system, clock = plan.system, plan.clock
-    tick = seconds_text(clock.seconds(1))
+    tick, again = seconds_text(clock.seconds(1)), seconds_text(clock.seconds(clock.hyperperiod))
     lines = [
         f"system {system.name}: {system.description}",
-        f"stop {seconds_text(system.stop)}; tick {tick}; the schedule repeats every {seconds_text(clock.seconds(clock.hyperperiod))}",
+        f"stop {seconds_text(system.stop)}; tick {tick}; the schedule repeats every {again}",
         f"algorithm {system.algorithm}; order {', '.join(plan.order)} ({plan.order_reason})",
         "", "components",
     ]  # fmt: skip
     for name in plan.order:
         component = system.components[name]
-        lines.append(f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, sha256 {component.fmu.digest[:12]}")
+        lines.append(
+            f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, "
+            f"sha256 {component.fmu.digest[:12]}"
+        )
+    for name in plan.samplers:
+        lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():
-        converted = "" if (connection.gain, connection.offset) == (1.0, 0.0) else f"; converted: {connection.gain:g} x + {connection.offset:g}"
+        converted = (
+            ""
+            if (connection.gain, connection.offset) == (1.0, 0.0)
+            else f"; converted: {connection.gain:g} x + {connection.offset:g}"
+        )
         lines.append(f"  {connection.label:<46} {choice.transfer:<7} {choice.reason}{converted}")
     for bond in system.bonds:
         lines.append(f"  power bond {bond.name}: {' -> '.join(bond.effort)} times {' -> '.join(bond.flow)}")
     lines += ["", "recorded"]
     for group in plan.groups:
-        lines.append(f"  every {seconds_text(clock.seconds(group.period)):<8} {len(group.columns)} signals of {', '.join(group.components)}")
-    total = len(plan.prologue) + len(plan.cycle)
-    lines += ["", f"operations ({total}; those at time 0 once, the others every {seconds_text(clock.seconds(clock.hyperperiod))})"]
-    shown = np.concatenate([plan.prologue, plan.cycle])[:operations]
+        lines.append(
+            f"  every {seconds_text(clock.seconds(group.period)):<8} {len(group.columns)} signals of "
+            f"{', '.join(group.components)}"
+        )
+    total = len(plan.cycle)
+    lines += [
+        "",
+        f"operations ({total}, every {again} again)",
+    ]
+    shown = plan.cycle[:operations]
     names = _Names(plan)
     for row in shown.tolist():
         lines.append(f"  {seconds_text(clock.seconds(row[1])) if row[1] else '0 s':>10}  {names.text(row)}")
@@ -55,12 +69,13 @@ class _Names:
         self.slots |= {slot: f"integral for {'.'.join(key)}" for key, slot in layout.integrals.items()}
 
     def text(self, row: list[int]) -> str:
-        code, tick, component, a, b, p, q, k = row
+        code, _, component, a, b, p, q, k = row
         c, clock, s = self.plan.coefficients, self.plan.clock, self.slots
         name = list(self.plan.system.components)[component] if component >= 0 else ""
         head = f"{NAMES[code]:<10} "
         if code == STEP:
-            return f"{head} {name} from {seconds_text(clock.seconds(tick - a)) if tick > a else '0 s'} by {seconds_text(clock.seconds(a))}"
+            begin = seconds_text(clock.seconds(b)) if b else "0 s"
+            return f"{head} {name} from {begin} by {seconds_text(clock.seconds(a))}"
         if code in (SET, GET):
             table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
             return f"{head} {name}: {sum(owner == name for owner, _ in table)} values"

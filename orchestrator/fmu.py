@@ -49,7 +49,12 @@ class Fmu:
             raise FmuError(f"FMU {path}: its modelDescription.xml is not valid: {str(error).strip()}") from error
         if description.coSimulation is None:
             raise FmuError(f"FMU {path} is for model exchange only; export it for co-simulation")
-        library = folder / "binaries" / fmpy.platform / f"{description.coSimulation.modelIdentifier}{fmpy.sharedLibraryExtension}"
+        library = (
+            folder
+            / "binaries"
+            / fmpy.platform
+            / f"{description.coSimulation.modelIdentifier}{fmpy.sharedLibraryExtension}"
+        )
         if not library.is_file():
             there = sorted(p.name for p in (folder / "binaries").glob("*")) or ["none"]
             raise FmuError(f"FMU {path} has no binary for {fmpy.platform}; it has {', '.join(there)}")
@@ -76,7 +81,7 @@ class Fmu:
 
 
 def fmi_version(path: Path, xml: Path) -> str | None:
-    """The version attribute. Refuses a document type declaration: it can expand entities or open files; no FMU needs one."""
+    """The version attribute. A document type declaration is refused: it can expand entities or open files."""
     from lxml import etree
 
     try:
@@ -96,7 +101,9 @@ def parse_value(variable: ModelVariable, value: object, label: str) -> float | i
         if variable.type == "String":
             return str(value)
         if variable.type == "Boolean":
-            return {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}[str(value).strip().lower()]
+            return {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}[
+                str(value).strip().lower()
+            ]
         number = float(str(value))
         if number != number or abs(number) == float("inf"):
             raise ValueError
@@ -133,7 +140,9 @@ class Instance:
             )
             self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
         except Exception as error:
-            raise FmuError(f"component {name}: {fmu.path.name} cannot be instantiated: {error}{self.log_text()}") from error
+            raise FmuError(
+                f"component {name}: {fmu.path.name} cannot be instantiated: {error}{self.log_text()}"
+            ) from error
 
     def _make_callbacks(self) -> Any:
         callbacks = fmi2.fmi2CallbackFunctions()
@@ -170,13 +179,17 @@ class Instance:
     def set(self, name: str, value: float | int | bool | str) -> None:
         """Set one variable by name."""
         v = self.fmu.variables[name]
-        setter = {"Real": self.slave.setReal, "Boolean": self.slave.setBoolean, "String": self.slave.setString}.get(v.type, self.slave.setInteger)
+        setter = {"Real": self.slave.setReal, "Boolean": self.slave.setBoolean, "String": self.slave.setString}.get(
+            v.type, self.slave.setInteger
+        )
         self.call(f"set {name} = {value}", setter, [v.valueReference], [value])
 
     def get(self, name: str) -> Any:
         """Get one variable by name."""
         v = self.fmu.variables[name]
-        getter = {"Real": self.slave.getReal, "Boolean": self.slave.getBoolean, "String": self.slave.getString}.get(v.type, self.slave.getInteger)
+        getter = {"Real": self.slave.getReal, "Boolean": self.slave.getBoolean, "String": self.slave.getString}.get(
+            v.type, self.slave.getInteger
+        )
         return self.call(f"get {name}", getter, [v.valueReference])[0]
 
     def address(self, function: str) -> int:

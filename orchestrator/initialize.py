@@ -22,7 +22,9 @@ def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int
         instance = instances[name]
         for variable, value in {**component.parameters, **component.inputs}.items():
             instance.set(variable, value)
-        instance.call("set up the experiment", instance.slave.setupExperiment, None, 0.0, plan.clock.time(plan.clock.stop))
+        instance.call(
+            "set up the experiment", instance.slave.setupExperiment, None, 0.0, plan.clock.time(plan.clock.stop)
+        )
         instance.call("enter initialization", instance.slave.enterInitializationMode)
     known: set[tuple[str, str]] = set()  # outputs read so far; until then an input keeps its start value
     sweeps = len(system.components) + 2
@@ -39,13 +41,18 @@ def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int
                     z[slot] = instances[name].get(variable)
                     known.add((owner, variable))
                     if not math.isfinite(z[slot]):
-                        raise FmuError(f"component {name}: output {variable} is {z[slot]} at time 0{instances[name].log_text()}")
+                        raise FmuError(
+                            f"component {name}: output {variable} is {z[slot]} at time 0{instances[name].log_text()}"
+                        )
         if sweep > 1 and np.array_equal(before, z):
             break
     else:
         loop = sorted({".".join(key) for key, slot in plan.layout.inputs.items() if before[slot] != z[slot]})
-        raise FmuError(f"initialization: the inputs {', '.join(loop)} and the outputs that drive them form an algebraic loop that {sweeps} sweeps do not settle; break it with a state or a start value")
-    for name, instance in instances.items():
+        raise FmuError(
+            f"initialization: the inputs {', '.join(loop)} and the outputs that drive them "
+            f"form an algebraic loop that {sweeps} sweeps do not settle; break it with a state or a start value"
+        )
+    for instance in instances.values():
         instance.call("leave initialization", instance.slave.exitInitializationMode)
     for key, slot in plan.layout.previous.items():
         z[slot] = z[plan.layout.outputs[key]]

@@ -55,7 +55,13 @@ def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
             axis.plot(signal.time[inside], signal.values[inside], linewidth=0.9, label=signal.name)
         axis.set_ylabel(members[0].label if len(members) == 1 else f"[{unit}]")
         if "reference" in entry:
-            axis.axhline(entry["reference"], linestyle="--", color="black", linewidth=0.9, label=f"paper: {entry['reference']:g} {unit}")
+            axis.axhline(
+                entry["reference"],
+                linestyle="--",
+                color="black",
+                linewidth=0.9,
+                label=f"paper: {entry['reference']:g} {unit}",
+            )
         if len(members) > 1 or "reference" in entry:
             axis.legend(loc="best", fontsize="small")
     axes[-1].set_xlabel("time [s]")

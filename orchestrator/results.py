@@ -13,6 +13,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .clock import seconds_text
 from .errors import InputError, RunError
 from .explain import explain
@@ -34,7 +36,9 @@ def prepare_folder(folder: Path) -> None:
         probe.write_bytes(b"")
         probe.unlink()
     except OSError as error:
-        raise InputError(f"cannot write to the output folder {folder}: {error.strerror}; choose another with --out") from error
+        raise InputError(
+            f"cannot write to the output folder {folder}: {error.strerror}; choose another with --out"
+        ) from error
 
 
 def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
@@ -51,7 +55,7 @@ def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
 
 
 def datasets(run: Run) -> dict[str, xarray.Dataset]:
-    """One dataset per rate, by a name such as `every_0.5_ms`; variables carry unit and description."""
+    """One dataset per rate, by a name such as `every_500_us`; variables carry unit and description."""
     import xarray
 
     signals = Signals(run)
@@ -69,7 +73,9 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
 
 def group_name(plan: Plan, group: int) -> str:
     """Name of a rate's table in the results file."""
-    return "every_" + seconds_text(plan.clock.seconds(plan.groups[group].period)).replace(" ", "_").replace("/", "_per_")
+    return "every_" + seconds_text(plan.clock.seconds(plan.groups[group].period)).replace(" ", "_").replace(
+        "/", "_per_"
+    )
 
 
 def write_results(run: Run, folder: Path, summary: dict[str, Any]) -> list[Path]:
@@ -96,22 +102,20 @@ def _figures(run: Run, folder: Path) -> list[Path]:
 
 
 def write_csv(run: Run, path: Path) -> None:
-    """One row per instant of the fastest rate, one column `name [unit]` per signal; slower signals leave cells empty."""
+    """A row per instant at which anything is recorded, a column `name [unit]` per signal; other cells are empty."""
     signals = Signals(run)
-    base = run.plan.groups[0].period
-    header, columns = ["time [s]"], [[repr(t) for t in signals.times[0].tolist()]]
-    rows = len(columns[0])
-    for g, group in enumerate(run.plan.groups):
-        stride, rest = divmod(group.period, base)
-        if rest:
-            raise RunError(f"result.csv: {group_name(run.plan, g)} does not fit the grid of the fastest rate; read result.nc instead")
+    plan = run.plan
+    ticks = [group.period * np.arange(len(table)) for group, table in zip(plan.groups, run.tables, strict=True)]
+    instants = np.unique(np.concatenate(ticks))
+    header, columns = ["time [s]"], [[repr(plan.clock.time(tick)) for tick in instants.tolist()]]
+    for g, group in enumerate(plan.groups):
+        rows = np.searchsorted(instants, ticks[g]).tolist()
         for name in (".".join(key) for key in group.columns):
             signal = signals[name]
             header.append(signal.label)
-            texts = [f"{value:.10g}" for value in signal.values.tolist()]
-            column = texts if stride == 1 else [""] * rows
-            if stride > 1:
-                column[::stride] = texts[: len(column[::stride])]
+            column = [""] * len(instants)
+            for row, value in zip(rows, signal.values.tolist(), strict=True):
+                column[row] = f"{value:.10g}"
             columns.append(column)
     with path.open("w", encoding="utf-8") as file:
         file.write(",".join(header) + "\n")
@@ -131,12 +135,14 @@ def manifest(run: Run) -> dict[str, Any]:
         fmu = component.fmu
         values = {v: fmu.variables[v].start for v in fmu.names("parameter")}
         components[name] = {
-            "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid, "period_s": float(component.period),
+            "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
+            "period_s": float(component.period),
             "parameters": {v: _plain(value) for v, value in {**values, **component.parameters}.items()},
             "inputs": dict(component.inputs),
         }  # fmt: skip
     return {
-        "system": system.name, "description": system.description, "stop_s": float(system.stop), "complete": not run.failure,
+        "system": system.name, "description": system.description,
+        "stop_s": float(system.stop), "complete": not run.failure,
         "components": components, "calculated": run.calculated,
         "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],
         "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},

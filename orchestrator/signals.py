@@ -43,7 +43,9 @@ class Signals:
     @cached_property
     def places(self) -> dict[str, tuple[int, int]]:
         """Group and column of every recorded variable."""
-        return {".".join(key): (g, k) for g, group in enumerate(self.run.plan.groups) for k, key in enumerate(group.columns)}
+        return {
+            ".".join(key): (g, k) for g, group in enumerate(self.run.plan.groups) for k, key in enumerate(group.columns)
+        }
 
     def time(self, group: int) -> np.ndarray:
         """The instants of a group [s], each exact to the last bit."""

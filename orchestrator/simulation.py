@@ -75,7 +75,9 @@ class _Loop:
         sizes = [rows * len(group.slots) for rows, group in zip(self.rows_wanted, plan.groups, strict=True)]
         firsts = np.cumsum([0, *(len(group.slots) for group in plan.groups)])
         cells = np.cumsum([0, *sizes])
-        self.groups = np.array([(firsts[k], len(group.slots), cells[k]) for k, group in enumerate(plan.groups)], dtype=np.int64).reshape(-1, 3)
+        self.groups = np.array(
+            [(firsts[k], len(group.slots), cells[k]) for k, group in enumerate(plan.groups)], dtype=np.int64
+        ).reshape(-1, 3)
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.buffer = np.zeros(max(int(cells[-1]), 1))
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
@@ -84,7 +86,9 @@ class _Loop:
 
     def _component(self, name: str) -> list[int]:
         instance, layout = self.instances[name], self.plan.layout
-        row = [instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")] + [int(instance.slave.component)]
+        row = [instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")] + [
+            int(instance.slave.component)
+        ]
         for table in (layout.inputs, layout.outputs):
             slots = [(slot, variable) for (owner, variable), slot in table.items() if owner == name]
             references = np.array([instance.fmu.variables[v].valueReference for _, v in slots] or [0], dtype=np.uint32)
@@ -96,55 +100,54 @@ class _Loop:
     def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
         clock, plan = self.plan.clock, self.plan
         function = execute.run if interpreted else execute.compiled_run()
-        parts = [(plan.prologue, 0, 1), (plan.cycle, 0, clock.stop // clock.hyperperiod)]  # every period divides the stop
-        code, wall, reached, start = execute.DONE, 0.0, 0.0, 0.0
-        for operations, first, count in parts:
-            operations = np.ascontiguousarray(operations)
-            block = 1
-            while count > 0 and code == execute.DONE:
-                size = min(block, count)
-                begin = time.perf_counter()
-                code = function(
-                    operations, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
-                    self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
-                )  # fmt: skip
-                spent = time.perf_counter() - begin
-                wall += spent
-                start = start or seconds_since_start()
-                first, count = first + size, count - size
-                block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
-                if code == execute.DONE and operations is not plan.prologue:
-                    reached = clock.time(min(first * clock.hyperperiod, clock.stop))
-                    if progress:
-                        progress(reached)
-            failed = operations
-            if code != execute.DONE:
-                break
-        failure = ""
+        cycles = clock.stop // clock.hyperperiod  # every period divides the stop
+        code, wall, reached, start, failure = execute.DONE, 0.0, 0.0, 0.0, ""
+        first, block = 0, 1
+        while first < cycles and code == execute.DONE:
+            size = min(block, cycles - first)
+            begin = time.perf_counter()
+            code = function(
+                plan.cycle, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
+                self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
+            )  # fmt: skip
+            spent = time.perf_counter() - begin
+            wall += spent
+            start = start or seconds_since_start()
+            first += size
+            block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
+            if code == execute.DONE:
+                reached = clock.time(first * clock.hyperperiod)
+                if progress:
+                    progress(reached)
         if code != execute.DONE:
-            reached, failure = self._failure(code, failed)
+            reached, failure = self._failure(code)
         tables = [
             self.buffer[start : start + rows * columns].reshape(rows, columns)
             for (_, columns, start), rows in zip(self.groups.tolist(), self.rows.tolist(), strict=True)
         ]
         return Run(plan, tables, failure, reached, wall, start)
 
-    def _failure(self, code: int, operations: np.ndarray) -> tuple[float, str]:
+    def _failure(self, code: int) -> tuple[float, str]:
         """The time until which every component is complete, and what happened."""
-        clock = self.plan.clock
+        clock, operations = self.plan.clock, self.plan.cycle
         row = operations[self.control[execute.AT_OPERATION]]
         begin = int(self.control[execute.AT_CYCLE]) * clock.hyperperiod
-        at = clock.time(begin + int(row[1]))
+        name = list(self.plan.system.components)[row[2]]
+        ahead = clock.periods[name] if row[2] >= 0 and name in self.plan.samplers else 0
+        at = clock.time(begin + int(row[1]) + ahead)
         ticks = operations[:, 1]
         end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
         if code == execute.INTERRUPTED:
             return end, f"interrupted by the user at t = {end:.9g} s"
-        name = list(self.plan.system.components)[row[2]]
         log = self.instances[name].log_text()
         if code == execute.NOT_FINITE:
             slot = int(self.control[execute.SLOT])
             variable = next(key for key, s in self.plan.layout.outputs.items() if s == slot)[1]
-            return end, f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; see its inputs and parameters{log}"
+            return (
+                end,
+                f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; "
+                f"see its inputs and parameters{log}",
+            )
         status = int(self.control[execute.STATUS])
         self.instances[name].dead = status == 4
         return end, f"component {name} returned fmi2{STATUS[status]} in the step to t = {at:.9g} s{log}"
@@ -152,7 +155,7 @@ class _Loop:
 
 @contextmanager
 def _stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
-    """Ctrl-C asks the loop to stop at the next instant, instead of raising inside an FMU's Python code; twice insists."""
+    """Ctrl-C stops the loop at the next instant instead of raising inside an FMU's Python code; twice insists."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -175,5 +178,3 @@ def require_complete(run: Run) -> Run:
     if run.failure:
         raise RunError(run.failure)
     return run
-
-

@@ -33,12 +33,19 @@ def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], ori
         else:
             operation, *names = str(text).split()
             if operation not in OPERATIONS:
-                raise InputError(f"{origin}: summary {key} = {text!r}: unknown operation '{operation}'{nearest(operation, OPERATIONS)}")
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: unknown operation '{operation}'"
+                    f"{nearest(operation, OPERATIONS)}"
+                )
             if len(names) != OPERATIONS[operation]:
-                raise InputError(f"{origin}: summary {key} = {text!r}: {operation} takes {OPERATIONS[operation]} signals")
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: {operation} takes {OPERATIONS[operation]} signals"
+                )
         for name in names:
             if name not in run_or_plan_names:
-                raise InputError(f"{origin}: summary {key} = {text!r}: '{name}' is not recorded{nearest(name, run_or_plan_names)}")
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: '{name}' is not recorded{nearest(name, run_or_plan_names)}"
+                )
 
 
 def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, float]:
@@ -71,7 +78,9 @@ def summarize(run: Run) -> dict[str, Any]:
     if ledgers:
         carried = max(max(abs(x.effort_side), abs(x.flow_side)) for x in ledgers)
         result["coupling_energy_relative"] = max(abs(x.made) for x in ledgers) / carried if carried else 0.0
-        result["coupling_energy"] = {x.name: {"effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made} for x in ledgers}
+        result["coupling_energy"] = {
+            x.name: {"effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made} for x in ledgers
+        }
     result["window_s"] = [begin, end]
     result["window_turns"] = turns
     clock = run.plan.clock
@@ -90,7 +99,12 @@ def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: fl
     if operation == "ratio":
         other = abs(float(signals[1].values[-1]))
         return abs(float(signal.values[-1])) / other if other else 0.0
-    at = {"peak": int(np.argmax(np.abs(signal.values))), "max": int(np.argmax(signal.values)), "min": int(np.argmin(signal.values)), "last": -1}
+    at = {
+        "peak": int(np.argmax(np.abs(signal.values))),
+        "max": int(np.argmax(signal.values)),
+        "min": int(np.argmin(signal.values)),
+        "last": -1,
+    }
     return float(signal.values[at[operation]])
 
 

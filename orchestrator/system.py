@@ -88,14 +88,18 @@ class System:
             for scalar, scalar_value in checked_values(component, variable, value, origin).items():
                 if f"{name}.{scalar}" in driven:
                     source = next(c.label for c in self.connections if ".".join(c.target) == f"{name}.{scalar}")
-                    raise InputError(f"{origin}: {name}.{scalar} is driven by the connection {source}; remove that first")
+                    raise InputError(
+                        f"{origin}: {name}.{scalar} is driven by the connection {source}; remove that first"
+                    )
                 component = component.with_value(scalar, scalar_value)
             components[name] = component
         return replace(self, components=components)
 
     def with_periods(self, factor: Fraction) -> System:
         """A copy with every communication period multiplied by `factor`."""
-        return replace(self, components={name: replace(c, period=c.period * factor) for name, c in self.components.items()})
+        return replace(
+            self, components={name: replace(c, period=c.period * factor) for name, c in self.components.items()}
+        )
 
 
 def checked_values(component: Component, name: str, value: object, origin: str) -> dict[str, Value]:

@@ -10,7 +10,6 @@ import pint
 
 from .errors import InputError
 
-
 # pint takes both Hz and rad/s for 1/s and would convert one into the other by 1.
 TURNS, ANGLES = re.compile(r"Hz"), re.compile(r"rad|deg|rpm|rev")
 
@@ -25,7 +24,11 @@ def _registry() -> Any:
 @cache
 def parse_unit(unit: str) -> Any:
     """An FMI unit string (`N.m`, `kg.m2`, `rad/s`, `1`) as a pint unit. Raises InputError if it is unknown."""
-    text = re.sub(r"(?<=[A-Za-z)])(-?\d+(\.\d+)?)", r"**(\1)", unit.strip() or "1").replace(".", "*") if unit != "1" else "1"
+    text = (
+        re.sub(r"(?<=[A-Za-z)])(-?\d+(\.\d+)?)", r"**(\1)", unit.strip() or "1").replace(".", "*")
+        if unit != "1"
+        else "1"
+    )
     text = re.sub(r"\((-?\d+)\*(\d+)\)", r"(\1.\2)", text)
     numerator, _, denominator = text.partition("/")
     text = f"({numerator})/({denominator})" if denominator else numerator
@@ -43,7 +46,10 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
     if source == target or source is None or target is None:
         return 1.0, 0.0
     if any(TURNS.search(x) and ANGLES.search(y) for x, y in ((source, target), (target, source))):
-        raise InputError(f"{label}: the units do not fit: of {source} and {target} one counts turns and one angle, 2 pi apart; use one kind")
+        raise InputError(
+            f"{label}: the units do not fit: of {source} and {target} one counts turns "
+            f"and one angle, 2 pi apart; use one kind"
+        )
     try:
         a, b = parse_unit(source), parse_unit(target)
         quantity = _registry().Quantity

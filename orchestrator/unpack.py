@@ -23,7 +23,10 @@ def cache_folder() -> Path:
     chosen = os.environ.get("ROVBRUSH_CACHE")
     folder = Path(chosen) if chosen else user_cache_path("rovbrush")
     if not str(folder).isascii():
-        raise FmuError(f"cache folder {folder}: FMUs cannot be loaded from a path beyond plain ASCII; set ROVBRUSH_CACHE to another folder")
+        raise FmuError(
+            f"cache folder {folder}: FMUs cannot be loaded from a path beyond plain ASCII; "
+            f"set ROVBRUSH_CACHE to another folder"
+        )
     return folder
 
 
@@ -48,7 +51,9 @@ def unpack(path: Path) -> tuple[Path, str]:
         folder.parent.mkdir(parents=True, exist_ok=True)
         temporary = Path(tempfile.mkdtemp(prefix="unpacking-", dir=folder.parent))
     except OSError as error:
-        raise FmuError(f"cannot write to the cache folder {folder.parent}: {error.strerror}; set ROVBRUSH_CACHE to another folder") from error
+        raise FmuError(
+            f"cannot write to the cache folder {folder.parent}: {error.strerror}; set ROVBRUSH_CACHE to another folder"
+        ) from error
     try:
         with zipfile.ZipFile(path) as archive:
             for entry in archive.infolist():
@@ -61,7 +66,15 @@ def unpack(path: Path) -> tuple[Path, str]:
         except OSError:
             if not folder.is_dir():  # otherwise another process has just put the same content there
                 raise
-    except (zipfile.BadZipFile, zipfile.LargeZipFile, EOFError, NotImplementedError, RuntimeError, ValueError, zlib.error) as error:
+    except (
+        zipfile.BadZipFile,
+        zipfile.LargeZipFile,
+        EOFError,
+        NotImplementedError,
+        RuntimeError,
+        ValueError,
+        zlib.error,
+    ) as error:
         raise FmuError(f"FMU {path} is not a readable zip archive ({error}); get or build it again") from error
     except OSError as error:
         raise FmuError(f"FMU {path} cannot be unpacked to {folder.parent}: {error.strerror or error}") from error

@@ -40,10 +40,30 @@ def test_components_never_import_the_orchestrator(path: Path) -> None:
     assert not [name for name in names if name.startswith(tuple(others))], "components meet at FMUs"
 
 
+def kernel_files(name: str) -> list[Path]:
+    """kernel.py and the files of its folder that it is spread over."""
+    found = [ROOT / "components" / name / "kernel.py"]
+    for path in found:  # grows
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ImportFrom) and node.level:
+                found += {path.with_name(f"{node.module}.py")} - set(found)
+    return found
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_no_two_files_of_a_kernel_define_the_same_function(name: str) -> None:
+    trees = [ast.parse(path.read_text(encoding="utf-8")) for path in kernel_files(name)]
+    functions = [node.name for tree in trees for node in tree.body if isinstance(node, ast.FunctionDef)]
+    assert len(functions) == len(set(functions))
+
+
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_kernels_import_nothing_but_math_and_keep_no_globals(name: str) -> None:
-    for path in sorted((ROOT / "components" / name).glob("kernel*.py")):
-        assert {module.split(".")[0] for module in imported(path)} <= {"math"}
+    for path in kernel_files(name):
+        own = f"rovbrush.components.{name}."
+        assert {module.removeprefix(own).split(".")[0] for module in imported(path)} <= {
+            "math", *(file.stem for file in kernel_files(name))
+        }  # fmt: skip
         tree = ast.parse(path.read_text(encoding="utf-8"))
         allowed = (ast.FunctionDef, ast.ImportFrom)
         extra = [

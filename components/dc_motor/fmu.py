@@ -35,4 +35,4 @@ class DcMotor(ComponentSlave):
         output("E_stored", "J", "energy in the inductance, the rotor and the brush inertia"),
         output("energy_residual", "J", "energy taken in and not accounted for; zero when K_e = K_t"),
     )
-    arrays = (Array("x", lambda p: 8),)
+    arrays = (Array("x", 8),)

@@ -20,7 +20,12 @@ class Parameters:
     )
     J_m: float = parameter(5e-5, "kg.m2", "rotor inertia", "typical of the class", minimum=1e-9, maximum=1.0)
     J_b: float = parameter(
-        0.6, "kg.m2", "brush inertia on the output shaft: filaments 0.55 (J_filaments of the brush), hub 0.05", "assumed", minimum=0.0, maximum=100.0
+        0.6,
+        "kg.m2",
+        "brush inertia on the output shaft: filaments 0.55, hub 0.05",
+        "assumed",
+        minimum=0.0,
+        maximum=100.0,
     )
     gear_ratio_per_stage: float = parameter(
         5.22, "1", "ratio of one planetary stage", "Table 2 (N_g)", minimum=1.0, maximum=1000.0

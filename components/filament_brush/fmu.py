@@ -1,4 +1,4 @@
-"""The filament brush as an FMU: names and units only, the equations are in kernel.py."""
+"""The filament brush as an FMU: names and units only, the equations are in kernel.py and the files it imports."""
 
 from ..interface import Array, calculated, input_, output
 from ..slave import ComponentSlave
@@ -41,7 +41,7 @@ class FilamentBrush(ComponentSlave):
         output("E_contact", "J", "elastic energy of the contact", ("delta",)),
         *(output(f"W_{x}", "J", f"work of the {x}") for x in ("hub", "hull")),
         *(output(f"W_{x}", "J", f"energy lost in {x}") for x in ("damping", "friction", "contact")),
-        output("energy_residual", "J", "energy that the integration created"),
+        output("energy_residual", "J", "energy that the integration created", ("omega_b", "delta")),
         output("micro_steps", "1", "micro-steps of touching filaments so far"),
         output("h_micro_min", "s", "shortest micro-step so far, but for those cut by a communication point"),
         output("kinetic_fraction", "1", "share of each mode in the kinetic energy", size=6),
@@ -50,11 +50,10 @@ class FilamentBrush(ComponentSlave):
         calculated("J_filaments", "kg.m2", "inertia of the filaments about the brush axis"),
     )
     arrays = (
-        Array("lambda_r", lambda p: 6), Array("omega_r", lambda p: 6), Array("modes", lambda p: (7, 6)),
-        Array("G", lambda p: (6, 6)), Array("S", lambda p: (6, 6)), Array("K", lambda p: (7, 6), scratch=True),
+        Array("lambda_r", 6), Array("omega_r", 6), Array("modes", (7, 6)), Array("G", (6, 6)), Array("S", (6, 6)),
         *(Array(name, lambda p: (p.n, p.N_m)) for name in ("eta", "eta_dot")), Array("h_next", lambda p: p.n),
+        Array("total", 16), Array("K", (7, 6), scratch=True),
         *(Array(name, lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1), scratch=True) for name in "PQA"),
-        Array("c", lambda p: 17, scratch=True), Array("work", lambda p: (15, 6), scratch=True),
-        Array("kinetic_fraction", lambda p: 6, scratch=True), Array("filament", lambda p: (p.n, 4), scratch=True),
-        Array("total", lambda p: 16),
+        Array("c", 17, scratch=True), Array("work", (15, 6), scratch=True),
+        Array("kinetic_fraction", 6, scratch=True), Array("filament", lambda p: (p.n, 4), scratch=True),
     )

@@ -23,34 +23,55 @@ class Parameters:
     zeta: tuple[float, ...] = parameter(
         (0.02,) * 6, "1", "modal damping ratio of modes 1 to 6", "section 6.2", minimum=0.0, maximum=0.9
     )
-    h_min: float = parameter(1e-4, "s", "smallest micro-step that error control asks for", "section 3.6",
-                             minimum=1e-7, maximum=1e-2)
+    h_min: float = parameter(
+        1e-4, "s", "smallest micro-step that error control asks for", "section 3.6", minimum=1e-7, maximum=1e-2
+    )
     h_max: float = parameter(1e-3, "s", "largest micro-step", "section 3.6", minimum=1e-7, maximum=1e-2)
-    k_c: float = parameter(183190.0, "N/m1.5", "contact stiffness of a bundle", "calibrated to Table 3",
-                           minimum=0.0, maximum=1e9)
-    c_c: float = parameter(0.0, "N.s/m", "contact damping of a bundle", "assumed; 0 fits Table 3 best",
-                           minimum=0.0, maximum=1e5)
+    k_c: float = parameter(
+        183190.0, "N/m1.5", "contact stiffness of a bundle", "calibrated to Table 3", minimum=0.0, maximum=1e9
+    )
+    c_c: float = parameter(
+        0.0, "N.s/m", "contact damping of a bundle", "assumed; 0 fits Table 3 best", minimum=0.0, maximum=1e5
+    )
     v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "assumed", minimum=1e-4, maximum=10.0)
-    k_v: float = parameter(0.044134, "s/m", "viscous friction coefficient", "calibrated to Table 3",
-                           minimum=0.0, maximum=10.0)
-    alpha: float = parameter(-0.3, "rad", "cant angle: positive trails, negative is raked forward",
-                             "assumed, held in the calibration", minimum=-1.2, maximum=1.2)
-    bristles_per_filament: float = parameter(18000.0, "1", "bristles in a bundle, N_b", "calibrated to Table 3",
-                                             minimum=1e-3, maximum=1e7)
-    v_eps: float = parameter(0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed",
-                             minimum=1e-4, maximum=1.0)
-    Delta_s: float = parameter(1e-4, "m", "penetration over which contact damping rises to c_c (0: as Eq. 7)",
-                               "assumed", minimum=0.0, maximum=0.05)
-    C_a: float = parameter(0.0, "1", "added-mass coefficient of the water (0: as the paper)", "section 3",
-                           minimum=0.0, maximum=5.0)
+    k_v: float = parameter(
+        0.044134, "s/m", "viscous friction coefficient", "calibrated to Table 3", minimum=0.0, maximum=10.0
+    )
+    alpha: float = parameter(
+        -0.3,
+        "rad",
+        "cant angle: positive trails, negative is raked forward",
+        "assumed, held in the calibration",
+        minimum=-1.2,
+        maximum=1.2,
+    )
+    bristles_per_filament: float = parameter(
+        18000.0, "1", "bristles in a bundle, N_b", "calibrated to Table 3", minimum=1e-3, maximum=1e7
+    )
+    v_eps: float = parameter(
+        0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed", minimum=1e-4, maximum=1.0
+    )
+    Delta_s: float = parameter(
+        1e-4,
+        "m",
+        "penetration over which contact damping rises to c_c (0: as Eq. 7)",
+        "assumed",
+        minimum=0.0,
+        maximum=0.05,
+    )
+    C_a: float = parameter(
+        0.0, "1", "added-mass coefficient of the water (0: as the paper)", "section 3", minimum=0.0, maximum=5.0
+    )
     rho_w: float = parameter(1025.0, "kg/m3", "density of sea water", "assumed", minimum=0.0, maximum=2000.0)
     theta_b_0: float = parameter(0.0, "rad", "brush angle at the start", "assumed", minimum=-1e3, maximum=1e3)
-    tolerance: float = parameter(1e-6, "1", "velocity error allowed per micro-step over omega_1 L", "assumed",
-                                 minimum=1e-12, maximum=1.0)
+    tolerance: float = parameter(
+        1e-6, "1", "velocity error allowed per micro-step over omega_1 L", "assumed", minimum=1e-12, maximum=1.0
+    )
     foreshortening: bool = parameter(True, "1", "tip moves inwards as the filament bends", "section 1.3")
     centrifugal: bool = parameter(True, "1", "centrifugal stiffening, softening and load", "section 3.5")
-    mode_acceleration: bool = parameter(True, "1", "base reactions exact in statics (false: Eqs. 11, 12 as printed)",
-                                        "assumed")
+    mode_acceleration: bool = parameter(
+        True, "1", "base reactions exact in statics (false: Eqs. 11, 12 as printed)", "assumed"
+    )
 
 
 # Fits Table 3 with fewer bristles, but digs in: friction turns the bristles up into the hull.

@@ -1,8 +1,8 @@
-"""The controller as an FMU: names and units only, the equations are in kernel.py."""
+"""The controller as an FMU: names and units only, the equations are in kernel.py and the files it imports."""
 
 from __future__ import annotations
 
-from ..interface import Array, input_, output
+from ..interface import Array, Shape, input_, output
 from ..slave import ComponentSlave
 from . import kernel
 from .parameters import Parameters
@@ -11,8 +11,10 @@ POSITION = {"x": "north", "y": "east", "z": "down"}
 ATTITUDE = {"phi": "roll", "theta": "pitch", "psi": "yaw"}
 VELOCITY = {"u": "surge", "v": "sway", "w": "heave"}
 RATES = {"p": "roll", "q": "pitch", "r": "yaw"}
-STATE = {"B": (6, 8), "B_pinv": (8, 6), "integral": 6, "nu_last": 6, "command": 8, "memory": 10}
-SCRATCH = {"e": 6, "nu": 6, "tau": 6, "F": 8, "gains": (3, 6), "work": 72, "u_thruster": 8, "F_ref": 3, "M_ref": 3}
+STATE: dict[str, Shape] = {"B": (6, 8), "B_pinv": (8, 6), "integral": 6, "nu_last": 6, "command": 8, "memory": 10}
+SCRATCH: dict[str, Shape] = {
+    "e": 6, "nu": 6, "tau": 6, "F": 8, "gains": (3, 6), "work": 72, "u_thruster": 8, "F_ref": 3, "M_ref": 3,
+}  # fmt: skip
 
 
 class RovController(ComponentSlave):
@@ -38,6 +40,4 @@ class RovController(ComponentSlave):
         output("saturated", "1", "1 when the thrusters cannot give the requested wrench", sampled=True),
         output("saturation_count", "1", "number of samples in which they could not", sampled=True),
     )
-    arrays = tuple(
-        Array(n, lambda p, k=k: k, n in SCRATCH) for n, k in (STATE | SCRATCH).items()  # type: ignore[misc]
-    )
+    arrays = tuple(Array(name, shape, name in SCRATCH) for name, shape in (STATE | SCRATCH).items())

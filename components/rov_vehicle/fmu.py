@@ -1,8 +1,8 @@
-"""The vehicle as an FMU: names and units only, the equations are in kernel.py."""
+"""The vehicle as an FMU: names and units only, the equations are in kernel.py and the files it imports."""
 
 from __future__ import annotations
 
-from ..interface import Array, input_, output
+from ..interface import Array, Shape, input_, output
 from ..slave import ComponentSlave
 from . import kernel
 from .parameters import Parameters
@@ -14,11 +14,13 @@ VELOCITY, RATES = {"u": "surge", "v": "sway", "w": "heave"}, {"p": "roll", "q": 
 WORK = {"W_thruster": "work of the thrusters", "W_tool": "work of the tool", "W_external": "work of further wrenches",
         "W_current": "work of the moving water", "W_damping": "energy lost to damping", "E_kinetic": "kinetic energy",
         "E_potential": "energy of weight and buoyancy", "energy_residual": "unaccounted energy"}  # fmt: skip
-STATE = {"x": 18, "thrust_state": 8, "current": 3, "energy_start": 1, "B": (6, 8), "M": (6, 6), "M_inv": (6, 6),
-         "D": (2, 6), "lever": 3}  # fmt: skip
-SCRATCH = {"quat": 4, "thrust": 8, "F_control": 3, "M_control": 3, "F_disturb": 3, "M_disturb": 3, "tau_external": 6,
-           "tau_control": 6, "tau_disturb": 6, "R": 9, "v_water": 3, "force": 15, "stage": 18, "k": 18,
-           "increment": 18, "work": 36}  # fmt: skip
+STATE: dict[str, Shape] = {"x": 18, "thrust_state": 8, "current": 3, "energy_start": 1, "B": (6, 8), "M": (6, 6),
+                           "M_inv": (6, 6), "D": (2, 6), "lever": 3}  # fmt: skip
+SCRATCH: dict[str, Shape] = {
+    "quat": 4, "thrust": 8, "F_control": 3, "M_control": 3, "F_disturb": 3, "M_disturb": 3, "tau_external": 6,
+    "tau_control": 6, "tau_disturb": 6, "R": 9, "v_water": 3, "force": 15, "stage": 18, "k": 18, "increment": 18,
+    "work": 36,
+}  # fmt: skip
 
 
 class RovVehicle(ComponentSlave):
@@ -55,6 +57,4 @@ class RovVehicle(ComponentSlave):
         output("P_damping", "W", "power lost to damping", ("v_c",)),
         *(output(name, "J", text) for name, text in WORK.items()),
     )
-    arrays = tuple(
-        Array(n, lambda p, k=k: k, n in SCRATCH) for n, k in (STATE | SCRATCH).items()  # type: ignore[misc]
-    )
+    arrays = tuple(Array(name, shape, name in SCRATCH) for name, shape in (STATE | SCRATCH).items())

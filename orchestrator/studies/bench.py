@@ -24,7 +24,8 @@ from ..console import console
 from ..errors import RunError
 from ..fmu import Instance
 from ..initialize import initialize
-from ..plan import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP, Plan, make_plan
+from ..operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
+from ..plan import Plan, make_plan
 from ..reader import load_system
 from ..results import write_file, write_json
 from ..simulation import require_complete, simulate
@@ -32,7 +33,7 @@ from ..system import System
 
 REPEATS = 5
 
-TRIVIAL_FMU = '''
+TRIVIAL_FMU = """
 from pythonfmu import Fmi2Causality, Fmi2Slave, Fmi2Variability, Real
 
 
@@ -47,7 +48,7 @@ class Feedthrough(Fmi2Slave):
     def do_step(self, current_time, step_size):
         self.y = self.u
         return True
-'''
+"""
 
 CHAIN = """
 description = "four trivial Python FMUs in a ring"
@@ -69,7 +70,9 @@ def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
                 label = {"system": "python4" if system is python4 else "nominal", "recording": recording}
                 rows.append({**label, "master": "rovbrush", **measure(variant, rovbrush_loop)})
                 rows.append({**label, "master": "fmpy", **measure(replace(variant, stop=fmpy_stop), fmpy_loop)})
-    next(r for r in rows if (r["system"], r["master"], r["recording"]) == ("nominal", "rovbrush", True)).update(process_figures(fmus))
+    next(r for r in rows if (r["system"], r["master"], r["recording"]) == ("nominal", "rovbrush", True)).update(
+        process_figures(fmus)
+    )
     show(rows)
     if json_file:
         write_file(json_file, lambda path: write_json(path, rows))
@@ -110,19 +113,31 @@ def fmpy_loop(plan: Plan) -> float:
     slaves = [instance.slave for instance in instances.values()]
     ends = []
     for table in (plan.layout.inputs, plan.layout.outputs):
-        by_component = [[(slot, instances[name].fmu.variables[v].valueReference) for (owner, v), slot in table.items() if owner == name] for name in instances]
-        ends.append([(slots[0][0], slots[-1][0] + 1, [vr for _, vr in slots]) if slots else (0, 0, []) for slots in by_component])
+        by_component = [
+            [
+                (slot, instances[name].fmu.variables[v].valueReference)
+                for (owner, v), slot in table.items()
+                if owner == name
+            ]
+            for name in instances
+        ]
+        ends.append(
+            [
+                (slots[0][0], slots[-1][0] + 1, [vr for _, vr in slots]) if slots else (0, 0, [])
+                for slots in by_component
+            ]
+        )
     (inputs, outputs), clock, k = ends, plan.clock, plan.coefficients.tolist()
     values, recorded, rows = z.tolist(), [], plan.cycle.tolist()
     begin = time.perf_counter()
     for cycle in range(clock.stop // clock.hyperperiod):
         base = cycle * clock.hyperperiod
-        for code, tick, c, a, b, p, q, at in rows:
+        for code, _, c, a, b, p, q, at in rows:
             if code == SET:
                 first, last, references = inputs[c]
                 slaves[c].setReal(references, values[first:last])
             elif code == STEP:
-                slaves[c].doStep(clock.time(base + tick - a), clock.time(a))
+                slaves[c].doStep(clock.time(base + b), clock.time(a))
             elif code == GET:
                 first, last, references = outputs[c]
                 values[first:last] = slaves[c].getReal(references)
@@ -146,9 +161,18 @@ def fmpy_loop(plan: Plan) -> float:
 
 
 def process_figures(fmus: Path | None) -> dict[str, float]:
-    """Start to first step [s] and peak memory [MB] of a whole `rovbrush run nominal` in a process of its own, caches warm."""
+    """Start to first step [s] and peak memory [MB] of a `rovbrush run nominal` in its own process, caches warm."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-m", "rovbrush.orchestrator", "run", "nominal", "--out", folder, *(["--fmus", str(fmus)] if fmus else [])]
+        command = [
+            sys.executable,
+            "-m",
+            "rovbrush.orchestrator",
+            "run",
+            "nominal",
+            "--out",
+            folder,
+            *(["--fmus", str(fmus)] if fmus else []),
+        ]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode:
             raise RunError(f"the nominal run in a process of its own failed: {done.stderr.strip()}")
@@ -159,9 +183,24 @@ def process_figures(fmus: Path | None) -> dict[str, float]:
 def show(rows: list[dict[str, Any]]) -> None:
     """The rows on the terminal."""
     table = Table(title=f"Cost of the master, medians of {REPEATS} runs", title_justify="left")
-    for heading in ("system", "master", "recording", "us per macro step", "times real time", "start to first step [s]", "peak memory [MB]"):
+    for heading in (
+        "system",
+        "master",
+        "recording",
+        "us per macro step",
+        "times real time",
+        "start to first step [s]",
+        "peak memory [MB]",
+    ):
         table.add_column(heading, justify="left" if heading in ("system", "master") else "right")
     for r in rows:
         extra = [f"{r[key]:.3g}" if key in r else "" for key in ("start_s", "peak_memory_MB")]
-        table.add_row(r["system"], r["master"], "on" if r["recording"] else "off", f"{r['us_per_macro_step']:.2f}", f"{r['real_time_factor']:.1f}", *extra)
+        table.add_row(
+            r["system"],
+            r["master"],
+            "on" if r["recording"] else "off",
+            f"{r['us_per_macro_step']:.2f}",
+            f"{r['real_time_factor']:.1f}",
+            *extra,
+        )
     console.print(table)

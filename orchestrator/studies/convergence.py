@@ -21,7 +21,7 @@ BOUND = 0.005  # largest relative change of a mean when every period is halved
 
 
 def converge(name: str, out: Path, fmus: Path | None) -> list[dict[str, Any]]:
-    """Run `name` with periods times 1, 1/2 and 1/4; print and write what each mean does. Raises RunError beyond BOUND."""
+    """Run with periods times 1, 1/2 and 1/4; print and write what each mean does. Raises RunError beyond BOUND."""
     base = planned(name, {}, fmus=fmus)
     prepare_folder(out)
     summaries = []
@@ -44,7 +44,13 @@ def row(key: str, values: list[float]) -> dict[str, Any]:
     first, second = values[0] - values[1], values[1] - values[2]
     order = math.log2(abs(first / second)) if first and second else None
     scale = abs(values[0]) or 1.0
-    return {"quantity": key, "values": values, "change": first / scale, "change_quartered": second / scale, "order": order}
+    return {
+        "quantity": key,
+        "values": values,
+        "change": first / scale,
+        "change_quartered": second / scale,
+        "order": order,
+    }
 
 
 def show(name: str, rows: list[dict[str, Any]]) -> None:
@@ -54,5 +60,11 @@ def show(name: str, rows: list[dict[str, Any]]) -> None:
         table.add_column(heading, justify="left" if heading == "mean" else "right")
     for r in rows:
         order = "-" if r["order"] is None else f"{r['order']:.2f}"
-        table.add_row(r["quantity"], *(f"{v:.6g}" for v in r["values"]), f"{100 * r['change']:.4f} %", f"{100 * r['change_quartered']:.4f} %", order)
+        table.add_row(
+            r["quantity"],
+            *(f"{v:.6g}" for v in r["values"]),
+            f"{100 * r['change']:.4f} %",
+            f"{100 * r['change_quartered']:.4f} %",
+            order,
+        )
     console.print(table)

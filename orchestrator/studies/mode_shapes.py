@@ -16,9 +16,12 @@ if TYPE_CHECKING:
 def shape(lam: float, xi: np.ndarray) -> np.ndarray:
     """Y_r of Eq. 3 at xi = x/L, (k,); the growing exponentials of cosh and sinh are combined before they can cancel."""
     sigma = (np.sinh(lam) - np.sin(lam)) / (np.cosh(lam) + np.cos(lam))  # below Eq. 3
-    growing = (np.exp(-lam) + np.sin(lam) + np.cos(lam)) / (np.cosh(lam) + np.cos(lam)) / 2.0  # (1 - sigma)/2, without cancellation
+    growing = (
+        (np.exp(-lam) + np.sin(lam) + np.cos(lam)) / (np.cosh(lam) + np.cos(lam)) / 2.0
+    )  # (1 - sigma)/2, without cancellation
     z = lam * xi
-    return growing * np.exp(z) + 0.5 * (1.0 + sigma) * np.exp(-z) - np.cos(z) + sigma * np.sin(z)
+    result: np.ndarray = growing * np.exp(z) + 0.5 * (1.0 + sigma) * np.exp(-z) - np.cos(z) + sigma * np.sin(z)
+    return result
 
 
 def mode_shapes(calculated: Mapping[str, float], entry: Mapping[str, Any]) -> Figure:

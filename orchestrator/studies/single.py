@@ -34,7 +34,9 @@ def run_system(name: str, out: Path, values: Mapping[str, object], stop: str, fm
         run = simulate(plan, progress=report)
     summary = summarize(run)
     rows = comparison(run, summary)
-    summary["comparison"] = [{k: row[k] for k in ("label", "unit", "reference", "value", "ratio", "within")} for row in rows]
+    summary["comparison"] = [
+        {k: row[k] for k in ("label", "unit", "reference", "value", "ratio", "within")} for row in rows
+    ]
     paths = write_results(run, out, summary)
     print_comparison(rows)
     print_summary(summary)

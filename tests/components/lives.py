@@ -53,7 +53,8 @@ def lives(name: str, folder: Path) -> dict[str, Any]:
     library: the C library has an old function `step` of its own, which would be called instead of the kernel's.
     """
     kernel = component(name).kernel
-    in_c = epyccel(joined_source(kernel), language="c", flags="-ffp-contract=off", wrapper_flags="-Wl,-Bsymbolic", folder=str(folder))
+    flags = {"flags": "-ffp-contract=off", "wrapper_flags": "-Wl,-Bsymbolic"}
+    in_c = epyccel(joined_source(kernel), language="c", folder=str(folder), **flags)
     return {"python": kernel, "numba": compiled(kernel), "c": in_c}
 
 
@@ -68,7 +69,7 @@ class Instance:
             v.name: _typed(v, getattr(chosen, v.name)) for v in parameter_variables(declared.parameters)
         }
         self.values |= {v.name: _typed(v, v.start if v.size else v.start[0]) for v in declared.inputs}
-        self.arrays = {a.name: np.zeros(a.shape(chosen)) for a in declared.arrays}
+        self.arrays = {a.name: np.zeros(a.shape_for(chosen)) for a in declared.arrays}
         self.values |= self.arrays
         self.values["y"] = np.zeros(sum(len(v.start) for v in declared.outputs))
         self.values |= {"t": 0.0, "h": 0.0}

@@ -55,6 +55,7 @@ def test_slope_integrals_match_quadrature_of_the_printed_mode_shapes() -> None:
     r_A = instance["R_h"] * np.cos(P.alpha) / P.L
     for r in range(3):
         for s in range(3):
+
             def product(xi: float, r: int = r, s: int = s) -> float:
                 return printed_slope(LAMBDA[r], xi) * printed_slope(LAMBDA[s], xi)
 

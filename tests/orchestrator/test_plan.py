@@ -12,10 +12,15 @@ from helpers import column, last, plan_of, read_system, run_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.plan import NAMES, Plan, make_plan
+from rovbrush.orchestrator.operations import NAMES
+from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system import Component, Connection, System
 
+CONTROLLER_REST = (  # the inputs of the controller but for `p`
+    *("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "q", "r"),
+    *("x_ref", "y_ref", "z_ref", "phi_ref", "theta_ref", "psi_ref", "V_ref"),
+)
 SOURCE = ("wave", "1 ms", {"c1": 1.0})
 TARGET = ("integrator", "2 ms")
 
@@ -34,18 +39,16 @@ def test_two_rates_give_this_list_of_operations(tmp_path: Path, fmus: Path) -> N
         "2: step fast", "2: push fast", "2: get fast", "2: accumulate fast",
         "2: mean slow", "2: set slow", "2: step slow", "2: get slow", "2: record -", "2: record -",
     ]  # fmt: skip
-    assert len(plan.prologue) == 0
 
 
 def test_jacobi_forms_inputs_at_the_beginning_of_the_step(tmp_path: Path, fmus: Path) -> None:
     parts = {"slow": ("integrator", "2 ms", {"=u": 1.0}), "fast": ("integrator", "1 ms")}
     plan = plan_of(tmp_path, fmus, parts, ["slow.x -> fast.u (hold)"], algorithm="jacobi")
-    names = [NAMES[row[0]] for row in plan.prologue]
-    assert names == ["copy"]
     assert steps(plan) == [
-        "1: set fast", "1: step fast", "1: get fast", "1: copy fast", "1: record -",
+        "0: copy fast",
+        "1: set fast", "1: step fast", "1: get fast", "1: record -", "1: copy fast",
         "2: set fast", "2: step fast", "2: get fast", "2: step slow", "2: get slow",
-        "2: copy fast", "2: record -", "2: record -",
+        "2: record -", "2: record -",
     ]  # fmt: skip
 
 
@@ -62,6 +65,32 @@ def test_a_sampled_output_is_held_by_default(tmp_path: Path, fmus: Path) -> None
     parts = {"p": ("plain", "2 ms", inputs), "a": ("integrator", "1 ms"), "b": ("integrator", "1 ms")}
     plan = plan_of(tmp_path, fmus, parts, ["p.sampled -> a.u", "p.y -> b.u"])
     assert [choice.transfer for choice in plan.choices.values()] == ["hold", "linear"]
+
+
+def test_a_component_with_sampled_inputs_only_steps_at_the_beginning_of_its_period(tmp_path: Path, fmus: Path) -> None:
+    held = {f"={name}": 0.0 for name in CONTROLLER_REST}
+    parts = {
+        "plant": ("dc_motor", "1 ms", {"=V_in": 0.0, "=T_brush": 0.0}),
+        "control": ("rov_controller", "2 ms", held),
+    }
+    plan = plan_of(tmp_path, fmus, parts, ["plant.omega_m -> control.p"])
+    assert plan.samplers == ("control",)
+    assert steps(plan) == [
+        "0: copy control", "0: set control", "0: step control", "0: get control",
+        "1: step plant", "1: get plant", "1: record -", "2: step plant", "2: get plant", "2: record -", "2: record -",
+    ]  # fmt: skip
+    step = plan.cycle[2]
+    assert plan.clock.time(int(step[4])) == 0.0 and plan.clock.time(int(step[3])) == 2e-3
+
+
+def test_averaging_into_a_sampled_component_is_refused(tmp_path: Path, fmus: Path) -> None:
+    held = {f"={name}": 0.0 for name in CONTROLLER_REST}
+    parts = {
+        "plant": ("dc_motor", "1 ms", {"=V_in": 0.0, "=T_brush": 0.0}),
+        "control": ("rov_controller", "2 ms", held),
+    }
+    with pytest.raises(InputError, match="control samples its inputs, so 'mean' has no meaning"):
+        plan_of(tmp_path, fmus, parts, ["plant.omega_m -> control.p (mean)"])
 
 
 def test_sources_come_before_targets_and_fast_before_slow(tmp_path: Path, fmus: Path) -> None:

@@ -50,7 +50,7 @@ class Part:
         parameters = declared.parameters(**{
             name: self.values[name] for name in declared.parameters.__dataclass_fields__
         })  # fmt: skip
-        self.values |= {a.name: np.zeros(a.shape(parameters)) for a in declared.arrays}
+        self.values |= {a.name: np.zeros(a.shape_for(parameters)) for a in declared.arrays}
         self.outputs = [name for v in declared.outputs for name in v.element_names]
         self.values["y"] = np.zeros(len(self.outputs))
         for stage in ("setup", "initialize", "outputs"):
@@ -187,13 +187,13 @@ class Monolithic:
         self.scale = np.ones(self.state.size)
         self.scale[ETA : ETA + eta.size] = 1e-3  # a bent filament: some mm at some m/s
 
-    def solve(self, stop: float, first_sample: int = 0, rtol: float = 1e-8, method: str = "DOP853") -> Solution:
-        """Integrate to `stop` [s], a multiple of the controller's period. Before its first sample thrusters are off."""
+    def solve(self, stop: float, rtol: float = 1e-8, method: str = "DOP853") -> Solution:
+        """Integrate to `stop` [s], a multiple of the controller's period."""
         self.parts["controller"].call("initialize")
         T_s = self.parts["controller"].values["T_s"]
         state, step, tables, evaluations = self.state, 1e-6, [np.append(0.0, self.state)[None]], 0
         for sample in range(round(stop / T_s)):
-            command, V_in = self.control(state, sample, T_s, sample >= first_sample)
+            command, V_in = self.control(state, sample, T_s)
             grid = np.linspace(sample * T_s, (sample + 1) * T_s, ROWS_PER_SAMPLE + 1)
             part = solve_ivp(
                 self.rates, (grid[0], grid[-1]), state, method, grid[1:], args=(command, V_in), rtol=rtol,
@@ -204,11 +204,11 @@ class Monolithic:
         table = np.concatenate(tables)
         return Solution(table[:, 0], table[:, 1:], self.x, evaluations)
 
-    def control(self, state: np.ndarray, sample: int, T_s: float, active: bool) -> tuple[np.ndarray, float]:
+    def control(self, state: np.ndarray, sample: int, T_s: float) -> tuple[np.ndarray, float]:
         """What the controller decides at a sample from the state at that instant: thruster commands and voltage."""
         vehicle, controller = self.parts["vehicle"], self.parts["controller"]
         vehicle.values["x"][:], vehicle.values["thrust_state"][:] = state[self.x : self.x + 18], state[self.x + 18 :]
         vehicle.call("outputs")
         measured = {name: vehicle[name] for name in TO_CONTROLLER}
-        controller.call("step" if active else "outputs", t=sample * T_s, h=T_s, **measured)
+        controller.call("step", t=sample * T_s, h=T_s, **measured)
         return np.array([controller[f"u_thruster[{j}]"] for j in range(1, 9)]), controller["V_in"]

@@ -1,0 +1,78 @@
+"""Where every number of a run lives: signals in one vector of doubles, results in one table per rate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+
+import numpy as np
+
+from .clock import Clock
+from .system import Connection, System
+from .transfer import Choice
+
+
+@dataclass
+class Layout:
+    """Where every number lives in the run's one vector of doubles."""
+
+    size: int = 0
+    outputs: dict[tuple[str, str], int] = field(default_factory=dict)
+    inputs: dict[tuple[str, str], int] = field(default_factory=dict)
+    previous: dict[tuple[str, str], int] = field(default_factory=dict)  # an output one period ago
+    integrals: dict[tuple[str, str], int] = field(default_factory=dict)  # by the input that takes the mean
+
+    def add(self, table: dict[tuple[str, str], int], key: tuple[str, str]) -> None:
+        if key not in table:
+            table[key] = self.size
+            self.size += 1
+
+
+@dataclass(frozen=True)
+class Group:
+    """A results table: what is recorded at one period."""
+
+    period: int
+    components: tuple[str, ...]
+    columns: tuple[tuple[str, str], ...]  # (component, variable)
+    slots: np.ndarray
+
+
+def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
+    """Outputs and inputs of a component are contiguous, in the order of its description."""
+    layout = Layout()
+    used = {c.source for c in system.connections}
+    driven = {c.target for c in system.connections}
+    for name, component in system.components.items():
+        for variable in component.fmu.names("output"):
+            key = (name, variable)
+            if component.fmu.variables[variable].type == "Real" and (key in used or _recorded(system, key)):
+                layout.add(layout.outputs, key)
+        for variable in component.fmu.names("input"):
+            if (name, variable) in driven:
+                layout.add(layout.inputs, (name, variable))
+    for connection, choice in choices.items():
+        if choice.transfer in ("linear", "mean"):
+            layout.add(layout.previous, connection.source)
+        if choice.transfer == "mean":
+            layout.add(layout.integrals, connection.target)
+    return layout
+
+
+def _recorded(system: System, key: tuple[str, str]) -> bool:
+    return any(fnmatchcase(".".join(key), pattern.replace("[", "[[]")) for pattern in system.record)
+
+
+def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:
+    groups = []
+    for period in sorted(set(clock.periods.values())):
+        members = tuple(name for name in system.components if clock.periods[name] == period)
+        slots = {
+            key: slot
+            for table in (layout.outputs, layout.inputs)
+            for key, slot in table.items()
+            if key[0] in members and _recorded(system, key)
+        }
+        columns = tuple(sorted(slots, key=lambda key: (members.index(key[0]), slots[key])))
+        groups.append(Group(period, members, columns, np.array([slots[key] for key in columns], dtype=np.int64)))
+    return tuple(groups)

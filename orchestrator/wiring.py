@@ -1,0 +1,107 @@
+"""The connections and power bonds of a system file, checked against the FMUs at both ends."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from .errors import InputError, nearest
+from .system import Bond, Component, Connection
+from .toml_file import TomlFile
+from .transfer import TRANSFERS
+from .units import conversion
+
+
+def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
+    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
+    if match is None:
+        raise file.fail(
+            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
+        )
+    source, output, target, input_, transfer = match.groups()
+    label, where = f"connection {source}.{output} -> {target}.{input_}", file.at(str(entry))
+    if transfer and transfer not in TRANSFERS:
+        raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, TRANSFERS)} {where}")
+    ends = []
+    for name, variable, causality, article in (
+        (source, output, "output", "no output"),
+        (target, input_, "input", "no input"),
+    ):
+        if name not in components:
+            raise InputError(f"{label}: no component '{name}'{nearest(name, components)} {where}")
+        fmu = components[name].fmu
+        scalars = [s for s in fmu.expand(variable) if fmu.variables[s].causality == causality]
+        if not scalars:
+            raise InputError(
+                f"{label}: {fmu.description.modelName} has {article} '{variable}'"
+                f"{nearest(variable, fmu.base_names(causality))} {where}"
+            )
+        for s in scalars:
+            if fmu.variables[s].type != "Real":
+                raise InputError(f"{label}: {name}.{s} is of type {fmu.variables[s].type}; Real is needed {where}")
+        ends.append(scalars)
+    if len(ends[0]) != len(ends[1]):
+        raise InputError(f"{label}: {len(ends[0])} elements cannot drive {len(ends[1])} {where}")
+    found = []
+    for a, b in zip(*ends, strict=True):
+        units = [components[source].fmu.variables[a].unit, components[target].fmu.variables[b].unit]
+        try:
+            gain, offset = conversion(units[0], units[1], label)
+        except InputError as error:
+            raise InputError(f"{error} {where}") from None
+        found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))
+    return found
+
+
+def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:
+    """Every input has exactly one origin: one connection, or a value in the file."""
+    driver: dict[tuple[str, str], Connection] = {}
+    for connection in connections:
+        label = ".".join(connection.target)
+        if connection.target in driver:
+            raise InputError(
+                f"input {label} is driven twice: by {driver[connection.target].label} and by {connection.label} "
+                f"{connection.where}"
+            )
+        if connection.target[1] in components[connection.target[0]].inputs:
+            raise file.fail(
+                f"input {label} is driven by {connection.label} and has a value too; remove one",
+                connection.target[1].split("[")[0],
+                f"components.{connection.target[0]}",
+            )
+        driver[connection.target] = connection
+    for component in components.values():
+        for name in component.fmu.names("input"):
+            if (component.name, name) not in driver and name not in component.inputs:
+                start = component.fmu.variables[name].start
+                base = name.split("[")[0]
+                raise file.fail(
+                    f"input {component.name}.{name} has no driver; connect it, or give it a value under "
+                    f"[components.{component.name}.inputs], for instance {base} = {start}",
+                    f"[components.{component.name}]",
+                )
+
+
+def bond_of(file: TomlFile, connections: tuple[Connection, ...], entry: dict[str, Any]) -> Bond:
+    """`effort` and `flow` name the connected inputs that carry them; they must cross between the same components."""
+    by_target = {".".join(c.target): c for c in connections}
+    ends = []
+    for key in ("effort", "flow"):
+        if entry.get(key) not in by_target:
+            raise file.fail(
+                f"bond {entry.get('name')}: {key} = {entry.get(key)!r} is no connected input"
+                f"{nearest(str(entry.get(key)), by_target)}",
+                str(entry.get(key)),
+            )
+        ends.append(by_target[entry[key]])
+    if ends[0].source[0] != ends[1].target[0] or ends[0].target[0] != ends[1].source[0]:
+        raise file.fail(
+            f"bond {entry.get('name')}: effort and flow do not cross between the same two components",
+            str(entry["effort"]),
+        )
+    pairs = [(".".join(c.source), ".".join(c.target)) for c in ends]
+    if entry.get("sign", 1.0) not in (1.0, -1.0):
+        raise file.fail(
+            f"bond {entry.get('name', entry['effort'])}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds"
+        )
+    return Bond(str(entry.get("name", entry["effort"])), pairs[0], pairs[1], float(entry.get("sign", 1.0)))
