@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import importlib
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,7 +22,7 @@ from .model_description import GUID_PLACEHOLDER
 
 HERE = Path(__file__).parent
 COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller")
-SHARED = ("interface.py", "kernels.py", "model_description.py", "slave.py", "thrusters.py")
+SHARED = ("interface.py", "kernels.py", "model_description.py", "options.py", "slave.py", "thrusters.py")
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
 ENTRY_SCRIPT = """from {package}.{name}.fmu import {component}
@@ -37,8 +38,10 @@ class BuildError(Exception):
     """An FMU could not be built; the text says which and why."""
 
 
-def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS) -> list[Path]:
+def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS, rows: int = 0) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
+
+    `rows`: how many rows of an array with columns are outputs of their own (the brush: per-filament outputs).
 
     Raises BuildError for an unknown component, an unwritable folder or a failing build. An FMU appears under its
     final name only when it is complete.
@@ -46,27 +49,29 @@ def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS) -> list[Path]:
     unknown = [name for name in names if name not in COMPONENTS]
     if unknown:
         raise BuildError(f"no component '{unknown[0]}'; there are {', '.join(COMPONENTS)}")
-    return [build(HERE / name, folder) for name in names]
+    return [build(HERE / name, folder, rows) for name in names]
 
 
-def build(component: Path, folder: Path) -> Path:
+def build(component: Path, folder: Path, rows: int = 0) -> Path:
     """Build `<component>.fmu` from the folder of one component, wherever that is, in a process of its own."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BuildError(f"cannot create the folder {folder}: {error.strerror}; choose another with --fmus") from error
-    command = [sys.executable, "-m", __name__, str(component), str(folder)]
+    command = [sys.executable, "-m", __name__, str(component), str(folder), str(rows)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode:
         raise BuildError(f"building {component.name}.fmu failed:\n{run.stderr.strip()}")
     return folder / f"{component.name}.fmu"
 
 
-def sources(component: Path) -> dict[str, bytes]:
+def sources(component: Path, rows: int = 0) -> dict[str, bytes]:
     """The Python files that an FMU carries, by their path inside its package."""
     files = {path: HERE / path for path in SHARED if (HERE / path).exists()}
     files |= {f"{component.name}/{path.name}": path for path in sorted(component.glob("*.py"))}
-    return {key: path.read_bytes() for key, path in files.items()} | {"__init__.py": b""}
+    contents = {key: path.read_bytes() for key, path in files.items()} | {"__init__.py": b""}
+    contents["options.py"] = re.sub(rb"ROWS = \d+", b"ROWS = %d" % rows, contents["options.py"])
+    return contents
 
 
 def digest(files: dict[str, bytes]) -> str:
@@ -77,11 +82,11 @@ def digest(files: dict[str, bytes]) -> str:
     return total.hexdigest()
 
 
-def build_one(component: Path, folder: Path) -> Path:
+def build_one(component: Path, folder: Path, rows: int = 0) -> Path:
     """Build one FMU in this process, from the copy of its sources that it carries."""
     from pythonfmu.builder import FmuBuilder
 
-    name, files = component.name, sources(component)
+    name, files = component.name, sources(component, rows)
     package = f"rovbrush_{name}_{digest(files)[:12]}"
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
@@ -134,4 +139,4 @@ def repack(raw: Path, target: Path) -> Path:
 
 
 if __name__ == "__main__":
-    build_one(Path(sys.argv[1]), Path(sys.argv[2]))
+    build_one(Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]))

@@ -44,12 +44,19 @@ class Variable:
 class Array:
     """A float array that a kernel works on; `shape` is a constant or follows from the parameters.
 
-    `scratch` arrays carry nothing from one call to the next and are left out of the FMU state.
+    `scratch` arrays carry nothing from one call to the next and are left out of the FMU state. `columns` declares, for
+    a two-dimensional array, what its columns mean; an FMU can be built with the first rows of them as outputs.
     """
 
     name: str
     shape: Shape | Callable[[Any], Shape]
     scratch: bool = False
+    columns: tuple[Variable, ...] = ()
+
+    def row_outputs(self, rows: int) -> tuple[Variable, ...]:
+        """An output of size `rows` for each column; none if `rows` is 0."""
+        starts = (0.0,) * rows
+        return tuple(dataclasses.replace(c, size=rows, start=starts) for c in self.columns) if rows else ()
 
     def shape_for(self, parameters: Any) -> Shape:
         """The shape in an instance with these parameters (of the component's `Parameters`)."""

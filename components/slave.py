@@ -23,6 +23,7 @@ from pythonfmu.enums import Fmi2Status
 from .interface import Array, Variable, parameter_variables
 from .kernels import compiled, precompile
 from .model_description import model_description
+from .options import ROWS
 
 
 def keep_alive(*objects: object) -> None:
@@ -43,8 +44,13 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
 
     @classmethod
     def variables(cls) -> tuple[Variable, ...]:
-        """The whole interface, in value-reference order: parameters, inputs, outputs."""
-        return (*parameter_variables(cls.parameters), *cls.inputs, *cls.outputs)
+        """The whole interface, in value-reference order: parameters, inputs, outputs, rows of arrays."""
+        return (*parameter_variables(cls.parameters), *cls.inputs, *cls.outputs, *cls.row_outputs())
+
+    @classmethod
+    def row_outputs(cls) -> tuple[Variable, ...]:
+        """Outputs that show rows of arrays, as many as this FMU was built with."""
+        return tuple(v for a in cls.arrays for v in a.row_outputs(ROWS))
 
     @classmethod
     def started_by(cls) -> set[str]:
@@ -70,7 +76,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             self.index[v.name] = first
             self.views[v.name] = self.values[first : first + len(v.start)]
             first += len(v.start)
-        self.y = self.values[first - sum(len(v.start) for v in self.outputs) : first]
+        first = self.index[self.outputs[0].name]
+        self.y = self.values[first : first + sum(len(v.start) for v in self.outputs)]
         self.modelName = self.component_name()
         self.store: dict[str, np.ndarray] = {}
         self.ready = False
@@ -127,9 +134,17 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             if hasattr(self.functions, stage):
                 function, arguments, _ = self.bind(stage)
                 function(*arguments)
+        self.show_rows()
         self.step_function, self.arguments, self.dynamic = self.bind("step")
         precompile(self.step_function, self.arguments)
         self.ready = True
+
+    def show_rows(self) -> None:
+        """Copy the rows of arrays that this FMU shows to its outputs; rows that the array does not have stay 0."""
+        for array in self.arrays if ROWS else ():
+            for k, column in enumerate(array.columns):
+                rows = self.store[array.name][:ROWS, k]
+                self.views[column.name][: len(rows)] = rows
 
     def scalar(self, variable: Variable) -> float | int | bool:
         """The present value of a scalar variable in its own type."""
@@ -172,6 +187,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             for position, vr in self.dynamic:
                 arguments[position] = cells[vr]
             self.step_function(*arguments)
+            if ROWS:
+                self.show_rows()
             return True
         except Exception:
             self.report(f"do_step at t = {current_time!r} s with h = {step_size!r} s")

@@ -82,6 +82,9 @@ def build(
         list[str] | None, typer.Argument(metavar="[COMPONENT]...", help="Components to build; all by default.")
     ] = None,
     fmus: FmusOption = None,
+    rows: Annotated[
+        int, typer.Option("--rows", min=0, help="Per-element outputs for this many rows: filaments of the brush.")
+    ] = 0,
 ) -> None:
     """Build the components into FMUs."""
     from .reader import fmu_folder
@@ -91,7 +94,7 @@ def build(
         raise InputError("no components are installed that could be built; install the whole rovbrush package")
     for builder in found:
         try:
-            paths = builder.load()(fmus or fmu_folder(), *([tuple(names)] if names else []))
+            paths = builder.load()(fmus or fmu_folder(), **({"names": tuple(names)} if names else {}), rows=rows)
         except Exception as error:
             if type(error).__name__ == "BuildError":
                 raise RunError(str(error)) from error

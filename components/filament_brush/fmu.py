@@ -5,6 +5,8 @@ from ..slave import ComponentSlave
 from . import kernel
 from .parameters import Parameters
 
+COLUMNS = tuple(output(f"filament_{x}", unit, f"{text} of filament i") for x, unit, text in (
+    ("phi", "rad", "angle from +z_t"), ("F_n", "N", "normal force"), ("F_f", "N", "friction"), ("y", "m", "deflection")))
 ALL = ("omega_b", "delta", "delta_dot", "v_rov", "friction_scale")
 
 
@@ -46,8 +48,7 @@ class FilamentBrush(ComponentSlave):
         output("h_micro_min", "s", "shortest micro-step so far, but for those cut by a communication point"),
         output("kinetic_fraction", "1", "share of each mode in the kinetic energy", size=6),
         calculated("lambda_r", "1", "eigenvalues", 6), calculated("omega_r", "rad/s", "frequencies at rest", 6),
-        calculated("R_h", "m", "hub radius"),
-        calculated("J_filaments", "kg.m2", "inertia of the filaments about the brush axis"),
+        calculated("R_h", "m", "hub radius"), calculated("J_filaments", "kg.m2", "inertia of the filaments about y_t"),
     )
     arrays = (
         Array("lambda_r", 6), Array("omega_r", 6), Array("modes", (7, 6)), Array("G", (6, 6)), Array("S", (6, 6)),
@@ -55,5 +56,5 @@ class FilamentBrush(ComponentSlave):
         Array("total", 16), Array("K", (7, 6), scratch=True),
         *(Array(name, lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1), scratch=True) for name in "PQA"),
         Array("c", 17, scratch=True), Array("work", (15, 6), scratch=True),
-        Array("kinetic_fraction", 6, scratch=True), Array("filament", lambda p: (p.n, 4), scratch=True),
+        Array("kinetic_fraction", 6, scratch=True), Array("filament", lambda p: (p.n, 4), True, COLUMNS),
     )
