@@ -6,7 +6,7 @@ from . import kernel
 from .parameters import Parameters
 
 COLUMNS = tuple(output(f"filament_{x}", unit, f"{text} of filament i") for x, unit, text in (
-    ("phi", "rad", "angle from +z_t"), ("F_n", "N", "normal force"), ("F_f", "N", "friction"), ("y", "m", "deflection")))
+    ("phi", "rad", "angle from +z_t"), ("F_n", "N", "normal force"), ("F_f", "N", "friction"), ("y", "m", "bending")))
 ALL = ("omega_b", "delta", "delta_dot", "v_rov", "friction_scale")
 
 

@@ -46,8 +46,8 @@ def test_filaments_are_evenly_spread_and_missing_ones_stay_zero(signals: Signals
 
 def test_largest_deflection_is_that_of_a_filament(signals: Signals) -> None:
     y = np.abs([signals[f"brush.filament_y[{i}]"].values for i in range(1, 51)])
-    # The output is the largest over all micro-steps of the run, the filaments are seen at communication points only.
-    assert 0.9 < y.max() / 0.08 / signals["brush.deflection_ratio_max"].values[-1] <= 1.0
+    # The one is seen where micro-steps begin, the other at communication points: near a maximum they differ little.
+    assert y.max() / 0.08 == pytest.approx(signals["brush.deflection_ratio_max"].values[-1], rel=0.01)
 
 
 def test_such_an_fmu_is_valid_and_the_plain_one_has_no_such_outputs(fmus: Path, tmp_path: Path) -> None:
