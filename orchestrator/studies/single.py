@@ -30,6 +30,7 @@ def run_system(name: str, out: Path, values: Mapping[str, object], stop: str, fm
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
     plan = planned(name, values, stop, fmus)
     prepare_folder(out)
+    console.print("loading the FMUs; the first run compiles their kernels, which takes about half a minute")
     with progress(float(plan.system.stop), f"running {plan.system.name}") as report:
         run = simulate(plan, progress=report)
     summary = summarize(run)
