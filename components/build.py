@@ -7,6 +7,7 @@ content: two builds are byte-identical.
 
 from __future__ import annotations
 
+import difflib
 import hashlib
 import importlib
 import os
@@ -21,7 +22,7 @@ from xml.sax.saxutils import escape
 from .model_description import GUID_PLACEHOLDER
 
 HERE = Path(__file__).parent
-COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller")
+COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed")
 SHARED = ("interface.py", "kernels.py", "model_description.py", "options.py", "slave.py", "thrusters.py")
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
@@ -38,17 +39,23 @@ class BuildError(Exception):
     """An FMU could not be built; the text says which and why."""
 
 
+class UnknownComponentError(BuildError):
+    """There is no component of that name."""
+
+
 def build_all(folder: Path, names: tuple[str, ...] = COMPONENTS, rows: int = 0) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
     `rows`: how many rows of an array with columns are outputs of their own (the brush: per-filament outputs).
 
-    Raises BuildError for an unknown component, an unwritable folder or a failing build. An FMU appears under its
-    final name only when it is complete.
+    Raises UnknownComponentError for a wrong name, BuildError for an unwritable folder or a failing build. An FMU
+    appears under its final name only when it is complete.
     """
-    unknown = [name for name in names if name not in COMPONENTS]
-    if unknown:
-        raise BuildError(f"no component '{unknown[0]}'; there are {', '.join(COMPONENTS)}")
+    for name in names:
+        if name not in COMPONENTS:
+            close = difflib.get_close_matches(name, COMPONENTS, n=1)
+            hint = f"did you mean '{close[0]}'?" if close else f"there are {', '.join(COMPONENTS)}"
+            raise UnknownComponentError(f"no component '{name}'; {hint}")
     return [build(HERE / name, folder, rows) for name in names]
 
 
@@ -58,6 +65,8 @@ def build(component: Path, folder: Path, rows: int = 0) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BuildError(f"cannot create the folder {folder}: {error.strerror}; choose another with --fmus") from error
+    if not os.access(folder, os.W_OK):
+        raise BuildError(f"cannot write to the folder {folder}; choose another with --fmus")
     command = [sys.executable, "-m", __name__, str(component), str(folder), str(rows)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode:

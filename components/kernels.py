@@ -92,7 +92,8 @@ def _stored(name: str, text: str) -> Path:
 
 
 def _cache_folder() -> Path:
-    chosen = os.environ.get("ROVBRUSH_CACHE") or os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
-    if chosen:
-        return Path(chosen) if "ROVBRUSH_CACHE" in os.environ else Path(chosen) / "rovbrush"
-    return Path.home() / ".cache" / "rovbrush"
+    own = os.environ.get("ROVBRUSH_CACHE")
+    if own:
+        return Path(own).absolute()
+    shared = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    return (Path(shared).absolute() if shared else Path.home() / ".cache") / "rovbrush"

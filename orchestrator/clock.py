@@ -66,8 +66,10 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction) -> Clock:
     """The clock of a system. Raises InputError where the stop time is no whole number of some period."""
     for name, period in periods.items():
         if (stop / period).denominator != 1:
-            below = stop // period * period
-            text = " or ".join(seconds_text(t) for t in (below, below + period) if t > 0)
+            numerators, denominators = zip(*(p.as_integer_ratio() for p in periods.values()), strict=True)
+            common = Fraction(lcm(*numerators), gcd(*denominators))  # all periods divide it
+            below = stop // common * common
+            text = " or ".join(seconds_text(t) for t in (below, below + common) if t > 0)
             raise InputError(
                 f"component {name}: period {seconds_text(period)} does not divide the stop time {seconds_text(stop)}; "
                 f"stop at {text}, or take a period that divides it"

@@ -17,26 +17,33 @@ PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 
 
 @contextmanager
-def progress(total: float, what: str) -> Iterator[Callable[[float], None]]:
-    """A bar on a terminal, a line now and then elsewhere; the callback takes the time reached, of `total` seconds."""
+def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterator[Callable[[float], None]]:
+    """A bar on a terminal, a line now and then elsewhere; the callback takes what is reached of `total` units."""
+    started = time.monotonic()
     if not console.is_terminal:
-        last = [time.monotonic()]
+        last = [started]
 
         def line(reached: float) -> None:
-            if time.monotonic() - last[0] >= PLAIN_INTERVAL:
-                last[0] = time.monotonic()
-                console.print(f"{what}: {reached:.3g} of {total:g} s")
+            now = time.monotonic()
+            if now - last[0] >= PLAIN_INTERVAL and reached > begin:
+                last[0] = now
+                left = (now - started) * (total - reached) / (reached - begin)
+                console.print(
+                    f"{what}: {f'{reached:.3g}' if unit == 's' else reached} of {total:g} {unit}, {left:.0f} s left"
+                )
 
         yield line
         return
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
-        TextColumn("{task.completed:.2f}/{task.total:g} s"),
+        TextColumn(
+            "{task.completed:.2f}/{task.total:g} s" if unit == "s" else f"{{task.completed:g}}/{{task.total:g}} {unit}"
+        ),
         TimeRemainingColumn(),
     )
     with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(what, total=total)
+        task = bar.add_task(what, total=total, completed=begin)
         yield lambda reached: bar.update(task, completed=reached)
 
 

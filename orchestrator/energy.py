@@ -1,12 +1,16 @@
-"""The energy that the coupling makes or loses at a power bond.
+"""The energy that the coupling makes or loses at a power bond, and the balance of a whole system.
 
 A bond is a pair effort and flow that cross between two components in opposite directions. Each side computes its
 power with what it knows: its own output, and the other's signal as it received it (held over the step). What the two
 differ by is made or lost by the coupling; it vanishes as the periods shrink.
+
+A flow that the side of the effort is not told of (a torque against a housing that turns) carries power on one side
+only: all of it is made by the coupling, whatever the periods.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,6 +46,34 @@ def work(held: Signal, own: Signal, sign: float) -> np.ndarray:
 
 def ledger(signals: Signals, bond: Bond) -> Ledger:
     """The books of one bond. Its four signals must be recorded."""
-    effort = work(signals[bond.flow[1]], signals[bond.effort[0]], bond.sign)
+    effort = float(work(signals[bond.flow[1]], signals[bond.effort[0]], bond.sign)[-1]) if bond.flow[1] else 0.0
     flow = work(signals[bond.effort[1]], signals[bond.flow[0]], bond.sign)
-    return Ledger(bond.name, float(effort[-1]), float(flow[-1]))
+    return Ledger(bond.name, effort, float(flow[-1]))
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Energies [J] of a whole run: what came in, what was lost, what is stored more than at the start."""
+
+    supplied: float
+    lost: float
+    stored: float
+    coupling: float  # made at the bonds: by their ledgers
+
+    @property
+    def residual(self) -> float:
+        return self.supplied + self.coupling - self.lost - self.stored
+
+    @property
+    def relative(self) -> float:
+        return abs(self.residual) / abs(self.supplied) if self.supplied else 0.0
+
+
+def balance(signals: Signals, entry: Mapping[str, Iterable[str]], ledgers: Iterable[Ledger]) -> Balance:
+    """The balance that a system file asks for: `supplied`, `lost` and `stored` name energies that components count."""
+
+    def rise(key: str) -> float:
+        values = [signals[name].values for name in entry.get(key, ())]
+        return float(sum(v[-1] - v[0] for v in values))
+
+    return Balance(rise("supplied"), rise("lost"), rise("stored"), sum(x.made for x in ledgers))

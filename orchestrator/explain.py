@@ -37,7 +37,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         )
         lines.append(f"  {connection.label:<46} {choice.transfer:<7} {choice.reason}{converted}")
     for bond in system.bonds:
-        lines.append(f"  power bond {bond.name}: {' -> '.join(bond.effort)} times {' -> '.join(bond.flow)}")
+        effort, flow = (" -> ".join(filter(None, ends)) for ends in (bond.effort, bond.flow))
+        lines.append(f"  power bond {bond.name}: {effort} times {flow}")
     lines += ["", "recorded"]
     for group in plan.groups:
         lines.append(

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .errors import FmuError
+from .errors import FmuError, InputError
 from .fmu import Instance
 from .plan import Plan
 
@@ -15,7 +15,8 @@ def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int
     """Set parameters and inputs, propagate outputs to inputs until nothing changes, and leave initialization mode.
 
     Fills `z` at time 0 and returns the number of sweeps. Raises FmuError if an FMU refuses, gives a value that is
-    not finite, or if the outputs and inputs at time 0 depend on each other in a loop that sweeping does not settle.
+    not finite, or if the outputs and inputs at time 0 depend on each other in a loop that sweeping does not settle;
+    InputError if what the system requires of time 0 is not so.
     """
     system = plan.system
     for name, component in system.components.items():
@@ -52,6 +53,14 @@ def initialize(plan: Plan, instances: dict[str, Instance], z: np.ndarray) -> int
             f"initialization: the inputs {', '.join(loop)} and the outputs that drive them "
             f"form an algebraic loop that {sweeps} sweeps do not settle; break it with a state or a start value"
         )
+    for r in system.requirements:
+        value = instances[r.value[0]].get(r.value[1])
+        if not r.minimum <= value <= r.maximum:
+            unit = system.components[r.value[0]].fmu.variables[r.value[1]].unit or "1"
+            raise InputError(
+                f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at time 0, allowed are {r.minimum:g} to "
+                f"{r.maximum:g} {unit} ({system.path.name})"
+            )
     for instance in instances.values():
         instance.call("leave initialization", instance.slave.exitInitializationMode)
     for key, slot in plan.layout.previous.items():

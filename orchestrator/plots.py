@@ -28,14 +28,14 @@ def figures(run: Run) -> Iterator[tuple[str, Figure]]:
             yield entry["file"], time_series(signals, entry)
 
 
-def new_figure(title: str, rows: int = 1) -> tuple[Figure, list[Any]]:
-    """An empty figure with `rows` axes one above the other."""
+def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, list[Any]]:
+    """An empty figure with `rows` axes one above the other, of one horizontal axis if `share`."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 1.2 + 2.6 * rows), dpi=110, layout="constrained")
     FigureCanvasAgg(figure)
-    axes = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
+    axes = figure.subplots(rows, 1, sharex=share, squeeze=False)[:, 0]
     figure.suptitle(title)
     for axis in axes:
         axis.grid(alpha=0.3)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import time
 from pathlib import Path
@@ -21,6 +22,10 @@ def seconds_since_start() -> float:
 
 def peak_memory() -> float:
     """Largest resident size so far [MB]; 0 where the system does not tell."""
+    status = Path("/proc/self/status")
+    found = re.search(r"VmHWM:\s*(\d+) kB", status.read_text()) if status.is_file() else None
+    if found:  # `ru_maxrss` below can be that of the process which started this one
+        return int(found[1]) * 1024 / 1e6
     try:
         import resource
     except ImportError:

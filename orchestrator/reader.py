@@ -13,12 +13,12 @@ from .errors import InputError, nearest
 from .fmu import Fmu
 from .system import Component, System, checked_values
 from .toml_file import TomlFile
-from .wiring import bond_of, check_drivers, connections_of
+from .wiring import bond_of, check_drivers, connections_of, requirement_of
 
 SYSTEMS = Path(__file__).parent / "systems"
 KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
-    *("record", "summary", "compare", "figures"),
+    *("record", "require", "summary", "balance", "compare", "figures"),
 }
 COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs"}
 ALGORITHMS = ("gauss-seidel", "jacobi")
@@ -73,10 +73,11 @@ def load_system(name: str, fmus: Path | None = None) -> System:
         name=path.stem, path=path, description=str(data.get("description", "")),
         stop=_duration(file, data["stop_time"], "stop_time"), algorithm=algorithm, order=order,
         components=components, connections=connections,
-        bonds=tuple(bond_of(file, connections, entry) for entry in file.entries(dict, "bonds")),
+        bonds=tuple(bond_of(file, components, connections, entry) for entry in file.entries(dict, "bonds")),
+        requirements=tuple(requirement_of(file, components, entry) for entry in file.entries(dict, "require")),
         record=tuple(file.entries(str, "record")) if "record" in data else ("*",),
         reporting={
-            "summary": file.entry(dict, "summary"),
+            **{key: file.entry(dict, key) for key in ("summary", "balance")},
             **{key: file.entries(dict, key) for key in ("compare", "figures")},
         },
     )  # fmt: skip

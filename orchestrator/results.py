@@ -9,6 +9,7 @@ import json
 import os
 import platform
 from collections.abc import Callable
+from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,8 +29,11 @@ if TYPE_CHECKING:
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
 
 
-def prepare_folder(folder: Path) -> None:
-    """Create the output folder and prove that it can be written to, before anything is computed. Raises InputError."""
+def prepare_folder(folder: Path, option: str = "--out") -> None:
+    """Create the output folder and prove that it can be written to, before anything is computed. Raises InputError.
+
+    `option` is the one to choose another folder with.
+    """
     probe = folder / f".probe.{os.getpid()}.tmp"
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -37,7 +41,7 @@ def prepare_folder(folder: Path) -> None:
         probe.unlink()
     except OSError as error:
         raise InputError(
-            f"cannot write to the output folder {folder}: {error.strerror}; choose another with --out"
+            f"cannot write to the output folder {folder}: {error.strerror}; choose another with {option}"
         ) from error
 
 
@@ -50,7 +54,8 @@ def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
     except OSError as error:
         raise RunError(f"cannot write {path}: {error.strerror or error}; nothing was left half-written") from error
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # a read-only disk would hide the error above
+            temporary.unlink(missing_ok=True)
     return path
 
 
@@ -137,7 +142,7 @@ def manifest(run: Run) -> dict[str, Any]:
         components[name] = {
             "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
             "period_s": float(component.period),
-            "parameters": {v: _plain(value) for v, value in {**values, **component.parameters}.items()},
+            "parameters": {v: plain_value(value) for v, value in {**values, **component.parameters}.items()},
             "inputs": dict(component.inputs),
         }  # fmt: skip
     return {
@@ -151,7 +156,7 @@ def manifest(run: Run) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _plain(value: Any) -> Any:
+def plain_value(value: Any) -> Any:
     """A start value of a model description (text) as a number where it is one."""
     if not isinstance(value, str):
         return value

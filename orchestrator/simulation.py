@@ -156,7 +156,8 @@ class _Loop:
 @contextmanager
 def _stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
     """Ctrl-C stops the loop at the next instant instead of raising inside an FMU's Python code; twice insists."""
-    if threading.current_thread() is not threading.main_thread():
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # nohup, and the processes of a sweep
+    if ignored or threading.current_thread() is not threading.main_thread():
         yield
         return
 

@@ -4,8 +4,13 @@
     window = { angle = "brush.theta_b", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
     F_z_mean = "mean brush.F_z"                         # an operation and its signals
 
-Over the window: `mean`, the time average; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run:
-`peak`, the largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude of a over that of b, both at the end.
+`window` may have an `end` [s] too; that of a run that ends at `start` or before is its second half. Over the window:
+`mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run: `peak`, the
+largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude of a over that of b, both at the end; `positive`,
+for how long it is above 0 [s].
+
+    [balance]                                           # energies that components count, over the whole run
+    supplied = ["motor.W_electrical"]                   # and `lost`, `stored`; what the bonds made is added
 """
 
 from __future__ import annotations
@@ -16,17 +21,26 @@ from typing import Any
 
 import numpy as np
 
-from .energy import ledger
+from .energy import balance, ledger
 from .errors import InputError, nearest
 from .process import peak_memory
 from .signals import Signal, Signals
 from .simulation import Run
+from .system import System
 
-OPERATIONS = {"mean": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2}  # and how many signals
+OPERATIONS = {
+    "mean": 1, "rms": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2, "positive": 1,
+}  # and how many signals  # fmt: skip
 
 
 def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], origin: str) -> None:
     """Raise InputError before the run for a figure of merit that could not be computed after it."""
+    for key, names in reporting["balance"].items():
+        if key not in ("supplied", "lost", "stored") or not isinstance(names, list):
+            raise InputError(f"{origin}: balance {key}: lists named supplied, lost and stored are allowed")
+        for name in names:
+            if name not in run_or_plan_names:
+                raise InputError(f"{origin}: balance {key}: '{name}' is not recorded{nearest(name, run_or_plan_names)}")
     for key, text in reporting["summary"].items():
         if key == "window":
             names = [text["angle"]] if "angle" in text else []
@@ -51,7 +65,11 @@ def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], ori
 def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, float]:
     """Begin and end of the window [s] and the number of whole turns in it (0 where no angle is given)."""
     end = signals.run.end
-    begin = min(float(window.get("start", 0.0)), end)
+    begin = float(window.get("start", 0.0))
+    if "end" in window and begin < float(window["end"]) < end:
+        end = float(window["end"])
+    if begin >= end:  # a run that was made shorter, or ended early
+        begin = end / 2
     if "angle" not in window or end <= begin:
         return begin, end, 0
     angle = signals[window["angle"]]
@@ -59,7 +77,7 @@ def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, f
     turns = math.floor(turned / (2 * math.pi))
     if turns == 0:
         return begin, end, 0
-    target = abs(angle.values[-1]) - 2 * math.pi * turns
+    target = abs(np.interp(end, angle.time, angle.values)) - 2 * math.pi * turns
     return float(np.interp(target, np.abs(angle.values), angle.time)), end, turns
 
 
@@ -81,6 +99,13 @@ def summarize(run: Run) -> dict[str, Any]:
         result["coupling_energy"] = {
             x.name: {"effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made} for x in ledgers
         }
+    entry = run.plan.system.reporting["balance"]
+    if entry:
+        books = balance(signals, entry, ledgers)
+        result["energy_balance_relative"] = books.relative
+        result["energy_balance"] = {
+            f"{key}_J": getattr(books, key) for key in ("supplied", "lost", "stored", "coupling", "residual")
+        }
     result["window_s"] = [begin, end]
     result["window_turns"] = turns
     clock = run.plan.clock
@@ -89,11 +114,28 @@ def summarize(run: Run) -> dict[str, Any]:
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
 
 
+def figure_units(system: System) -> dict[str, str]:
+    """The figures of merit of a system that are single numbers, with their units."""
+    units = {}
+    for key, text in system.reporting["summary"].items():
+        if key != "window":
+            operation, name = str(text).split()[:2]
+            component, _, variable = name.partition(".")
+            unit = system.components[component].fmu.variables[variable].unit or "1"
+            units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
+    return units | ({"coupling_energy_relative": "1"} if system.bonds else {})
+
+
 def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: float) -> float:
     """One number from one or two signals; see the head of this module."""
     signal = signals[0]
     if operation == "mean":
         return signal.mean(begin, end)
+    if operation == "rms":
+        squares = Signal(signal.name, signal.unit, "", signal.time, signal.values**2)
+        return math.sqrt(squares.mean(begin, end))
+    if operation == "positive":
+        return float(np.sum(np.diff(signal.time)[signal.values[1:] > 0.0]))
     if operation == "frequency":
         return strongest_frequency(signal, begin, end)
     if operation == "ratio":

@@ -53,8 +53,18 @@ class Bond:
 
     name: str
     effort: tuple[str, str]  # output and input, as "component.variable"
-    flow: tuple[str, str]
+    flow: tuple[str, str]  # the input is empty where the other side is not told of the flow
     sign: float
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """What an output must be at time 0, and what to tell if it is not."""
+
+    value: tuple[str, str]
+    minimum: float
+    maximum: float
+    message: str
 
 
 @dataclass(frozen=True)
@@ -70,8 +80,9 @@ class System:
     components: Mapping[str, Component]
     connections: tuple[Connection, ...]
     bonds: tuple[Bond, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
-    reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, compare, figures: see results
+    reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
 
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.

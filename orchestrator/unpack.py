@@ -21,7 +21,7 @@ LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
 def cache_folder() -> Path:
     """Where FMUs are unpacked: $ROVBRUSH_CACHE or the user's cache; plain ASCII, because some FMUs fail elsewhere."""
     chosen = os.environ.get("ROVBRUSH_CACHE")
-    folder = Path(chosen) if chosen else user_cache_path("rovbrush")
+    folder = Path(chosen).absolute() if chosen else user_cache_path("rovbrush")  # FMI takes it as a URI
     if not str(folder).isascii():
         raise FmuError(
             f"cache folder {folder}: FMUs cannot be loaded from a path beyond plain ASCII; "

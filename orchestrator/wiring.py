@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
 from .errors import InputError, nearest
-from .system import Bond, Component, Connection
+from .system import Bond, Component, Connection, Requirement
 from .toml_file import TomlFile
 from .transfer import TRANSFERS
 from .units import conversion
@@ -82,10 +83,25 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
                 )
 
 
-def bond_of(file: TomlFile, connections: tuple[Connection, ...], entry: dict[str, Any]) -> Bond:
-    """`effort` and `flow` name the connected inputs that carry them; they must cross between the same components."""
+def bond_of(
+    file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...], entry: dict[str, Any]
+) -> Bond:
+    """`effort` and `flow` name the connected inputs that carry them; they must cross between the same components.
+
+    `flow` may also name an output of the component that receives the effort: a flow that the other side is not told of.
+    """
     by_target = {".".join(c.target): c for c in connections}
     ends = []
+    if entry.get("sign", 1.0) not in (1.0, -1.0):
+        raise file.fail(
+            f"bond {entry.get('name', entry.get('effort'))}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds"
+        )
+    sign, name = float(entry.get("sign", 1.0)), str(entry.get("name", entry.get("effort")))
+    owner, _, variable = str(entry.get("flow")).partition(".")
+    if entry.get("effort") in by_target and owner in components and variable in components[owner].fmu.names("output"):
+        effort = by_target[entry["effort"]]
+        if effort.target[0] == owner:
+            return Bond(name, (".".join(effort.source), ".".join(effort.target)), (f"{owner}.{variable}", ""), sign)
     for key in ("effort", "flow"):
         if entry.get(key) not in by_target:
             raise file.fail(
@@ -100,8 +116,20 @@ def bond_of(file: TomlFile, connections: tuple[Connection, ...], entry: dict[str
             str(entry["effort"]),
         )
     pairs = [(".".join(c.source), ".".join(c.target)) for c in ends]
-    if entry.get("sign", 1.0) not in (1.0, -1.0):
-        raise file.fail(
-            f"bond {entry.get('name', entry['effort'])}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds"
-        )
-    return Bond(str(entry.get("name", entry["effort"])), pairs[0], pairs[1], float(entry.get("sign", 1.0)))
+    return Bond(name, pairs[0], pairs[1], sign)
+
+
+def requirement_of(file: TomlFile, components: dict[str, Component], entry: dict[str, Any]) -> Requirement:
+    """`value` names an output; `minimum`, `maximum` bound it at time 0; `message` says what is wrong otherwise."""
+    text = str(entry.get("value"))
+    name, _, variable = text.partition(".")
+    if name not in components or variable not in components[name].fmu.names("output"):
+        outputs = [f"{c.name}.{v}" for c in components.values() for v in c.fmu.names("output")]
+        raise file.fail(f"require: '{text}' is no output{nearest(text, outputs)}", text, "require")
+    bounds = []
+    for key, free in (("minimum", -math.inf), ("maximum", math.inf)):
+        bound = entry.get(key, free)
+        if isinstance(bound, bool) or not isinstance(bound, (int, float)):
+            raise file.fail(f"require {text}: {key} = {bound!r} must be a number", key, "require")
+        bounds.append(float(bound))
+    return Requirement((name, variable), bounds[0], bounds[1], str(entry.get("message", "out of bounds at time 0")))

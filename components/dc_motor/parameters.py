@@ -16,7 +16,7 @@ class Parameters:
     K_t: float = parameter(0.016, "N.m/A", "torque constant", "Table 2", minimum=1e-5, maximum=10.0)
     K_e: float = parameter(0.016, "V.s/rad", "back-EMF constant", "equal to K_t in SI", minimum=1e-5, maximum=10.0)
     B_m: float = parameter(
-        9.6786e-4, "N.m.s/rad", "viscous damping on the motor shaft", "calibrated to Table 3", minimum=0.0, maximum=1.0
+        9.6777e-4, "N.m.s/rad", "viscous damping on the motor shaft", "calibrated to Table 3", minimum=0.0, maximum=1.0
     )
     J_m: float = parameter(5e-5, "kg.m2", "rotor inertia", "typical of the class", minimum=1e-9, maximum=1.0)
     J_b: float = parameter(

@@ -35,7 +35,7 @@ class Parameters:
     )
     v_0: float = parameter(0.05, "m/s", "Stribeck velocity", "assumed", minimum=1e-4, maximum=10.0)
     k_v: float = parameter(
-        0.044134, "s/m", "viscous friction coefficient", "calibrated to Table 3", minimum=0.0, maximum=10.0
+        0.044149, "s/m", "viscous friction coefficient", "calibrated to Table 3", minimum=0.0, maximum=10.0
     )
     alpha: float = parameter(
         -0.3,

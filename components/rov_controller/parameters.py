@@ -14,6 +14,9 @@ GAINS = "assumed, from mass, inertia and thruster lag"
 class Parameters:
     """Cascaded PID for the BlueROV2 Heavy; the thrusters are those of the vehicle, by the same defaults."""
 
+    mode: int = parameter(
+        0, "1", "0: PID; 1: PID and feedforward of the tool wrench; 2: force along the hull normal", "assumed", 0, 2
+    )
     T_s: float = parameter(0.02, "s", "sampling period", "assumed (50 Hz)", minimum=1e-4, maximum=1.0)
     K_position: tuple[float, ...] = parameter(
         (1.0, 1.0, 1.0), "1/s", "velocity set-point per position error: north, east, down", GAINS, 0.0, 100.0
@@ -41,6 +44,23 @@ class Parameters:
     )
     K_windup: float = parameter(
         5.0, "1/s", "rate at which the integrals give up what the thrusters cannot", "assumed", 0.0, 50.0
+    )
+    K_feedforward: float = parameter(
+        1.0, "1", "share of the measured tool wrench that is fed forward", "assumed", minimum=0.0, maximum=1.5
+    )
+    T_filter: float = parameter(
+        0.015, "s", "time constant of the filter on the measured tool wrench", "assumed", minimum=0.0, maximum=10.0
+    )
+    normal: tuple[float, ...] = parameter(
+        (0.0, 0.0, 1.0), "1", "unit vector into the hull, body frame (the tool's z_t)", "assumed", -1.0, 1.0
+    )
+    contact_force: float = parameter(
+        5.0, "N", "force from which force control begins; it ends at half of it", "assumed", minimum=0.0, maximum=1e4
+    )
+    K_force: float = parameter(0.0, "1", "force per force error along the normal", GAINS, minimum=0.0, maximum=100.0)
+    K_force_i: float = parameter(2.0, "1/s", "its integral action", GAINS, minimum=0.0, maximum=1e3)
+    K_force_d: float = parameter(
+        300.0, "N.s/m", "force per velocity along the normal, against it", GAINS, minimum=0.0, maximum=1e5
     )
     v_max: float = parameter(0.5, "m/s", "limit of the velocity set-point", "assumed", minimum=1e-3, maximum=10.0)
     rate_max: float = parameter(1.0, "rad/s", "limit of the rate set-point", "assumed", minimum=1e-3, maximum=10.0)

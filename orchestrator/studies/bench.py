@@ -27,7 +27,7 @@ from ..initialize import initialize
 from ..operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
 from ..plan import Plan, make_plan
 from ..reader import load_system
-from ..results import write_file, write_json
+from ..results import prepare_folder, write_file, write_json
 from ..simulation import require_complete, simulate
 from ..system import System
 
@@ -60,6 +60,8 @@ connections = ["a.y -> b.u", "b.y -> c.u", "c.y -> d.u", "d.y -> a.u"]
 
 def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
     """Measure `python4` and `nominal`, print the table and write the rows. Raises RunError if a run fails."""
+    if json_file:
+        prepare_folder(json_file.parent, "--json")
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         python4 = trivial_system(Path(folder))

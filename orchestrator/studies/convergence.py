@@ -63,8 +63,8 @@ def show(name: str, rows: list[dict[str, Any]]) -> None:
         table.add_row(
             r["quantity"],
             *(f"{v:.6g}" for v in r["values"]),
-            f"{100 * r['change']:.4f} %",
-            f"{100 * r['change_quartered']:.4f} %",
+            f"{100 * r['change']:.1e} %",
+            f"{100 * r['change_quartered']:.1e} %",
             order,
         )
     console.print(table)

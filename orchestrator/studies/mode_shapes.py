@@ -8,20 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..plots import new_figure
+from .beam import shape
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-def shape(lam: float, xi: np.ndarray) -> np.ndarray:
-    """Y_r of Eq. 3 at xi = x/L, (k,); the growing exponentials of cosh and sinh are combined before they can cancel."""
-    sigma = (np.sinh(lam) - np.sin(lam)) / (np.cosh(lam) + np.cos(lam))  # below Eq. 3
-    growing = (
-        (np.exp(-lam) + np.sin(lam) + np.cos(lam)) / (np.cosh(lam) + np.cos(lam)) / 2.0
-    )  # (1 - sigma)/2, without cancellation
-    z = lam * xi
-    result: np.ndarray = growing * np.exp(z) + 0.5 * (1.0 + sigma) * np.exp(-z) - np.cos(z) + sigma * np.sin(z)
-    return result
 
 
 def mode_shapes(calculated: Mapping[str, float], entry: Mapping[str, Any]) -> Figure:

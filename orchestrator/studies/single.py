@@ -11,9 +11,10 @@ from ..console import console, print_comparison, print_summary, progress
 from ..errors import RunError
 from ..plan import Plan, make_plan
 from ..reader import load_system
+from ..reporting import check_reporting
 from ..results import prepare_folder, write_results
 from ..simulation import simulate
-from ..summary import check_summary, comparison, summarize
+from ..summary import comparison, summarize
 
 
 def planned(name: str, values: Mapping[str, object], stop: str = "", fmus: Path | None = None) -> Plan:
@@ -22,7 +23,7 @@ def planned(name: str, values: Mapping[str, object], stop: str = "", fmus: Path 
     if stop:
         system = replace(system, stop=duration(stop, "--stop"))
     plan = make_plan(system)
-    check_summary({".".join(key) for group in plan.groups for key in group.columns}, system.reporting, system.path.name)
+    check_reporting({".".join(key) for group in plan.groups for key in group.columns}, system)
     return plan
 
 

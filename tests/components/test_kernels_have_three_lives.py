@@ -15,6 +15,7 @@ MEASURED = {
     "x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
     "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0),
 }  # fmt: skip
+TOOL = {"F_tool": (-20.0, 30.0), "M_tool": (-5.0, 4.0), "F_n_ref": (30.0, 40.0), "v_ref": (0.0, 0.1)}
 CASES = (
     Case("filament_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05)}),
     Case("dc_motor", 1e-3, 60, {"V_in": (8.0, 6.0), "T_brush": (-10.0, 9.0)}),
@@ -30,6 +31,11 @@ CASES = (
     ),
     Case("rov_controller", 0.02, 60, MEASURED),
     Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
+    Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 1}, "feedforward"),
+    Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 2, "K_force": 0.3}, "force"),
+    Case("mission", 0.05, 60, {"x_n": (-0.3, 0.4)}, {"fouling_scale": (1.0, 0.6, 0.6, 1.0, 1.0, 1.4, 1.4, 1.0),
+                                                     "t_settle": 0.1, "length": 0.03}),
+    Case("constant_speed", 1e-3, 30, {"V_in": (6.0, 9.0), "T_brush": (-10.0, 9.0)}),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 

@@ -86,6 +86,14 @@ def test_a_step_that_does_not_divide_the_stop_time_names_times_that_would(
         assert hint in str(error.value)
 
 
+def test_times_that_are_named_suit_every_period_at_once() -> None:
+    periods = {"a": Fraction(3, 1000), "b": Fraction(5, 1000)}
+    with pytest.raises(InputError, match=r"stop at 1\.995 s or 2\.01 s"):
+        make_clock(periods, Fraction(2))
+    for stop in ("1.995", "2.01"):
+        make_clock(periods, Fraction(stop))
+
+
 def test_periods_without_a_countable_tick_are_refused() -> None:
     periods = {f"c{p}": Fraction(1, p) for p in (9_999_991, 9_999_973, 9_999_971)}
     with pytest.raises(InputError, match="no common tick"):

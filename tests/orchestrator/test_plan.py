@@ -19,7 +19,8 @@ from rovbrush.orchestrator.system import Component, Connection, System
 
 CONTROLLER_REST = (  # the inputs of the controller but for `p`
     *("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "q", "r"),
-    *("x_ref", "y_ref", "z_ref", "phi_ref", "theta_ref", "psi_ref", "V_ref"),
+    *("x_ref", "y_ref", "z_ref", "phi_ref", "theta_ref", "psi_ref", "v_ref", "V_ref", "F_n_ref"),
+    *("F_tool", "M_tool"),
 )
 SOURCE = ("wave", "1 ms", {"c1": 1.0})
 TARGET = ("integrator", "2 ms")

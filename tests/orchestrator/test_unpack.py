@@ -25,6 +25,14 @@ def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+def test_a_cache_folder_may_be_given_relative_to_the_working_directory(
+    fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ROVBRUSH_CACHE", "cache")
+    assert Fmu.open(fmus / "gain.fmu").folder.parent == tmp_path / "cache" / "fmus"  # FMI takes it as a URI
+
+
 def refused(path: Path, *words: str) -> None:
     with pytest.raises(FmuError) as error:
         Fmu.open(path)

@@ -114,6 +114,8 @@ def test_a_failing_component_ends_with_1_and_keeps_what_was_computed(
         (("run", "nominal", "--set", "motor.R=much"), "motor.R = much is not a finite number"),
         (("run", "nominal", "--set", "motor.gear_stages=1.5"), "is not a whole number"),
         (("run", "nominal", "--set", "motor.R"), "write component.variable=value"),
+        (("run", "nominal", "--set", "brush.zeta=[0.02,0.03"), "a list needs both brackets"),
+        (("build", "dc_moter"), "no component 'dc_moter'; did you mean 'dc_motor'?"),
         (("run", "nominal", "--stop", "soon"), "--stop"),
         (("run", "nominal", "--fast"), "No such option"),
         (("runn",), "No such command"),

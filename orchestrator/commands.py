@@ -1,0 +1,89 @@
+"""The commands that build, show and run systems."""
+
+from __future__ import annotations
+
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .errors import InputError, RunError
+from .options import FmusOption, OutOption, SetOption, StopOption, SystemName, app, assignments
+
+
+@app.command()
+def build(
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="[COMPONENT]...", help="Components to build; all by default.")
+    ] = None,
+    fmus: FmusOption = None,
+    rows: Annotated[
+        int, typer.Option("--rows", min=0, help="Per-element outputs for this many rows: filaments of the brush.")
+    ] = 0,
+) -> None:
+    """Build the components into FMUs."""
+    from .reader import fmu_folder
+
+    found = list(entry_points(group="rovbrush.builders"))
+    if not found:
+        raise InputError("no components are installed that could be built; install the whole rovbrush package")
+    for builder in found:
+        try:
+            paths = builder.load()(fmus or fmu_folder(), **({"names": tuple(names)} if names else {}), rows=rows)
+        except Exception as error:
+            kind = {"BuildError": RunError, "UnknownComponentError": InputError}.get(type(error).__name__)
+            if kind:  # by name: the builder's own package is not known here
+                raise kind(str(error)) from error
+            raise
+        for path in paths:
+            print(f"built {path} ({path.stat().st_size // 1000} kB)")
+
+
+@app.command()
+def systems() -> None:
+    """List the shipped systems and sweeps."""
+    from .reader import SYSTEMS, shipped_systems, system_description
+    from .studies.sweep_file import SWEEPS, shipped_sweeps
+
+    for name in shipped_systems():
+        print(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
+    print("\nsweeps, for `rovbrush sweep`:")
+    for name in shipped_sweeps():
+        print(f"{name:<14} {system_description(SWEEPS / f'{name}.toml')}")
+
+
+@app.command()
+def plan(
+    system: SystemName,
+    all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,
+    set_: SetOption = [],  # noqa: B006
+    fmus: FmusOption = None,
+) -> None:
+    """Print what a run would do, without running it."""
+    from .explain import explain
+    from .plan import make_plan
+    from .reader import load_system
+
+    print(
+        explain(
+            make_plan(load_system(system, fmus).with_values(assignments(set_), "--set")), None if all_operations else 40
+        )
+    )
+
+
+@app.command()
+def run(
+    system: SystemName,
+    out: OutOption = Path("results"),
+    set_: SetOption = [],  # noqa: B006
+    stop: StopOption = "",
+    fmus: FmusOption = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
+    ] = False,
+) -> None:
+    """Run a system and write results, figures and a summary."""
+    from .studies.single import run_system
+
+    run_system(system, out, assignments(set_), stop, fmus, check)

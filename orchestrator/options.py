@@ -1,0 +1,44 @@
+"""The command line's application object, and the options that several commands share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .errors import InputError
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Multirate co-simulation of a hull-cleaning underwater vehicle, by FMUs.",
+)
+
+SystemName = Annotated[
+    str, typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or the path of a .toml file.")
+]
+SetOption = Annotated[
+    list[str],
+    typer.Option(
+        "--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable."
+    ),
+]
+FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
+OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
+StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]
+
+
+def assignments(options: list[str]) -> dict[str, object]:
+    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `brush.zeta=[0.02,0.03]`. Raises InputError."""
+    values: dict[str, object] = {}
+    for option in options:
+        name, equals, text = option.partition("=")
+        if not equals or "." not in name:
+            raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
+        text = text.strip()
+        if text.startswith("[") != text.endswith("]"):
+            raise InputError(f"--set {option}: a list needs both brackets, for instance brush.zeta=[0.02,0.03]")
+        values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
+    return values

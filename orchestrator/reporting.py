@@ -1,0 +1,85 @@
+"""What a system file wants reported, checked before the run: a slip found after it would cost the results."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import PurePath
+from typing import Any
+
+from .errors import InputError, nearest
+from .summary import check_summary
+from .system import System
+
+WINDOW_KEYS = {"angle", "start", "end"}
+COMPARE_KEYS = {"label", "value", "unit", "reference", "tolerance", "note"}
+FIGURE_KEYS = {"file", "title", "kind", "signals", "from", "to", "reference", "component", "modes"}
+KINDS = ("mode_shapes",)
+FORMATS = (".png", ".pdf", ".svg")
+ALWAYS = ("real_time_factor", "wall_s", "simulated_s", "start_s", "peak_memory_MB")  # figures of merit of every run
+
+
+def check_reporting(recorded: set[str], system: System) -> None:
+    """Raise InputError for a figure of merit, comparison or figure that could not be made of these signals."""
+    reporting, origin = system.reporting, system.path.name
+    window = reporting["summary"].get("window", {})
+    if not isinstance(window, dict):
+        raise InputError(f'{origin}: summary window must be a table such as {{ angle = "brush.theta_b", start = 5.0 }}')
+    check_keys(window, WINDOW_KEYS, (), f"{origin}: summary window")
+    check_numbers(window, ("start", "end"), f"{origin}: summary window")
+    check_summary(recorded, reporting, origin)
+    merits = [*(key for key in reporting["summary"] if key != "window"), *ALWAYS]
+    merits += ["coupling_energy_relative"] if system.bonds else []
+    merits += ["energy_balance_relative"] if reporting["balance"] else []
+    for entry in reporting["compare"]:
+        label = f"{origin}: compare {entry.get('label', '')}".rstrip()
+        check_keys(entry, COMPARE_KEYS, ("label", "value", "unit", "reference"), label)
+        check_numbers(entry, ("reference", "tolerance"), label)
+        if entry["value"] not in merits:
+            raise InputError(f"{label}: no figure of merit '{entry['value']}'{nearest(str(entry['value']), merits)}")
+        if not entry["reference"]:
+            raise InputError(f"{label}: reference = 0 has no ratio; compare with another number")
+    for entry in reporting["figures"]:
+        check_figure(entry, recorded, system, f"{origin}: figure {entry.get('file', '')}".rstrip())
+
+
+def check_figure(entry: Mapping[str, Any], recorded: set[str], system: System, label: str) -> None:
+    """One `[[figures]]` entry; see `plots.figures`."""
+    drawn = ("component", "modes") if "kind" in entry else ("signals",)
+    check_keys(entry, FIGURE_KEYS, ("file", "title", *drawn), label)
+    check_numbers(entry, ("from", "to", "reference"), label)
+    file = PurePath(str(entry["file"]))
+    if file.name != entry["file"] or file.suffix not in FORMATS:
+        raise InputError(f"{label}: file must be a plain name that ends in {', '.join(FORMATS)}")
+    if "kind" not in entry:
+        if not isinstance(entry["signals"], list) or not entry["signals"]:
+            raise InputError(f"{label}: signals must be a list of names")
+        for name in map(str, entry["signals"]):
+            if name not in recorded:
+                raise InputError(f"{label}: '{name}' is not recorded{nearest(name, recorded)}")
+        return
+    if entry["kind"] not in KINDS:
+        raise InputError(f"{label}: unknown kind '{entry['kind']}'{nearest(str(entry['kind']), KINDS)}")
+    name = str(entry["component"])
+    if name not in system.components:
+        raise InputError(f"{label}: no component '{name}'{nearest(name, system.components)}")
+    known = system.components[name].fmu.expand("lambda_r")
+    if entry["modes"] not in range(1, len(known) + 1):
+        raise InputError(f"{label}: modes = {entry['modes']!r}; {name} has {len(known)} modes")
+
+
+def check_keys(entry: Mapping[str, Any], known: set[str], needed: Iterable[str], label: str) -> None:
+    """Raise InputError for a key that is unknown or missing."""
+    for key in entry:
+        if key not in known:
+            raise InputError(f"{label}: unknown key '{key}'{nearest(key, known)}")
+    for key in needed:
+        if key not in entry:
+            raise InputError(f"{label}: '{key}' is missing")
+
+
+def check_numbers(entry: Mapping[str, Any], keys: Iterable[str], label: str) -> None:
+    """Raise InputError where one of these optional keys holds no number."""
+    for key in keys:
+        value = entry.get(key, 0.0)
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise InputError(f"{label}: {key} = {value!r} is not a number")

@@ -1,0 +1,101 @@
+"""What a claim is: text, checks against what the paper says, and the verdict that follows from the checks alone."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from ..lab import Lab
+
+REPRODUCED = "reproduced"
+BY_CALIBRATION = "reproduced by calibration"
+NOT_REPRODUCIBLE = "not reproducible"
+VERDICTS = (REPRODUCED, BY_CALIBRATION, NOT_REPRODUCIBLE)
+
+
+@dataclass(frozen=True)
+class Check:
+    """One number of the paper beside the computed one, the rule that compares them and whether it holds.
+
+    `target` names the calibration target that the number is, if it is one.
+    """
+
+    quantity: str
+    paper: float
+    computed: float
+    unit: str
+    rule: str
+    holds: bool
+    target: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a claim's function returns: its checks, why it fails if it does (one line), and what else was seen."""
+
+    checks: tuple[Check, ...]
+    arithmetic: str = ""
+    note: str = ""
+
+    @property
+    def verdict(self) -> str:
+        """All checks must hold; a claim that rests on a fitted number is reproduced by calibration only."""
+        if not all(check.holds for check in self.checks):
+            return NOT_REPRODUCIBLE
+        return BY_CALIBRATION if any(c.target in calibration_targets() for c in self.checks) else REPRODUCED
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One of the paper's claims and the function that answers it."""
+
+    number: int
+    text: str
+    place: str  # in the paper
+    answer: Callable[[Lab], Finding]
+
+
+CLAIMS: dict[int, Claim] = {}
+
+
+def claim(number: int, text: str, place: str) -> Callable[[Callable[[Lab], Finding]], Callable[[Lab], Finding]]:
+    """Register a function as the answer to a claim."""
+
+    def register(answer: Callable[[Lab], Finding]) -> Callable[[Lab], Finding]:
+        CLAIMS[number] = Claim(number, text, place, answer)
+        return answer
+
+    return register
+
+
+@cache
+def calibration_targets() -> frozenset[str]:
+    """The figures of merit that `rovbrush calibrate` fits."""
+    path = Path(__file__).parent.parent / "calibration.toml"
+    return frozenset(tomllib.loads(path.read_text(encoding="utf-8"))["targets"])
+
+
+def near(quantity: str, paper: float, computed: float, unit: str, relative: float, target: str = "") -> Check:
+    """Equal to the paper's number within a share of it."""
+    holds = math.isfinite(computed) and abs(computed - paper) <= relative * abs(paper)
+    return Check(quantity, paper, computed, unit, f"within {100 * relative:g} %", holds, target)
+
+
+def within(quantity: str, paper: float, computed: float, unit: str, distance: float) -> Check:
+    """Equal to the paper's number within a distance."""
+    rule = f"within {distance:g}" + ("" if unit == "1" else f" {unit}") if distance else "equal"
+    return Check(quantity, paper, computed, unit, rule, abs(computed - paper) <= distance)
+
+
+def at_most(quantity: str, limit: float, computed: float, unit: str) -> Check:
+    """Not above the paper's number."""
+    return Check(quantity, limit, computed, unit, "at most", computed <= limit)
+
+
+def at_least(quantity: str, limit: float, computed: float, unit: str) -> Check:
+    """Not below the paper's number."""
+    return Check(quantity, limit, computed, unit, "at least", computed >= limit)

@@ -1,0 +1,134 @@
+"""Claims about the nominal run: Table 3, its torque balance, speeds and the two transients (6, 10-18)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...signals import Signal
+from ...summary import comparison
+from ..lab import Case, Lab
+from .claim import Check, Finding, at_least, at_most, claim, near
+
+DEFAULT_TOLERANCE = 0.05  # where the system file states none
+
+
+def table_3(case: Case, label: str) -> Check:
+    """A row of Table 3 with the tolerance that the system file states."""
+    row = next(r for r in comparison(case.run, dict(case.summary)) if r["label"] == label)
+    tolerance = row.get("tolerance", DEFAULT_TOLERANCE)
+    return near(f"mean {label}", row["reference"], row["value"], row["unit"], tolerance, row["key"])
+
+
+@claim(6, "Blade-pass frequency 125 Hz at 15.7 rad/s.", "section 3.5")
+def blade_pass(lab: Lab) -> Finding:
+    case = lab.case("nominal")
+    n, speed = case.parameter("brush.n"), case.summary["omega_b_mean"]
+    return Finding(
+        (
+            near("strongest line in the spectrum of F_z", 125.0, case.summary["blade_pass_hz"], "Hz", 0.01),
+            near("n omega_b/(2 pi)", 125.0, n * speed / (2 * np.pi), "Hz", 0.01),
+        )
+    )
+
+
+@claim(10, "T_brush equals R_brush F_y within 0.15 %.", "section 6.3")
+def torque_balance(lab: Lab) -> Finding:
+    case = lab.case("nominal")
+    F_z, F_x, T = (abs(case.summary[key]) for key in ("F_z_mean", "F_x_mean", "T_brush_mean"))
+    R, delta = case.parameter("brush.R_brush"), float(case.run.plan.system.components["brush"].inputs["delta"])
+    arm = (T - (R - delta) * F_x) / F_z
+    printed = 100.0 * abs(0.15 * 110.9 / 16.63 - 1.0)
+    return Finding(
+        (at_most("difference between T_brush and R_brush F_y", 0.15, 100.0 * abs(T / (R * F_x) - 1.0), "%"),),
+        f"friction acts at R_brush - delta and the normal force ahead of the axis: {R - delta:.3f} m x {F_x:.1f} N + "
+        f"{1e3 * arm:.1f} mm x {F_z:.1f} N = {T:.2f} N.m, while R_brush F_y = {R * F_x:.2f} N.m; the printed pair "
+        f"(0.15 m x 110.9 N = {0.15 * 110.9:.3f} N.m) agrees to {printed:.2f} %, as a product of itself does",
+        "The moment is that of the contact forces about the axis; both cannot be met by one set of forces.",
+    )
+
+
+@claim(11, "Steady normal force F_z = -221.7 N.", "Table 3")
+def normal_force(lab: Lab) -> Finding:
+    return Finding((table_3(lab.case("nominal"), "F_z"),))
+
+
+@claim(12, "Steady brush torque T_brush = -16.63 N.m.", "Table 3")
+def brush_torque(lab: Lab) -> Finding:
+    note = "F_y and T_brush contradict each other (claim 10); the fit shares the difference."
+    return Finding((table_3(lab.case("nominal"), "T_brush"),), note=note)
+
+
+@claim(13, "Steady tangential force F_y = -110.9 N.", "Table 3")
+def tangential_force(lab: Lab) -> Finding:
+    return Finding((table_3(lab.case("nominal"), "F_y"),), note="F_y of the paper is F_x in the tool frame.")
+
+
+@claim(14, "Loaded brush speed 15.7 rad/s.", "Table 3")
+def loaded_speed(lab: Lab) -> Finding:
+    return Finding((table_3(lab.case("nominal"), "omega_b"),), note="Fitted through the motor's viscous damping B_m.")
+
+
+@claim(15, "Steady induced pitch rate q = -0.17 rad/s.", "Table 3")
+def pitch_rate(lab: Lab) -> Finding:
+    case = lab.case("nominal")
+    linear, square = case.parameters("vehicle.D_moment")[1], case.parameters("vehicle.D_moment_quadratic")[1]
+    moment, T = 0.17 * (linear + square * 0.17), abs(case.summary["T_brush_mean"])
+    return Finding(
+        (table_3(case, "q"),),
+        f"a steady rate of 0.17 rad/s needs a net moment of 0.17 ({linear:g} + {square:g} x 0.17) = {moment:.3f} N.m, "
+        f"{100 * moment / T:.1f} % of T_brush = {T:.1f} N.m, and turns the vehicle over every {2 * np.pi / 0.17:.0f} "
+        "s; a controlled attitude has mean rate 0",
+        f"Largest pitch rate at first touch: {case.summary['pitch_rate_peak']:.2f} rad/s. It depends on r_tool, which "
+        "the paper does not give.",
+    )
+
+
+@claim(16, "The speed drops from 20 rad/s without load to 15.7 rad/s.", "section 6.4")
+def speed_drop(lab: Lab) -> Finding:
+    case, free = lab.case("nominal"), lab.case("no_load")
+    R, K_t, V = case.parameter("motor.R"), case.parameter("motor.K_t"), 12.0
+    N_g = case.parameter("motor.gear_ratio_per_stage") ** case.parameter("motor.gear_stages")
+    drop = R * 16.63 / (N_g * V * K_t)
+    return Finding(
+        (
+            near("speed without load", 20.0, free.summary["omega_b_mean"], "rad/s", 0.02),
+            near("speed under load", 15.7, case.summary["omega_b_mean"], "rad/s", 0.01, "omega_b_mean"),
+        ),
+        f"Eqs. 16 and 17 give a relative drop R T/(N_g V K_t) = {R:g} x 16.63/({N_g:.2f} x {V:g} x {K_t:g}) = "
+        f"{drop:.3f} whatever B_m is: 15.7 rad/s under load means {15.7 / (1 - drop):.2f} without, not 20",
+        "The drop itself, by back-EMF, is there.",
+    )
+
+
+def settling(signal: Signal, mean: float, window: float, band: float) -> float:
+    """Time [s] after which the average over `window` seconds stays within a share `band` of the mean."""
+    samples = max(1, round(window / (signal.time[1] - signal.time[0])))
+    average = np.convolve(signal.values, np.full(samples, 1.0 / samples), mode="valid")
+    outside = np.flatnonzero(np.abs(average - mean) > band * abs(mean))
+    return float(signal.time[outside[-1] + 1]) if len(outside) else 0.0
+
+
+def transient(lab: Lab, name: str, label: str) -> Finding:
+    """Peak of the impact against the steady ripple, settling, and the mean it settles to."""
+    case = lab.case("nominal")
+    signal, mean = case.signals[f"brush.{name}"], case.summary[f"{name}_mean"]
+    steady = float(np.max(np.abs(signal.values[signal.time >= case.window[0]])))
+    time = settling(signal, mean, 1.0 / case.summary["blade_pass_hz"], 0.05)
+    return Finding(
+        (
+            at_least("impact peak over the largest steady value", 1.0, case.peak(f"brush.{name}") / steady, "1"),
+            at_most("settled within 5 % after (half of the run)", 0.5 * case.run.end, time, "s"),
+            table_3(case, label),
+        ),
+        note=f"Peak {case.peak(f'brush.{name}'):.4g}, steady up to {steady:.4g} {signal.unit}.",
+    )
+
+
+@claim(17, "F_z: transient impact, then settling to a mean of -221 N.", "Fig. 3")
+def force_transient(lab: Lab) -> Finding:
+    return transient(lab, "F_z", "F_z")
+
+
+@claim(18, "T_brush opposes rotation and stabilises at about -16.63 N.m.", "Fig. 4")
+def torque_transient(lab: Lab) -> Finding:
+    return transient(lab, "T_brush", "T_brush")

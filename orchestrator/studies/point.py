@@ -1,0 +1,110 @@
+"""One point of a sweep, computed in a worker process: the plan is loaded once, the values change."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import os
+import signal
+import threading
+import time
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+from ..clock import duration
+from ..errors import InputError, RunError
+from ..plan import Plan, make_plan
+from ..process import peak_memory
+from ..reader import load_system
+from ..simulation import require_complete, simulate
+from ..summary import check_summary, figure_units, summarize
+from ..system import System
+
+Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
+_ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads
+
+
+@dataclass(frozen=True)
+class Job:
+    """What all points of a sweep share, as a worker needs it to make the same plan. Hashable, small to send."""
+
+    system: str  # name of a shipped system, or an absolute path
+    fmus: str = ""
+    values: tuple[tuple[str, Any], ...] = ()
+    figures: tuple[tuple[str, str], ...] = ()  # figures of merit beside those of the system file
+    stop: str = ""
+    digest: str = ""  # of the system in the process that began the sweep
+
+
+@lru_cache(maxsize=4)
+def load(job: Job) -> Plan:
+    """The plan of a job, recording only what its figures of merit need. Raises InputError, FmuError, RunError."""
+    system = load_system(job.system, Path(job.fmus) if job.fmus else None).with_values(dict(job.values), "--set")
+    if job.stop:
+        system = replace(system, stop=duration(job.stop, "--stop"))
+    summary = {**system.reporting["summary"], **dict(job.figures)}
+    system = replace(system, reporting={**system.reporting, "summary": summary})
+    if job.digest and digest(system) != job.digest:
+        raise RunError(
+            "the system file, the parameter file or the FMUs are not those with which the sweep began; restore them, "
+            "or begin another sweep in another folder"
+        )
+    columns = {".".join(key) for group in make_plan(replace(system, record=("*",))).groups for key in group.columns}
+    check_summary(columns, system.reporting, system.path.name)
+    return make_plan(replace(system, record=needed(system)))
+
+
+def needed(system: System) -> tuple[str, ...]:
+    """The signals that the summary of a system reads: all that a worker has to keep in memory."""
+    summary = dict(system.reporting["summary"])
+    angle = summary.pop("window", {}).get("angle")
+    names = {name for text in summary.values() for name in str(text).split()[1:]} | ({angle} if angle else set())
+    return tuple(sorted(names.union(*(set(bond.effort) | set(bond.flow) for bond in system.bonds))))
+
+
+def digest(system: System) -> str:
+    """A hash of everything that decides the results: FMUs by content, values, periods, wiring, figures of merit."""
+    components = {
+        name: [c.fmu.digest, str(c.period), sorted(c.parameters.items()), sorted(c.inputs.items())]
+        for name, c in system.components.items()
+    }
+    wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
+    bonds = [[b.name, b.effort, b.flow, b.sign] for b in system.bonds]
+    content = [components, wiring, bonds, system.algorithm, system.order, str(system.stop), system.reporting["summary"]]
+    return hashlib.sha256(json.dumps(content).encode()).hexdigest()
+
+
+def run_point(job: Job, values: dict[str, Any]) -> Record:
+    """Run one point. A failure of any kind becomes its `error`."""
+    record: Record = {}
+    with _ONE_AT_A_TIME:
+        cpu, wall = time.process_time(), time.perf_counter()
+        try:
+            plan = load(job)
+            summary = summarize(
+                require_complete(simulate(replace(plan, system=plan.system.with_values(values, "--vary"))))
+            )
+            figures = {name: float(summary[name]) for name in figure_units(plan.system)}
+            record["figures"] = {name: value if math.isfinite(value) else None for name, value in figures.items()}
+        except Exception as error:
+            expected = isinstance(error, (InputError, RunError)) or hasattr(error, "exit_code")
+            record["error"] = str(error) if expected else f"{type(error).__name__}: {error}"
+        record |= {"cpu_s": time.process_time() - cpu, "wall_s": time.perf_counter() - wall}
+    return record | {"memory_MB": peak_memory()}
+
+
+def begin_worker(leash: Connection) -> None:
+    """Set up a worker process: the one that started it handles Ctrl-C, and its end is the end of this one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    def end_with_parent() -> None:
+        with suppress(EOFError, OSError):
+            leash.recv_bytes()  # nothing is ever sent
+        os._exit(1)
+
+    threading.Thread(target=end_with_parent, daemon=True).start()

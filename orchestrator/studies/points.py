@@ -1,0 +1,179 @@
+"""The points of a sweep on disk: points.jsonl while it runs, sweep.nc and sweep.csv at its end.
+
+The first line of points.jsonl is the design, each further line a finished point, in the order of finishing. It is
+only ever appended to, so that whatever ends a sweep costs at most the points under way.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO
+
+import numpy as np
+
+from ..errors import InputError, RunError
+from ..results import write_file
+from .design import Design
+
+if TYPE_CHECKING:
+    import xarray
+
+NOT_COMPUTED = "not computed"
+FILE = "points.jsonl"
+CONTENT = "content of system file and FMUs"
+
+
+def header(system: str, digest: str, stop: float, design: Design, units: Mapping[str, str]) -> dict[str, Any]:
+    """What tells a sweep from another, as it stands in the first line."""
+    return {
+        "system": system, "stop_s": stop, "design": design.kind, "seed": design.seed, "points": len(design),
+        **{f"vary {axis.name}": list(axis.values) for axis in design.axes},
+        "figures of merit": dict(units), CONTENT: digest,
+    }  # fmt: skip
+
+
+class Points:
+    """The records of a folder, by point; opened for appending."""
+
+    def __init__(self, folder: Path, head: Mapping[str, Any]) -> None:
+        self.path = folder / FILE
+        self.records: dict[int, dict[str, Any]] = {}
+        try:
+            keep = self._read(head) if self.path.is_file() else 0
+            self.file: BinaryIO = self.path.open("ab", buffering=0)
+            if keep:
+                os.truncate(self.path, keep)  # a line that was cut short by a sudden end
+            else:
+                with suppress(OSError):  # a device has no length
+                    os.truncate(self.path, 0)
+                self._write(head)
+        except OSError as error:
+            raise InputError(f"cannot write {self.path}: {error.strerror or error}; choose another --out") from error
+
+    def _read(self, head: Mapping[str, Any]) -> int:
+        """Take the records of an earlier part of the same sweep; the number of bytes that are complete lines."""
+        content = self.path.read_bytes()
+        keep = content.rfind(b"\n") + 1
+        lines = content[:keep].splitlines()
+        if not lines:
+            return 0
+        try:
+            before, *records = (json.loads(line) for line in lines)
+            self.records = {int(record.pop("point")): record for record in records}
+        except (ValueError, KeyError, AttributeError):
+            raise InputError(f"{self.path} is not a file of points; choose another --out, or remove it") from None
+        now = json.loads(json.dumps(head))
+        changed = [key for key in {**before, **now} if before.get(key) != now.get(key)]
+        changed = [key for key in changed if key != CONTENT] or changed  # it tells less than any other
+        if changed:
+            what = "; ".join(f"{key}: {_short(before.get(key))}, now {_short(now.get(key))}" for key in changed)
+            raise InputError(
+                f"{self.path.parent} holds {len(self.records)} points of a different sweep ({what}); choose another "
+                f"--out, or remove {FILE} there"
+            )
+        return keep
+
+    def _write(self, content: Mapping[str, Any]) -> None:
+        line = json.dumps(content, allow_nan=False).encode() + b"\n"
+        if self.file.write(line) != len(line):
+            raise OSError(28, "No space left on device")
+
+    def add(self, point: int, record: dict[str, Any]) -> None:
+        """Keep a finished point. Raises RunError if the disk refuses."""
+        try:
+            self._write({"point": point, **record})
+        except OSError as error:
+            raise RunError(f"cannot write {self.path}: {error.strerror or error}") from error
+        self.records[point] = record
+
+    def done(self) -> set[int]:
+        """The points that need no further run; failed ones get another."""
+        return {k for k, record in self.records.items() if "figures" in record}
+
+    def close(self) -> None:
+        self.file.close()
+
+
+def _short(value: object) -> str:
+    if isinstance(value, list) and len(value) > 3:
+        return f"{value[0]} to {value[-1]} ({len(value)} values)"
+    text = "nothing" if value is None else str(value)
+    return text if len(text) <= 60 else f"{text[:12]}..."
+
+
+@dataclass(frozen=True)
+class Table:
+    """All points of a sweep with what they gave."""
+
+    title: str
+    design: Design
+    figures: Mapping[str, tuple[str, str]]  # unit and definition by name
+    records: Mapping[int, Mapping[str, Any]]
+
+    def column(self, figure: str) -> np.ndarray:
+        """One figure of merit over the points; NaN where there is none, (points,)."""
+        values = [self.records.get(k, {}).get("figures", {}).get(figure) for k in range(len(self.design))]
+        return np.array([math.nan if value is None else value for value in values])
+
+    def errors(self) -> list[str]:
+        """Why a point has no values; empty where it has."""
+        records = [self.records.get(k, {"error": NOT_COMPUTED}) for k in range(len(self.design))]
+        return [" | ".join(str(record.get("error", "")).split("\n")) for record in records]
+
+
+def dataset(table: Table) -> xarray.Dataset:
+    """Figures of merit over the varied parameters (grid), or over `point` with the parameters as coordinates."""
+    import xarray
+
+    design = table.design
+    dims = tuple(axis.name for axis in design.axes) if design.kind == "grid" else ("point",)
+    coordinates: dict[str, Any] = {
+        axis.name: (
+            (axis.name,) if design.kind == "grid" else ("point",),
+            np.array(axis.values),
+            {"units": axis.unit, "long_name": axis.description},
+        )
+        for axis in design.axes
+    }
+    variables: dict[str, Any] = {
+        name: (dims, table.column(name).reshape(design.shape), {"units": unit, "long_name": text})
+        for name, (unit, text) in table.figures.items()
+    }
+    errors = np.array(table.errors(), dtype=object).reshape(design.shape)
+    variables["error"] = (dims, errors, {"long_name": "why a point has no values; empty where it has"})
+    attributes = {
+        "title": table.title, "design": design.kind, "rovbrush": version("rovbrush"),
+        "complete": int(len(table.records) == len(design)),
+        **({} if design.seed is None else {"seed": design.seed}),
+    }  # fmt: skip
+    return xarray.Dataset(variables, coordinates, attributes)
+
+
+def write_table(table: Table, folder: Path) -> xarray.Dataset:
+    """Write sweep.nc and sweep.csv. Raises RunError if the disk refuses."""
+    result = dataset(table)
+    write_file(folder / "sweep.nc", lambda path: result.to_netcdf(path, engine="h5netcdf"))
+    write_file(folder / "sweep.csv", lambda path: _write_csv(table, path))
+    return result
+
+
+def _write_csv(table: Table, path: Path) -> None:
+    """A row per point; columns `name [unit]`, the varied parameters first, the error last."""
+    design = table.design
+    head = ["point", *(f"{axis.name} [{axis.unit}]" for axis in design.axes)]
+    head += [*(f"{name} [{unit}]" for name, (unit, _) in table.figures.items()), "error"]
+    columns = [table.column(name).tolist() for name in table.figures]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(head)
+        for k, error in enumerate(table.errors()):
+            values = ["" if math.isnan(column[k]) else repr(column[k]) for column in columns]
+            writer.writerow([k, *design.point(k).values(), *values, error])

@@ -1,0 +1,70 @@
+"""Where the paper's equations had to be read differently, with the number that shows why; all from the FMUs' values."""
+
+from __future__ import annotations
+
+import math
+
+from .lab import Case
+
+
+def readings(case: Case) -> list[tuple[str, str, str]]:
+    """Rows (where, as printed, as computed here) of the nominal run."""
+    value = case.parameter
+    L, d, E, alpha, R_brush = (value(f"brush.{name}") for name in ("L", "d", "E", "alpha", "R_brush"))
+    n, N_b = int(value("brush.n")), value("brush.bristles_per_filament")
+    EI = E * math.pi * d**4 / 64.0
+    euler = math.pi**2 * EI / (4.0 * L**2)
+    share = 221.7 / n
+    stall = 12.0 / value("motor.R") * value("motor.K_t")
+    ratio, stages = value("motor.gear_ratio_per_stage"), int(value("motor.gear_stages"))
+    contact = case.mean("brush.contact_count")
+    printed = R_brush - (R_brush - L * math.cos(alpha))
+    phases = sum(math.cos(2.0 * math.pi * i / n) for i in range(n))
+    return [
+        (
+            "Table 2 with Table 3: one bristle per filament",
+            f"221.7 N over {n} filaments is {share:.2f} N each, {share / euler:.0f} times the Euler load of a bristle "
+            f"({1e3 * euler:.1f} mN).",
+            f"A filament is a bundle of N_b = {N_b:g} equal bristles (calibrated).",
+        ),
+        (
+            "Eq. 8, penetration",
+            f"R_brush cancels; what is left, L cos(alpha), is {1e3 * printed:.0f} mm at rest.",
+            "Penetration of the tip into the plane at R_brush - delta, from the full geometry with foreshortening.",
+        ),
+        (
+            "Eq. 7, normal force",
+            "Jumps at first touch and can pull.",
+            "Never negative; the damping term rises from zero over a small depth (0 gives the printed law).",
+        ),
+        (
+            "Eq. 9, sgn(v_s)",
+            "Discontinuous where the tip sticks.",
+            "Smoothed below v_eps; exact to 4e-4 beyond 5 v_eps.",
+        ),
+        (
+            "Eqs. 11 and 12, sums over modes",
+            "Converge slowly: in statics three modes give 1.207 of a load, four give 0.843.",
+            "Static correction (mode acceleration), exact in statics; the plain sums can be selected.",
+        ),
+        (
+            "Eq. 15, torque",
+            f"With equal F_y the cosines of {n} uniform phases add up to {abs(phases):.0e}.",
+            f"Moments of the contact forces about the axis; {contact:.1f} of {n} filaments touch at a time.",
+        ),
+        (
+            "Eq. 17, gear ratio",
+            f"With N_g = {ratio:g} once the stalled motor gives {stall * ratio:.1f} N.m, less than 16.63 N.m.",
+            f"{stages} stages, N_g = {ratio**stages:.2f}.",
+        ),
+        (
+            "Table 3, F_y and yaw/roll torque",
+            "F_y opposes the rotation: in the tool frame it lies along the sweep; T_brush is about the brush axis.",
+            "F_x along the sweep, T_brush about +y_t; with the brush under the vehicle it is a pitch moment.",
+        ),
+        (
+            "Section 4.3, cross references",
+            "Names Eqs. 21 and 12 for the coupling.",
+            "Eqs. 17 and 10.",
+        ),
+    ]

@@ -1,0 +1,163 @@
+"""Control strategies beside each other, over the same pass: PID, PID with feedforward, force along the hull normal.
+
+The force on the hull is judged as its moving mean over WINDOW, which takes out the ripple of the blades (125 Hz and
+more) that no thruster can follow. All errors count while the brush touches and the full force is asked for; the error
+of position is that along the hull, since the strategy with force control leaves the position along the normal free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+
+from ..console import console, progress
+from ..plots import new_figure
+from ..results import plain_value, prepare_folder, write_file, write_json
+from ..signals import Signal, Signals
+from ..simulation import Run, require_complete, simulate
+from ..summary import summarize
+from .single import planned
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MODES = ("PID", "PID + feedforward", "force control")
+SYSTEMS = ("hull_pass", "fouling_patch")
+WINDOW = 0.05  # s
+BAND = 0.1  # of the force set-point
+P_FULL = 205.0  # W, electrical power of a T200 at full command and 12 V (Blue Robotics); it rises as thrust^1.5
+MM, MRAD, PERCENT = ("mm", 1e3), ("mrad", 1e3), ("%", 100.0)
+ROWS: dict[str, tuple[str, tuple[str, float]]] = {
+    "force_mean": ("force on the hull, mean", ("N", 1.0)),
+    "force_error": ("normal-force error, rms", ("N", 1.0)),
+    "force_within": ("time within 10 % of the set-point", PERCENT),
+    "position_error": ("position error along the hull, rms", MM),
+    "position_error_max": ("position error along the hull, largest", MM),
+    "attitude_error": ("attitude error, rms", MRAD),
+    "attitude_error_max": ("attitude error, largest", MRAD),
+    "saturated": ("samples with saturated thrusters", PERCENT),
+    "energy_brush": ("energy of the brush motor", ("kJ", 1e-3)),
+    "energy_thrusters": ("energy of the thrusters (estimated)", ("kJ", 1e-3)),
+    "contact_time": ("time in contact", ("s", 1.0)),
+}
+
+
+def strategies(out: Path, values: Mapping[str, object], fmus: Path | None) -> dict[str, dict[str, dict[str, float]]]:
+    """Run every system with every mode of the controller, print and write the comparison; merits by system and mode."""
+    prepare_folder(out)
+    found: dict[str, dict[str, dict[str, float]]] = {}
+    for name in SYSTEMS:
+        runs: dict[str, Run] = {}
+        for mode, label in enumerate(MODES):
+            plan = planned(name, {**values, "controller.mode": mode}, fmus=fmus)
+            with progress(float(plan.system.stop), f"{name}, {label}") as report:
+                runs[label] = require_complete(simulate(plan, progress=report))
+        found[name] = {label: merits(run) for label, run in runs.items()}
+        show(name, found[name])
+        figure = comparison_figure(name, runs)
+        write_file(out / f"strategies_{name}.png", figure.savefig)
+    settings = {"force_window_s": WINDOW, "force_band": BAND, "P_full_W": P_FULL}
+    path = write_file(out / "strategies.json", lambda p: write_json(p, {**settings, "systems": found}))
+    console.print(f"wrote {path} and a figure for each system")
+    return found
+
+
+def merits(run: Run) -> dict[str, float]:
+    """Figures of merit of one pass, in SI units; see the head of this module."""
+    signals, summary = Signals(run), summarize(run)
+    time = signals["vehicle.delta"].time
+    force, wanted = force_on_hull(signals, time), held(signals["mission.F_n_ref"], time)
+    counts = (signals["vehicle.delta"].values > 0.0) & (wanted > 0.999 * wanted.max())
+    saturated = held(signals["controller.saturated"], time) > 0.5
+    error = force - wanted
+    position = np.hypot(*(signals[f"vehicle.{a}_n"].values - held(signals[f"mission.{a}_ref"], time) for a in "xy"))
+    references = [float(run.plan.system.components["controller"].inputs[f"{a}_ref"]) for a in ("phi", "theta", "psi")]
+    angles = [signals[f"vehicle.{a}"].values - r for a, r in zip(("phi", "theta", "psi"), references, strict=True)]
+    attitude = np.sqrt(sum(np.square(angle) for angle in angles))
+    judged = counts & ~saturated
+    return {
+        "force_mean": float(force[counts].mean()),
+        "force_error": rms(error[counts]),
+        "force_within": float(np.mean(np.abs(error[judged]) <= BAND * wanted[judged])),
+        "position_error": rms(position[counts]),
+        "position_error_max": float(position[counts].max()),
+        "attitude_error": rms(attitude[counts]),
+        "attitude_error_max": float(attitude[counts].max()),
+        "saturated": float(saturated[counts].mean()),
+        "energy_brush": float(signals["motor.W_electrical"].values[-1]),
+        "energy_thrusters": thruster_energy(signals),
+        "contact_time": float(counts.sum() * (time[1] - time[0])),
+        "energy_balance": float(summary["energy_balance_relative"]),
+    }
+
+
+def rms(values: np.ndarray) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def force_on_hull(signals: Signals, time: np.ndarray) -> np.ndarray:
+    """-F_z of the brush, averaged over WINDOW around each instant (less at the ends of the run)."""
+    signal = signals["brush.F_z"]
+    steps = 0.5 * (signal.values[1:] + signal.values[:-1]) * np.diff(signal.time)
+    integral = np.concatenate([[0.0], np.cumsum(steps)])
+    edges = np.clip(np.array([time - WINDOW / 2, time + WINDOW / 2]), signal.time[0], signal.time[-1])
+    first, last = np.interp(edges, signal.time, integral)
+    result: np.ndarray = -(last - first) / (edges[1] - edges[0])
+    return result
+
+
+def held(signal: Signal, time: np.ndarray) -> np.ndarray:
+    """A sampled signal at other instants: the latest value."""
+    values: np.ndarray = signal.values[np.searchsorted(signal.time, time + 1e-9, side="right") - 1]
+    return values
+
+
+def thruster_energy(signals: Signals) -> float:
+    """Electrical energy [J] of the thrusters, from P_FULL and the power law of a propeller in place, P ~ thrust^1.5."""
+    vehicle = signals.run.plan.system.components["vehicle"]
+    full = [
+        float(vehicle.parameters.get(k, plain_value(vehicle.fmu.variables[k].start)))
+        for k in ("k_T_forward", "k_T_reverse")
+    ]
+    total = 0.0
+    for j in range(1, 9):
+        thrust = signals[f"vehicle.thrust[{j}]"]
+        share = np.where(thrust.values > 0.0, thrust.values / full[0], -thrust.values / full[1])
+        total += P_FULL * float(np.trapezoid(share**1.5, thrust.time))
+    return total
+
+
+def show(name: str, columns: Mapping[str, Mapping[str, float]]) -> None:
+    """The comparison on the terminal: strategies side by side."""
+    table = Table(title=f"{name}: strategies over the same pass", title_justify="left")
+    table.add_column("")
+    table.add_column("unit")
+    for label in columns:
+        table.add_column(label, justify="right")
+    for key, (text, (unit, factor)) in ROWS.items():
+        table.add_row(text, unit, *(f"{factor * column[key]:.3g}" for column in columns.values()))
+    console.print(table)
+
+
+def comparison_figure(name: str, runs: Mapping[str, Run]) -> Figure:
+    """Force, position error along the hull and pitch over time, a line for each strategy."""
+    figure, axes = new_figure(f"Strategies over {name}", 3)
+    for label, run in runs.items():
+        signals = Signals(run)
+        time = signals["vehicle.delta"].time
+        error = signals["vehicle.x_n"].values - held(signals["mission.x_ref"], time)
+        drawn = (force_on_hull(signals, time), 1e3 * error, 1e3 * signals["vehicle.theta"].values)
+        for axis, values in zip(axes, drawn, strict=True):
+            axis.plot(time, values, linewidth=0.9, label=label)
+    reference = signals["mission.F_n_ref"]
+    axes[0].plot(reference.time, reference.values, "k--", linewidth=0.8, label="set-point")
+    for axis, label in zip(axes, ("force on the hull [N]", "x_n - x_ref [mm]", "theta [mrad]"), strict=True):
+        axis.set_ylabel(label)
+    axes[0].legend(loc="best", fontsize="small")
+    axes[-1].set_xlabel("time [s]")
+    return figure

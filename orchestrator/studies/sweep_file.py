@@ -1,0 +1,75 @@
+"""Sweeps as TOML files: the shipped ones by name, anyone's own by path.
+
+description = "what for"
+system = "nominal"                 # a shipped system, or a path beside this file
+stop_time = "5 s"                  # optional, as the rest
+random = 50                        # random points in place of a grid, drawn with `seed`
+seed = 1
+[set]                              # values of all points
+"motor.R" = 0.1
+[vary]
+"brush.mu_s" = "0.48:0.72:7"       # or a list [0.5, 0.6]
+[summary]                          # figures of merit beside those of the system
+F_z_peak = "peak brush.F_z"
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..errors import InputError, nearest
+from ..reader import SYSTEMS, shipped_systems
+from ..toml_file import TomlFile
+
+SWEEPS = Path(__file__).parent / "sweeps"
+KEYS = {"description", "system", "stop_time", "random", "seed", "set", "vary", "summary"}
+
+
+@dataclass(frozen=True)
+class SweepFile:
+    """What a sweep file says; of a plain system only its name."""
+
+    name: str
+    system: str
+    description: str = ""
+    stop: str = ""
+    random: int = 0
+    seed: int = 1
+    values: dict[str, object] = field(default_factory=dict)
+    vary: dict[str, object] = field(default_factory=dict)
+    summary: dict[str, str] = field(default_factory=dict)
+
+
+def shipped_sweeps() -> list[str]:
+    """Names of the sweeps that come with the package."""
+    return sorted(path.stem for path in SWEEPS.glob("*.toml"))
+
+
+def sweep_file(name: str) -> SweepFile:
+    """A shipped sweep, a sweep file by path, or a system to sweep over. Raises InputError."""
+    path = Path(name) if name.endswith(".toml") else SWEEPS / f"{name}.toml"
+    if not name.endswith(".toml") and not path.is_file():
+        if not (SYSTEMS / f"{name}.toml").is_file():
+            known = [*shipped_sweeps(), *shipped_systems()]
+            raise InputError(f"no sweep or system '{name}'{nearest(name, known)}, or give the path of a .toml file")
+        return SweepFile(name, name)
+    file = TomlFile(path)
+    if "vary" not in file.data:
+        return SweepFile(path.stem, str(path.resolve()))
+    for key in file.data.keys() - KEYS:
+        raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
+    system = str(file.entry(str, "system"))
+    if not system:
+        raise InputError(f"{path.name}: 'system' is missing")
+    counts = {}
+    for key, default in (("random", 0), ("seed", 1)):
+        counts[key] = file.data.get(key, default)
+        if not isinstance(counts[key], int) or counts[key] < 0:
+            raise file.fail(f"{key} must be a whole number", key)
+    return SweepFile(
+        path.stem, str(path.resolve().parent / system) if system.endswith(".toml") else system,
+        str(file.entry(str, "description")), str(file.data.get("stop_time", "")), counts["random"], counts["seed"],
+        file.entry(dict, "set"), file.entry(dict, "vary"),
+        {key: str(text) for key, text in file.entry(dict, "summary").items()},
+    )  # fmt: skip

@@ -1,0 +1,35 @@
+"""The shipped parameter file is what the calibration asks for, and the components' defaults are the same numbers."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from helpers import Measured
+from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.reader import SYSTEMS, load_system
+from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.studies.calibration import SPECIFICATION
+from rovbrush.orchestrator.summary import summarize
+
+WANTED = tomllib.loads(SPECIFICATION.read_text(encoding="utf-8"))
+SHIPPED = tomllib.loads((SYSTEMS / WANTED["write"]).read_text(encoding="utf-8"))
+
+
+def test_shipped_file_meets_every_target_and_limit(fmus: Path, measured: Measured) -> None:
+    summary = summarize(simulate(make_plan(load_system(WANTED["system"], fmus))))
+    for key, target in WANTED["targets"].items():
+        measured(
+            f"calibration: {key} over the paper's, less 1", summary[key] / target["reference"] - 1, str(target["bound"])
+        )
+        assert summary[key] == pytest.approx(target["reference"], rel=target["bound"])
+    for key, limit in WANTED["limits"].items():
+        assert summary[key] <= limit["at_most"]
+
+
+def test_defaults_of_the_fmus_are_the_calibrated_values(fmus: Path) -> None:
+    components = load_system(WANTED["system"], fmus).components
+    for name, values in SHIPPED.items():
+        for variable, value in values.items():
+            assert float(components[name].fmu.variables[variable].start) == value, f"{name}.{variable}"
