@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
 from fractions import Fraction
@@ -125,6 +126,10 @@ def _with_parameter_file(file: TomlFile, system: System) -> System:
     if not isinstance(name, str):
         raise file.fail("parameters must be the name of a file", "parameters")
     table = TomlFile(file.path.parent / name)
+    for heading in table.data:  # a table for a component of another system is fine, a misspelt one is not
+        close = difflib.get_close_matches(heading, system.components, n=1, cutoff=0.8)
+        if heading not in system.components and close:
+            raise table.fail(f"no component '{heading}'; did you mean '{close[0]}'?", heading)
     values = {
         f"{c}.{key}": value
         for c, entries in table.data.items()

@@ -262,6 +262,12 @@ def test_a_wrong_value_in_the_parameter_file_names_that_file(tmp_path: Path, fmu
         read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD)
 
 
+def test_a_misspelt_component_in_the_parameter_file_is_an_error(tmp_path: Path, fmus: Path) -> None:
+    (tmp_path / "set.toml").write_text("[sourse]\nc0 = 7.0\n")
+    with pytest.raises(InputError, match=r"no component 'sourse'; did you mean 'source'\? \(set\.toml, line 1\)"):
+        read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD)
+
+
 def test_parameters_reach_the_fmu_in_their_own_type(tmp_path: Path, fmus: Path) -> None:
     parts = {
         "p": ("plain", "10 ms", {"label": "5 % ü", "mode": 0, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}),
