@@ -6,11 +6,11 @@ import sys
 
 import typer
 
-from . import commands, study_commands
+from . import commands, exchange_commands, study_commands
 from .errors import RovbrushError
 from .options import app
 
-__all__ = ["commands", "main", "study_commands"]  # importing them registers the commands
+__all__ = ["commands", "exchange_commands", "main", "study_commands"]  # importing them registers the commands
 
 
 def main() -> None:
