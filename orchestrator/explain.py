@@ -26,6 +26,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
             f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, "
             f"sha256 {component.fmu.digest[:12]}"
         )
+    for name in plan.order:
+        lines += [f"  {note}" for note in system.components[name].notes]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     lines += ["", "connections"]
@@ -67,6 +69,11 @@ class _Names:
         layout = plan.layout
         self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
         self.slots |= {slot: f"previous {'.'.join(key)}" for key, slot in layout.previous.items()}
+        for table in (layout.foreign_inputs, layout.foreign_outputs):
+            for (name, variable), slot in table.items():
+                fmu = plan.system.components[name].fmu
+                theirs = fmu.crossings[variable].name if variable in fmu.crossings else variable
+                self.slots[slot] = f"'{theirs}' of {fmu.path.name}"
         self.slots |= {slot: f"integral for {'.'.join(key)}" for key, slot in layout.integrals.items()}
 
     def text(self, row: list[int]) -> str:

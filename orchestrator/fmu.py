@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import ctypes
 from collections import deque
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ import fmpy
 from fmpy import fmi2
 from fmpy.model_description import ModelDescription, ModelVariable
 
+from .crossing import Crossing
 from .errors import FmuError, InputError
 from .exit_guard import end_before_library_destructors
 from .unpack import unpack
@@ -32,6 +34,7 @@ class Fmu:
     folder: Path
     digest: str
     description: ModelDescription
+    crossings: Mapping[str, Crossing] = field(default_factory=dict)  # of somebody else's FMU: see `swap.py`
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
@@ -179,6 +182,8 @@ class Instance:
     def set(self, name: str, value: float | int | bool | str) -> None:
         """Set one variable by name."""
         v = self.fmu.variables[name]
+        if name in self.fmu.crossings and isinstance(value, float):
+            value = self.fmu.crossings[name].there(value)
         setter = {"Real": self.slave.setReal, "Boolean": self.slave.setBoolean, "String": self.slave.setString}.get(
             v.type, self.slave.setInteger
         )
@@ -190,7 +195,10 @@ class Instance:
         getter = {"Real": self.slave.getReal, "Boolean": self.slave.getBoolean, "String": self.slave.getString}.get(
             v.type, self.slave.getInteger
         )
-        return self.call(f"get {name}", getter, [v.valueReference])[0]
+        value = self.call(f"get {name}", getter, [v.valueReference])[0]
+        if name in self.fmu.crossings and isinstance(value, float):
+            value = self.fmu.crossings[name].back(value)
+        return value
 
     def address(self, function: str) -> int:
         """Address of an FMI function in the loaded library."""

@@ -21,11 +21,20 @@ class Layout:
     inputs: dict[tuple[str, str], int] = field(default_factory=dict)
     previous: dict[tuple[str, str], int] = field(default_factory=dict)  # an output one period ago
     integrals: dict[tuple[str, str], int] = field(default_factory=dict)  # by the input that takes the mean
+    # Inputs and outputs of a foreign FMU as it has them, where some differ from ours in unit or direction.
+    foreign_inputs: dict[tuple[str, str], int] = field(default_factory=dict)
+    foreign_outputs: dict[tuple[str, str], int] = field(default_factory=dict)
 
     def add(self, table: dict[tuple[str, str], int], key: tuple[str, str]) -> None:
         if key not in table:
             table[key] = self.size
             self.size += 1
+
+    def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
+        """Slots of the inputs and outputs that a component is given and gives, by variable."""
+        sides = ((self.inputs, self.foreign_inputs), (self.outputs, self.foreign_outputs))
+        found = [{key[1]: {**ours, **foreign}[key] for key in ours if key[0] == name} for ours, foreign in sides]
+        return found[0], found[1]
 
 
 @dataclass(frozen=True)
@@ -56,6 +65,13 @@ def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
             layout.add(layout.previous, connection.source)
         if choice.transfer == "mean":
             layout.add(layout.integrals, connection.target)
+    for name, component in system.components.items():
+        for ours, foreign in ((layout.inputs, layout.foreign_inputs), (layout.outputs, layout.foreign_outputs)):
+            keys = [key for key in ours if key[0] == name]
+            crossings = [component.fmu.crossings.get(key[1]) for key in keys]
+            if any(crossing and not crossing.exact for crossing in crossings):
+                for key in keys:
+                    layout.add(foreign, key)
     return layout
 
 

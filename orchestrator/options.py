@@ -25,6 +25,21 @@ SetOption = Annotated[
         "--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable."
     ),
 ]
+ReplaceOption = Annotated[
+    list[str],
+    typer.Option(
+        "--replace", metavar="NAME=FMU", help="Another FMU in place of a component, for instance motor=their.fmu."
+    ),
+]
+MapOption = Annotated[
+    list[str],
+    typer.Option(
+        "--map", metavar="NAME=FILE", help="What the variables are called there, for instance motor=map.toml."
+    ),
+]
+PeriodOption = Annotated[
+    list[str], typer.Option("--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms".')
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]

@@ -8,6 +8,7 @@ import numpy as np
 
 from .clock import Clock, make_clock, seconds_text
 from .errors import InputError
+from .fixed_step import check_step
 from .layout import Group, Layout, make_groups, make_layout
 from .schedule import Schedule
 from .system import Connection, System
@@ -32,6 +33,8 @@ class Plan:
 
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop time or transfers do not fit."""
+    for component in system.components.values():
+        check_step(component)
     clock = make_clock({name: c.period for name, c in system.components.items()}, system.stop)
     samplers = _samplers(system)
     choices = {c: _choice(system, clock, c, samplers) for c in system.connections}

@@ -16,6 +16,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .clock import Clock, seconds_text
+from .crossing import Crossing
 from .errors import InputError
 from .layout import Group, Layout
 from .operations import ACCUMULATE, COLUMNS, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
@@ -113,6 +114,11 @@ class Schedule:
         """Set inputs, step from `start` over one period, get outputs."""
         component, period = self.index[name], self.clock.periods[name]
         if self._into(name):
+            for (owner, variable), slot in self.layout.foreign_inputs.items():
+                if owner == name:
+                    crossing, ours = self._crossing(name, variable), self.layout.inputs[name, variable]
+                    there = self._constant(crossing.gain, crossing.offset)
+                    yield (COPY, tick, component, ours, slot, 0, 0, there)
             yield (SET, tick, component, 0, 0, 0, 0, 0)
         yield (STEP, tick, component, period, start, 0, 0, 0)
         outputs = [(key, slot) for key, slot in self.layout.previous.items() if key[0] == name]
@@ -120,11 +126,19 @@ class Schedule:
             yield (PUSH, tick, component, self.layout.outputs[key], slot, 0, 0, 0)
         if any(key[0] == name for key in self.layout.outputs):
             yield (GET, tick, component, 0, 0, 0, 0, 0)
+            for (owner, variable), slot in self.layout.foreign_outputs.items():
+                if owner == name:
+                    crossing, ours = self._crossing(name, variable), self.layout.outputs[name, variable]
+                    back = self._constant(crossing.back_gain, crossing.back_offset)
+                    yield (COPY, tick, component, slot, ours, 0, 0, back)
         for connection, choice in self.choices.items():
             if choice.transfer == "mean" and connection.source[0] == name:
                 weight = self._constant(period / (2 * self.clock.periods[connection.target[0]]))
                 a, p = self.layout.outputs[connection.source], self.layout.previous[connection.source]
                 yield (ACCUMULATE, tick, component, a, self.layout.integrals[connection.target], p, 0, weight)
+
+    def _crossing(self, name: str, variable: str) -> Crossing:
+        return self.system.components[name].fmu.crossings.get(variable, Crossing(variable))
 
     def _into(self, name: str) -> list[Connection]:
         return [c for c in self.system.connections if c.target[0] == name]

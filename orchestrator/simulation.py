@@ -89,8 +89,8 @@ class _Loop:
         row = [instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")] + [
             int(instance.slave.component)
         ]
-        for table in (layout.inputs, layout.outputs):
-            slots = [(slot, variable) for (owner, variable), slot in table.items() if owner == name]
+        for table in layout.exchanged(name):
+            slots = [(slot, variable) for variable, slot in table.items()]
             references = np.array([instance.fmu.variables[v].valueReference for _, v in slots] or [0], dtype=np.uint32)
             self.keep.append(references)
             first = slots[0][0] if slots else 0
@@ -142,7 +142,7 @@ class _Loop:
         log = self.instances[name].log_text()
         if code == execute.NOT_FINITE:
             slot = int(self.control[execute.SLOT])
-            variable = next(key for key, s in self.plan.layout.outputs.items() if s == slot)[1]
+            variable = next(v for v, s in self.plan.layout.exchanged(name)[1].items() if s == slot)
             return (
                 end,
                 f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; "

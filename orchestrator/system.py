@@ -23,6 +23,7 @@ class Component:
     period: Fraction
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
+    notes: tuple[str, ...] = ()  # what the user must know of it: see `swap.py`
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""

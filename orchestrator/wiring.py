@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import dataclass
 from typing import Any
 
 from .errors import InputError, nearest
@@ -13,14 +14,27 @@ from .transfer import TRANSFERS
 from .units import conversion
 
 
+@dataclass(frozen=True)
+class Link:
+    """A connection as a file states it. `factor` and `offset`, where given, are all that happens to the value."""
+
+    source: str
+    output: str
+    target: str
+    input_: str
+    transfer: str = ""
+    factor: float | None = None
+    offset: float = 0.0
+    where: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.source}.{self.output} -> {self.target}.{self.input_}"
+
+
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
-    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
-    if match is None:
-        raise file.fail(
-            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
-        )
-    source, output, target, input_, transfer = match.groups()
-    label, where = f"connection {source}.{output} -> {target}.{input_}", file.at(str(entry))
+    link = entry if isinstance(entry, Link) else _parsed(file, str(entry))
+    source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
+    label, where = f"connection {link}", link.where or file.at(str(entry))
     if transfer and transfer not in TRANSFERS:
         raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, TRANSFERS)} {where}")
     ends = []
@@ -47,11 +61,22 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     for a, b in zip(*ends, strict=True):
         units = [components[source].fmu.variables[a].unit, components[target].fmu.variables[b].unit]
         try:
-            gain, offset = conversion(units[0], units[1], label)
+            gain, offset = (
+                conversion(units[0], units[1], label) if link.factor is None else (link.factor, link.offset)
+            )
         except InputError as error:
             raise InputError(f"{error} {where}") from None
         found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))
     return found
+
+
+def _parsed(file: TomlFile, entry: str) -> Link:
+    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", entry.strip())
+    if match is None:
+        raise file.fail(
+            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', entry
+        )
+    return Link(*match.groups(default=""))
 
 
 def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 
 from rich.table import Table
 
+from ..changes import UNCHANGED, Changes
 from ..console import console, progress
 from ..errors import RunError
 from ..plan import make_plan
@@ -20,9 +21,9 @@ from .single import planned
 BOUND = 0.005  # largest relative change of a mean when every period is halved
 
 
-def converge(name: str, out: Path, fmus: Path | None) -> list[dict[str, Any]]:
+def converge(name: str, out: Path, fmus: Path | None, changes: Changes = UNCHANGED) -> list[dict[str, Any]]:
     """Run with periods times 1, 1/2 and 1/4; print and write what each mean does. Raises RunError beyond BOUND."""
-    base = planned(name, {}, fmus=fmus)
+    base = planned(name, {}, fmus=fmus, changes=changes)
     prepare_folder(out)
     summaries = []
     for factor in (Fraction(1), Fraction(1, 2), Fraction(1, 4)):
