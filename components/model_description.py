@@ -53,7 +53,8 @@ def model_description(component: type[Any], sources: tuple[str, ...] = ()) -> El
     root = Element("fmiModelDescription", {
         "fmiVersion": "2.0", "modelName": name, "guid": GUID_PLACEHOLDER,
         "description": (component.__doc__ or "").strip().splitlines()[0], "version": VERSION, "license": "MIT",
-        "generationTool": f"rovbrush {VERSION}" + ("" if sources else " with pythonfmu 0.7.0"), "variableNamingConvention": "structured",
+        "generationTool": f"rovbrush {VERSION}" + ("" if sources else " with pythonfmu 0.7.0"),
+        "variableNamingConvention": "structured",
     })  # fmt: skip
     # needsExecutionTool: a Python FMU needs a Python interpreter with numpy and numba, but no simulation tool.
     co_simulation = SubElement(root, "CoSimulation", {
@@ -76,10 +77,12 @@ def model_description(component: type[Any], sources: tuple[str, ...] = ()) -> El
     return root
 
 
-def add_definitions(root: Element, component: type[Any], variables: tuple[Variable, ...]) -> None:
-    """Units, log categories and default experiment, which FMI 2.0 and 3.0 write alike."""
+def add_definitions(
+    root: Element, component: type[Any], variables: tuple[Variable, ...], more_units: tuple[str, ...] = ()
+) -> None:
+    """Units (also `more_units`), log categories and default experiment, which FMI 2.0 and 3.0 write alike."""
     units = SubElement(root, "UnitDefinitions")
-    for unit in dict.fromkeys(v.unit for v in variables):
+    for unit in dict.fromkeys((*(v.unit for v in variables), *more_units)):
         element = SubElement(units, "Unit", {"name": unit})
         exponents = base_unit(unit)
         if exponents is not None:

@@ -35,9 +35,7 @@ def write_boundary(run: Run, name: str, folder: Path) -> list[Path]:
     # In row k of a table stands the input of the step that ends there; a file of inputs has it where the step begins.
     held = np.concatenate([table[1:], table[-1:]])
     inputs = {v: held[:, columns[v]].tolist() for v in component.fmu.names("input") if v in columns}
-    inputs |= {
-        v: [float(value)] * len(times) for v, value in component.inputs.items() if variables[v].type == "Real"
-    }
+    inputs |= {v: [float(value)] * len(times) for v, value in component.inputs.items() if variables[v].type == "Real"}
     outputs = {v: table[:, columns[v]].tolist() for v in component.fmu.names("output") if v in columns}
     starts: dict[str, object] = {v: variables[v].start for v in component.fmu.names("parameter")}
     starts |= {**component.parameters, **component.inputs}

@@ -16,6 +16,7 @@ from .options import (
     PeriodOption,
     ReplaceOption,
     SetOption,
+    StepOption,
     StopOption,
     SystemName,
     app,
@@ -81,6 +82,7 @@ def plan(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    step: StepOption = "",
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it."""
@@ -89,7 +91,7 @@ def plan(
     from .plan import make_plan
     from .reader import load_system
 
-    changed = changes_of(replace, map_, period).apply(load_system(system, fmus))
+    changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
     print(explain(make_plan(changed.with_values(assignments(set_), "--set")), None if all_operations else 40))
 
 
@@ -106,6 +108,7 @@ def run(
         list[str],
         typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
     ] = [],  # noqa: B006
+    step: StepOption = "",
     fmus: FmusOption = None,
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
@@ -116,4 +119,4 @@ def run(
     from .studies.single import run_system
 
     changes = changes_of(replace, map_, period)
-    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary)
+    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step)

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from .errors import InputError
 from .units import conversion
 
+REALS = ("Real", "Float64", "Float32")
+
 
 @dataclass(frozen=True)
 class Crossing:

@@ -34,7 +34,9 @@ class Fmu:
     folder: Path
     digest: str
     description: ModelDescription
-    crossings: Mapping[str, Crossing] = field(default_factory=dict)  # of somebody else's FMU: see `swap.py`
+    # Somebody else's FMU in the place of a component: the variables that the system sees, and where they cross.
+    presented: tuple[ModelVariable, ...] = ()
+    crossings: Mapping[str, Crossing] = field(default_factory=dict)
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
@@ -65,12 +67,12 @@ class Fmu:
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:
-        """All variables by name."""
-        return {v.name: v for v in self.description.modelVariables}
+        """All variables by name; of a foreign FMU those that the system sees (see `swap.py`)."""
+        return {v.name: v for v in self.presented or self.description.modelVariables}
 
     def names(self, *causalities: str) -> list[str]:
         """Names of the variables with one of the causalities, in the order of the description."""
-        return [v.name for v in self.description.modelVariables if v.causality in causalities]
+        return [name for name, v in self.variables.items() if v.causality in causalities]
 
     def expand(self, name: str) -> list[str]:
         """The scalars behind a name: itself, or the elements `name[1]`, `name[2]` ... of an array; [] if unknown."""

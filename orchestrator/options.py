@@ -17,7 +17,8 @@ app = typer.Typer(
 )
 
 SystemName = Annotated[
-    str, typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or the path of a .toml file.")
+    str,
+    typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."),
 ]
 SetOption = Annotated[
     list[str],
@@ -43,6 +44,9 @@ PeriodOption = Annotated[
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]
+StepOption = Annotated[
+    str, typer.Option("--step", metavar="TIME", help="The period of components for which an SSP states none.")
+]
 
 
 def assignments(options: list[str]) -> dict[str, object]:

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from fmpy.model_description import ModelVariable
 
-from .crossing import Crossing, crossing
+from .crossing import REALS, Crossing, crossing
 from .errors import InputError, nearest
 from .fmu import Fmu, parse_value
 from .mapping import VariableMapping
@@ -32,7 +32,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     if name not in system.components:
         raise InputError(f"--replace: no component '{name}'{nearest(name, system.components)}")
     before, label = system.components[name], fmu.path.name
-    ours = [v for v in before.fmu.description.modelVariables if v.causality in ROLES]
+    ours = [v for v in before.fmu.variables.values() if v.causality in ROLES]
     mapping.check([v.name for v in ours], fmu.variables, name, label)
     presented, crossings, lacking = [], {}, []
     for variable in ours:
@@ -48,10 +48,8 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         crossings[OWN + key] = Crossing(key, theirs.unit)
         presented.append(_renamed(theirs, OWN + key))
     missing = Missing(name, label, mapping, [v.name for v in lacking], fmu)
-    described = copy.copy(fmu.description)
-    described.modelVariables = presented
     component = Component(
-        name, replace(fmu, description=described, crossings=crossings), before.period,
+        name, replace(fmu, presented=tuple(presented), crossings=crossings), before.period,
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}",
                *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings)),
     )  # fmt: skip
@@ -64,7 +62,9 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     return replace(left.system, components={**system.components, name: component})
 
 
-def crossing_between(name: str, ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping, fmu: str) -> Crossing:
+def crossing_between(
+    name: str, ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping, fmu: str
+) -> Crossing:
     """Between one of our variables and theirs; causality, type and unit must fit."""
     entry = mapping.entry(ours.name)
     label = f"{name}.{ours.name} as '{theirs.name}' of {fmu}"
@@ -75,15 +75,16 @@ def crossing_between(name: str, ours: ModelVariable, theirs: ModelVariable, mapp
             f"{'' if ours.causality == 'input' else f', or say that there is none: {ours.name} = {chr(34) * 2}'} "
             f"{entry.where}".rstrip()
         )
-    text = [v.type in ("String", "Binary", "Clock") for v in (ours, theirs)]
-    if text[0] != text[1] or (ours.causality in ("input", "output") and ours.type != theirs.type):
+    kinds = ["Real" if v.type in REALS else v.type for v in (ours, theirs)]
+    loose = ours.causality == "parameter" and "String" not in kinds  # a whole number may be given as a real one
+    if kinds[0] != kinds[1] and not loose:
         raise InputError(f"{label}: theirs is of type {theirs.type}, {ours.type} is needed {entry.where}".rstrip())
     if entry.unit and theirs.unit and entry.unit != theirs.unit:
         raise InputError(
             f"{label}: the mapping says that it is in {entry.unit}, their FMU that it is in {theirs.unit}; "
             f"leave the unit out of the mapping {entry.where}"
         )
-    if theirs.type not in ("Real", "Float64", "Float32"):
+    if theirs.type not in REALS:
         if entry.sign != 1.0:
             raise InputError(f"{label}: a {theirs.type} has no sign {entry.where}")
         return Crossing(theirs.name)

@@ -61,9 +61,7 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     for a, b in zip(*ends, strict=True):
         units = [components[source].fmu.variables[a].unit, components[target].fmu.variables[b].unit]
         try:
-            gain, offset = (
-                conversion(units[0], units[1], label) if link.factor is None else (link.factor, link.offset)
-            )
+            gain, offset = conversion(units[0], units[1], label) if link.factor is None else (link.factor, link.offset)
         except InputError as error:
             raise InputError(f"{error} {where}") from None
         found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))
@@ -76,7 +74,8 @@ def _parsed(file: TomlFile, entry: str) -> Link:
         raise file.fail(
             f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', entry
         )
-    return Link(*match.groups(default=""))
+    source, output, target, input_, transfer = match.groups(default="")
+    return Link(source, output, target, input_, transfer)
 
 
 def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:

@@ -144,6 +144,14 @@ def test_motor_gives_less_than_it_takes_in(unit: Unit) -> None:
     holds(0.0 < given < taken, f"driven: {taken:.5g} W in at the shaft, {given:.5g} W out at the terminals")
 
 
+def test_carried_load_costs_more_than_it_gives(unit: Unit) -> None:
+    """A load that the motor carries for 6 s at 12 V gets less power than V_in*i, whatever the parameters."""
+    for T_brush in (-2.0, -5.0, -10.0):
+        seen = run(unit, 6.0, LONG, {"V_in": 12.0, "T_brush": T_brush})
+        taken, given = 12.0 * seen["i"], -T_brush * seen["omega_b"]
+        holds(given < taken, f"{taken:.5g} W in, {given:.5g} W out at {T_brush:g} N.m")
+
+
 def test_steady_losses_are_copper_and_friction(unit: Unit) -> None:
     """In the steady state V_in*i - shaft power = R i^2 + B_m omega_m^2."""
     R, B_m = values(unit, "R", "B_m")

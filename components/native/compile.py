@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..errors import BuildError
 
-# No contraction to fused multiply-add and no reordering: the results are those of the equations as written, bit for bit.
+# No contraction to fused multiply-add and no reordering: the results are those of the equations as written, bitwise.
 OPTIONS = "-std=c11 -O3 -ffp-contract=off -fno-math-errno"
 
 

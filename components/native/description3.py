@@ -34,7 +34,7 @@ def model_description3(component: type[Any]) -> Element:
         "canGetAndSetFMUState": "true", "canSerializeFMUState": "true",
         "canHandleVariableCommunicationStepSize": "true",
     })  # fmt: skip
-    add_definitions(root, component, variables)
+    add_definitions(root, component, variables, more_units=("s",))  # of the time
     references: dict[str, int] = {}
     places = 0
     declared = SubElement(root, "ModelVariables")

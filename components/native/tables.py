@@ -96,7 +96,8 @@ class Tables:
 
     def _shapes(self) -> str:
         """Sizes of the arrays; those that follow from parameters are found by asking the declaration with symbols."""
-        symbols = type("Symbols", (), {f.name: Term(f"(int64_t)v[at_{f.name}]") for f in fields(self.component.parameters)})
+        names = [f.name for f in fields(self.component.parameters)]
+        symbols = type("Symbols", (), {name: Term(f"(int64_t)v[at_{name}]") for name in names})
         lines = []
         for array in self.arrays:
             shape = array.shape_for(symbols())
@@ -105,7 +106,7 @@ class Tables:
         return "static void shapes(const double *v, Shape *shape) {\n    (void)v;\n" + "\n".join(lines) + "\n}\n"
 
     def _entry(self, entry: str, stages: tuple[str, ...]) -> str:
-        """A function of the component: the kernel's own, one after the other, then the rows of arrays that are shown."""
+        """A function of the component: the kernel's own in turn, then the rows of arrays that are shown."""
         calls = [self._call(stage) for stage in stages if hasattr(self.component.kernel, stage)]
         body = "\n".join([*calls, *self._show_rows()])
         return (

@@ -1,1 +1,1 @@
-"""What `rovbrush check` looks at: archive, description, other tools' opinions, and a dry run in processes of its own."""
+"""What `rovbrush check` looks at: archive, description, what other tools say, a dry run in its own processes."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import zipfile
 from collections import Counter
 from collections.abc import Iterator
 
-from .subject import PLATFORMS, Subject, suffix
 from .rows import Row, judged, listed
+from .subject import PLATFORMS, Subject, suffix
 
 STAGE = "archive"
 IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"
@@ -24,8 +25,8 @@ def archive_rows(subject: Subject) -> Iterator[Row]:
     yield from _reproducible(subject, entries)
     documented = (subject.folder / "documentation" / "index.html").is_file()
     yield judged(
-        STAGE, "documentation is inside", [] if documented else ["no documentation/index.html"], "documentation/index.html",
-        "", "add documentation/index.html with equations, units and validity", "finding",
+        STAGE, "documentation is inside", [] if documented else ["no documentation/index.html"],
+        "documentation/index.html", "", "add it, with equations, units and validity", "finding",
     )  # fmt: skip
     yield _sources(subject)
     yield from _binaries(subject)
@@ -40,7 +41,7 @@ def _reproducible(subject: Subject, entries: list[zipfile.ZipInfo]) -> Iterator[
     mend = "write one fixed date, or a rebuild never has the same bytes"
     yield judged(STAGE, "dates are fixed", bad, good, "", mend, "finding")
     files = [entry.filename for entry in entries if not entry.is_dir()]
-    unsorted = [b for a, b in zip(files, files[1:], strict=False) if b < a]
+    unsorted = [b for a, b in itertools.pairwise(files) if b < a]
     mend = "pack the entries in sorted order"
     yield judged(STAGE, "entries are sorted", unsorted, "by name", "out of order", mend, "finding")
 

@@ -10,8 +10,8 @@ from .archive_rules import archive_rows, loadable_row
 from .description_rules import capability_rows, description_rows
 from .dry_run import dry_run_rows
 from .external import fmpy_row, fmutool_row
-from .subject import Subject, open_subject
 from .rows import Report, Row
+from .subject import Subject, open_subject
 from .table import print_report, write_json
 from .unit_rules import unit_rows
 

@@ -1,7 +1,7 @@
 """The process that an FMU under check runs in: `python -m rovbrush.orchestrator.checks.child FMU REPORT RULE...`.
 
-Writes a JSON line into REPORT when a rule begins and one with its row when it ends, so that whoever started the process
-knows what a crash came from.
+Appends the row of each rule to REPORT as a JSON line when the rule ends, so that whoever started the process knows
+which one a crash came from. Ends after whatever may have left the FMU in disorder: the next rule needs a new process.
 """
 
 from __future__ import annotations
@@ -13,17 +13,19 @@ from dataclasses import asdict
 from pathlib import Path
 
 from . import good_manners, misuse
-from .subject import open_subject
 from .rows import Row
-from .tried import Refusal
+from .subject import open_subject
+from .tried import RefusedError, Tried
 
 RULES = {**good_manners.RULES, **misuse.RULES}
 MEND = "run it in a debugger with the same calls; its log says more"
 
 
-def title(name: str) -> str:
-    """A rule in words, for a row about a rule that did not reach its end."""
-    return name.replace("_", " ")
+def broken_off(name: str, found: str, mend: str) -> Row:
+    """The row of a rule that did not reach its end."""
+    order = misuse.RANGE if name in misuse.OUT_OF_RANGE else misuse.ORDER
+    stage = good_manners.STAGE if name in good_manners.RULES else order
+    return Row(stage, name.replace("_", " "), "error", found, mend)
 
 
 def main() -> None:
@@ -31,14 +33,15 @@ def main() -> None:
     subject = open_subject(Path(sys.argv[1]))
     with Path(sys.argv[2]).open("w", encoding="utf-8", buffering=1) as report:
         for name in sys.argv[3:]:
-            print(json.dumps({"begin": name}), file=report)
             try:
                 row = RULES[name](subject)
-            except Refusal as error:
-                row = Row(good_manners.STAGE, title(name), "error", str(error), MEND)
+            except RefusedError as error:
+                row = broken_off(name, str(error), MEND)
             except Exception as error:  # fmpy's, when the library lacks functions or does not load
-                row = Row(good_manners.STAGE, title(name), "error", f"{type(error).__name__}: {error}", MEND)
-            print(json.dumps({"row": asdict(row)}), file=report)
+                row = broken_off(name, f"{type(error).__name__}: {error}", MEND)
+            print(json.dumps(asdict(row)), file=report)
+            if row.verdict in ("error", "finding") or Tried.doomed:
+                break
     sys.stdout.flush()
     os._exit(0)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from .subject import STEP, Subject, bounds, numbers, size
 from .rows import Row, judged
+from .subject import STEP, Subject, bounds, numbers, size
 
 STAGE = "description"
-COUNTED = ("String", "Binary", "Boolean")  # types without min and max
+UNBOUNDED = ("String", "Binary", "Boolean")  # types without min and max
 TOKEN = r"\{[0-9a-fA-F-]{32,}\}|[0-9a-fA-F-]{32,}"
 
 
@@ -40,7 +40,7 @@ def _described(subject: Subject) -> Row:
 def _ranges(subject: Subject) -> Iterator[Row]:
     crossed, outside, wrong_size = [], [], []
     for v in subject.variables:
-        if v.type in COUNTED:
+        if v.type in UNBOUNDED:
             continue
         low, high = bounds(v)
         starts = numbers(v.start)
@@ -86,7 +86,8 @@ def _structure(subject: Subject) -> Iterator[Row]:
     ]
     yield judged(
         STAGE, "dependencies are declared", silent, "for every entry", "without dependencies",
-        "add dependencies (an empty list where there are none); without them a host assumes an algebraic loop", "finding",
+        "add dependencies, an empty list where there are none; without them a host must assume algebraic loops",
+        "finding",
     )  # fmt: skip
 
 
@@ -103,7 +104,7 @@ def capability_rows(subject: Subject) -> Iterator[Row]:
         ("several instances per process", not flags.canBeInstantiatedOnlyOncePerProcess,
          "canBeInstantiatedOnlyOncePerProcess is true", "each further instance needs a process of its own"),
         ("no other tool is needed", not flags.needsExecutionTool, "needsExecutionTool is true",
-         "export it with everything it needs, or install the tool it names: " + str(subject.description.generationTool)),
+         f"export it with all it needs, or install the tool that made it: {subject.description.generationTool}"),
     )  # fmt: skip
     for rule, good, found, mend in rules:
         yield judged("capabilities", rule, [] if good else [found], "yes", "", mend, "finding")

@@ -8,8 +8,8 @@ from typing import Any
 
 from fmpy.validation import validate_fmu
 
-from .subject import Subject
 from .rows import Row, judged
+from .subject import Subject
 
 STAGE = "other tools"
 INSTALL = 'pip install "rovbrush[check]"'

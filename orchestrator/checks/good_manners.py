@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from .subject import Subject
 from .rows import Row
+from .subject import Subject
 from .tried import Tried
 
 STAGE = "dry run"
@@ -121,7 +121,7 @@ def resets(subject: Subject) -> Row:
 
 def varies(subject: Subject) -> Row:
     """Steps of half, double and odd size, finite outputs."""
-    rule = "steps may vary"
+    rule = "runs with varying steps"
     if not subject.interface.canHandleVariableCommunicationStepSize:
         return Row(STAGE, rule, "not applicable", "canHandleVariableCommunicationStepSize is false")
     instance = Tried(subject)

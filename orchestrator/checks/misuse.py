@@ -1,12 +1,16 @@
-"""What an FMU must refuse: calls in the wrong order and values out of range. Each runs in a process of its own."""
+"""What an FMU must refuse: calls in the wrong order and values out of range. A rule that was broken, or met with Fatal, ends its process."""
 
 from __future__ import annotations
 
+from fmpy.model_description import ModelVariable
+
 from ..fmu import STATUS
-from .subject import Subject, bounds
 from .rows import Row
+from .subject import REALS, Subject, bounds
 from .tried import FATAL, REFUSED, Tried
 
+WIDE = ("Integer", "Int32", "Int64", "Enumeration")
+LARGEST_REAL, LARGEST_INTEGER = 1e37, 2.0**31  # Float32 and Int32 can hold them
 ORDER, RANGE = "wrong call order", "out of range"
 MEND = "return Error and log why; a host with a mistake must not get numbers"
 
@@ -69,18 +73,25 @@ def below_minimum(subject: Subject) -> Row:
 
 def _beyond(subject: Subject, rule: str, side: int) -> Row:
     instance = Tried(subject)
-    able = [v for v in subject.of("parameter") if bounds(v)[side] is not None and instance.start_values(v)]
-    if not able:
+    able = [(v, _beyond_bound(v, side)) for v in subject.of("parameter") if instance.start_values(v)]
+    v, beyond = next((found for found in able if found[1] is not None), (None, None))
+    if v is None or beyond is None:
         return Row(RANGE, rule, "not applicable", "no parameter with such a bound")
-    v = able[0]
-    bound = bounds(v)[side] or 0.0
-    beyond = bound + (1 if side else -1) * (1.0 + abs(bound))
     instance.must("setupExperiment", instance.setup())
     instance.set_starts()
     status = instance.set(v, [beyond] * len(instance.start_values(v)))
     for call in (instance.enter, instance.exit):
         status = status if status >= REFUSED else call()
     return _judged(RANGE, rule, instance, status, f"{v.name} = {beyond:g}")
+
+
+def _beyond_bound(v: ModelVariable, side: int) -> float | None:
+    """A value behind the min (side 0) or max (1) that the type can hold; None if there is none."""
+    bound = bounds(v)[side]
+    if bound is None or v.type not in (*REALS, *WIDE):
+        return None
+    value = bound + (1 if side else -1) * (1.0 + abs(bound) if v.type in REALS else 1.0)
+    return value if abs(value) < (LARGEST_REAL if v.type in REALS else LARGEST_INTEGER) else None
 
 
 def _judged(stage: str, rule: str, instance: Tried, status: int, what: str = "") -> Row:
@@ -98,10 +109,11 @@ def _judged(stage: str, rule: str, instance: Tried, status: int, what: str = "")
     return Row(stage, rule, "pass", f"{prefix}refused with {name} and a message")
 
 
+OUT_OF_RANGE = ("above_maximum", "below_minimum")
 RULES = {
     f.__name__: f
     for f in (
-        step_before_initialization, exit_before_enter, enter_twice, parameter_after_initialization, step_after_terminate,
-        backward_step, above_maximum, below_minimum,
+        step_before_initialization, exit_before_enter, enter_twice, parameter_after_initialization,
+        step_after_terminate, backward_step, above_maximum, below_minimum,
     )
 }  # fmt: skip

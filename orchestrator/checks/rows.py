@@ -15,8 +15,8 @@ SHOWN = 4  # names in a row
 class Row:
     """One check. `error`: breaks the standard or crashes; `finding`: a partner will stumble over it.
 
-    `not applicable`: the FMU says that it cannot, or has nothing to check; `skipped`: a tool is missing. Only errors and
-    findings count.
+    `not applicable`: the FMU says that it cannot, or has nothing to check; `skipped`: a tool is missing. Only errors
+    and findings count.
     """
 
     stage: str

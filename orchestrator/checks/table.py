@@ -21,19 +21,19 @@ STYLES = {"pass": "green", "finding": "yellow", "error": "bold red", "not applic
 def print_report(report: Report) -> None:
     """The table of one FMU, and its count in one line."""
     console = Console(width=None if sys.stdout.isatty() else 100, highlight=False)
-    table = Table(box=None, pad_edge=False, title_justify="left", padding=(0, 2, 0, 0))
-    for heading, ratio in (("", None), ("check", 5), ("found", 9), ("how to mend", 8)):
-        table.add_column(heading, ratio=ratio, overflow="fold")
-    table.expand = True
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_edge=False)
+    table.add_column("", width=7)
+    table.add_column("check", width=36)
+    table.add_column("found, and how to mend it", overflow="fold")
     stage = ""
     for row in report.rows:
         if row.stage != stage:
-            table.add_row("", f"[bold]{escape(row.stage)}[/]", "", "")
+            table.add_row("", f"[bold]{escape(row.stage)}[/]", "")
             stage = row.stage
         style = STYLES[row.verdict]
         verdict = {"not applicable": "n.a."}.get(row.verdict, row.verdict)
-        cells = (verdict, row.rule, row.found, row.mend)
-        table.add_row(*(f"[{style}]{escape(cell)}[/]" if k == 0 else escape(cell) for k, cell in enumerate(cells)))
+        mend = f"\n[{style}]mend:[/] {escape(row.mend)}" if row.mend else ""
+        table.add_row(f"[{style}]{verdict}[/]", escape(row.rule), escape(row.found) + mend)
     console.print(f"[bold]{escape(str(report.path))}[/]{escape(f' ({report.kind})' if report.kind else '')}")
     console.print(table)
     console.print(summary(report), style="green" if report.clean else "bold red")
@@ -44,7 +44,7 @@ def summary(report: Report) -> str:
     """How many checks passed, and what did not."""
     text = f"{report.count('pass')} passed, {report.count('error')} errors, {report.count('finding')} findings"
     for verdict in ("not applicable", "skipped"):
-        number = report.count(verdict)  # type: ignore[arg-type]
+        number = report.count(verdict)
         text += f", {number} {verdict}" if number else ""
     return text
 

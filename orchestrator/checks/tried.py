@@ -9,7 +9,7 @@ import ctypes
 import math
 import struct
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 import fmpy
 from fmpy import fmi2, fmi3
@@ -23,12 +23,14 @@ REFUSED = 2  # statuses from here on (Discard, Error, Fatal) refuse a call
 FATAL = 4
 
 
-class Refusal(Exception):
+class RefusedError(Exception):
     """A call that should have succeeded did not; the text says which, the status and the FMU's own words."""
 
 
 class Tried:
-    """One instance. Methods named after FMI calls return the status; `must` raises Refusal unless it is a good one."""
+    """One instance. Methods that make an FMI call return its status; `must` raises RefusedError unless it is good."""
+
+    doomed: ClassVar[bool] = False  # after Fatal no instance in the process may be called (FMI 2.0.4, 2.1.3)
 
     def __init__(self, subject: Subject, name: str = "tried") -> None:
         self.subject, self.name = subject, name
@@ -51,7 +53,7 @@ class Tried:
         callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log2)
         callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
         callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
-        # The proxy formats printf arguments; pythonfmu passes bare messages as the format instead (see orchestrator/fmu.py).
+        # The proxy formats printf arguments; pythonfmu passes bare messages as the format (see orchestrator/fmu.py).
         if not (self.subject.folder / "resources" / "slavemodule.txt").is_file():
             fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
         return callbacks
@@ -69,15 +71,16 @@ class Tried:
         try:
             function(*arguments, **options)
         except FMICallException as error:
-            self.lost = self.lost or error.status >= FATAL
+            if error.status >= FATAL:
+                self.lost = Tried.doomed = True
             return int(error.status)
         return 0
 
     def must(self, what: str, status: int) -> None:
-        """Raises Refusal unless the status is a good one."""
+        """Raises RefusedError unless the status is a good one."""
         if status:
             words = f": {self.messages[-1].splitlines()[-1]}" if self.messages else ""
-            raise Refusal(f"{what} returned {STATUS.get(status, status)}{words}")
+            raise RefusedError(f"{what} returned {STATUS.get(status, status)}{words}")
 
     # --- variables ---
 
@@ -93,7 +96,7 @@ class Tried:
         return self.status(getattr(self.slave, f"set{kind}"), [v.valueReference], values)
 
     def get(self, v: ModelVariable) -> list[Any]:
-        """The elements of a variable. Raises Refusal."""
+        """The elements of a variable. Raises RefusedError."""
         kind = {2: "Integer", 3: "Int64"}[self.subject.version] if v.type == "Enumeration" else v.type
         getter = getattr(self.slave, f"get{kind}")
         many = {} if self.subject.version == 2 else {"nValues": size(v)}
@@ -125,7 +128,7 @@ class Tried:
     # --- life cycle ---
 
     def set_starts(self) -> None:
-        """Set every parameter and input to its own start value. Raises Refusal."""
+        """Set every parameter and input to its own start value. Raises RefusedError."""
         for v in self.subject.of("parameter", "input"):
             values = self.start_values(v)
             if values:
@@ -147,7 +150,7 @@ class Tried:
         return self.status(self.slave.exitInitializationMode)
 
     def begin(self) -> None:
-        """From a new instance to time 0 with start values. Raises Refusal."""
+        """From a new instance to time 0 with start values. Raises RefusedError."""
         self.must("setupExperiment", self.setup())
         self.set_starts()
         self.must("enterInitializationMode", self.enter())
@@ -158,7 +161,7 @@ class Tried:
         return self.status(self.slave.doStep, t, h)
 
     def stir(self, first: int, steps: int, phase: float = 0.0) -> list[bytes]:
-        """Steps with inputs that change all the time; all outputs after each. Raises Refusal."""
+        """Steps with inputs that change all the time; all outputs after each. Raises RefusedError."""
         h, seen = self.subject.step, []
         inputs = [v for v in self.subject.of("input") if v.type in REALS]
         for k in range(first, first + steps):

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import pint
 from fmpy.model_description import Unit
 
 from ..errors import InputError
 from ..units import parse_unit
-from .subject import REALS, Subject
 from .rows import Row, judged
+from .subject import REALS, Subject
 
 STAGE = "units"
 DIMENSIONS = {
@@ -27,11 +28,12 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
     used = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in reals}
     yield judged(
         STAGE, "every number has a unit", [name for name, unit in used.items() if not unit],
-        f"{len(used)} variables, {len(units)} units", "without a unit", 'give each a unit, "1" for pure numbers', "finding",
+        f"{len(used)} variables, {len(units)} units", "without a unit",
+        'give each a unit, "1" for pure numbers', "finding",
     )  # fmt: skip
     yield judged(
-        STAGE, "units are defined", sorted({u for u in used.values() if u and u not in units}), "all in UnitDefinitions",
-        "not in UnitDefinitions", "add a Unit element for each", "error",
+        STAGE, "units are defined", sorted({u for u in used.values() if u and u not in units}),
+        "all in UnitDefinitions", "not in UnitDefinitions", "add a Unit element for each", "error",
     )  # fmt: skip
     known, unknown = {}, []
     for name, unit in units.items():
@@ -51,12 +53,13 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
     wrong = [name for name, (unit, meant) in known.items() if unit.baseUnit is not None and not _agrees(unit, meant)]
     yield judged(
         STAGE, "BaseUnit fits the name", wrong, "exponents and factors are those of pint", "not the unit of that name",
-        "correct exponents, factor or offset of BaseUnit", "error",
+        "correct exponents, factor or offset of BaseUnit, or the name", "finding",
     )  # fmt: skip
 
 
 def _whole(meant: pint.Unit) -> bool:
-    return all(float(exponent).is_integer() for exponent in meant.dimensionality.values())
+    dimensions: Any = meant.dimensionality
+    return all(exponent == int(exponent) for exponent in dimensions.values())
 
 
 def _agrees(unit: Unit, meant: pint.Unit) -> bool:
@@ -65,8 +68,6 @@ def _agrees(unit: Unit, meant: pint.Unit) -> bool:
     written = {dimension: getattr(base, symbol) for symbol, dimension in DIMENSIONS.items() if getattr(base, symbol)}
     if written != dict(meant.dimensionality):
         return False
-    try:
-        factor = (1.0 * meant).to_base_units().magnitude
-    except pint.OffsetUnitCalculusError:  # degC: the offset is the point, the factor is 1 or 5/9
-        return bool(base.offset)
-    return math.isclose(float(base.factor), float(factor), rel_tol=1e-9) and not base.offset
+    quantity: Any = meant._REGISTRY.Quantity
+    zero, one = (quantity(value, meant).to_base_units().magnitude for value in (0.0, 1.0))
+    return math.isclose(base.factor, one - zero, rel_tol=1e-9) and math.isclose(base.offset, zero, rel_tol=1e-9)

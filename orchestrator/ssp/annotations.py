@@ -46,26 +46,30 @@ def annotate(parent: Any, keys: Mapping[str, Any]) -> None:
     """Append our annotation to an element; nothing where there is nothing to say."""
     if not keys:
         return
+    element = etree.SubElement(annotation(parent, TYPE), f"{{{NAMESPACE}}}Keys", nsmap={"rovbrush": NAMESPACE})
+    element.text = json.dumps(keys, allow_nan=False)
+
+
+def annotation(parent: Any, type_: str) -> Any:
+    """A new <Annotation> of an element, behind those that it has."""
     ssd, ssc = (f"{{{NAMESPACES[prefix]}}}" for prefix in ("ssd", "ssc"))
     annotations = parent.find(f"{ssd}Annotations")
     if annotations is None:
         annotations = etree.SubElement(parent, f"{ssd}Annotations")
-    annotation = etree.SubElement(annotations, f"{ssc}Annotation", type=TYPE)
-    element = etree.SubElement(annotation, f"{{{NAMESPACE}}}Keys", nsmap={"rovbrush": NAMESPACE})
-    element.text = json.dumps(keys, allow_nan=False)
+    return etree.SubElement(annotations, f"{ssc}Annotation", type=type_)
 
 
 def annotated(document: Document, element: Any, allowed: tuple[str, ...] = ()) -> dict[str, Any]:
     """Our keys on an element, {} where there are none. `allowed`: all that may be there. Raises InputError."""
     found: dict[str, Any] = {}
-    for annotation in find(element, "ssd:Annotations/ssc:Annotation"):
-        if annotation.get("type") == TYPE:
+    for entry in find(element, "ssd:Annotations/ssc:Annotation"):
+        if entry.get("type") == TYPE:
             try:
-                keys = json.loads(annotation[0].text)
+                keys = json.loads(entry[0].text)
             except (ValueError, TypeError, IndexError, RecursionError) as error:
-                raise document.fail(f"the {TYPE} annotation is no JSON: {error}", annotation) from None
+                raise document.fail(f"the {TYPE} annotation is no JSON: {error}", entry) from None
             if not isinstance(keys, dict) or (allowed and not keys.keys() <= set(allowed)):
-                raise document.fail(f"the {TYPE} annotation may hold {', '.join(allowed) or 'a table'} only", annotation)
+                raise document.fail(f"the {TYPE} annotation may hold {', '.join(allowed) or 'a table'} only", entry)
             found |= keys
     return found
 

@@ -22,8 +22,20 @@ SCHEMAS = {
     "ParameterSet": "SystemStructureParameterValues.xsd",
     "ParameterMapping": "SystemStructureParameterMapping.xsd",
 }
-TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration", "Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16"}
-TYPES |= {"Int32", "UInt32", "Int64", "UInt64"}
+TYPES = {
+    "Real",
+    "Integer",
+    "Boolean",
+    "String",
+    "Enumeration",
+    "Float64",
+    "Float32",
+    "Int8",
+    "UInt8",
+    "Int16",
+    "UInt16",
+}
+TYPES |= {"UInt16", "Int32", "UInt32", "Int64", "UInt64"}
 MAPPINGS = {"BooleanMappingTransformation", "IntegerMappingTransformation", "EnumerationMappingTransformation"}
 
 # What is read, by the element that it stands in. Whatever else stands there is an error that names it.

@@ -17,7 +17,7 @@ from ..errors import InputError
 from .archive import Archive
 from .document import MAPPINGS, Document, find, local, typed_child
 from .structure import Element
-from .units import Definition, Linear, convert, definitions, stated_linear
+from .units import IDENTITY, Definition, Linear, convert, definitions, stated_linear
 from .wires import End, Wire
 
 
@@ -29,7 +29,7 @@ class Stated:
     unit: str | None
     known: Mapping[str, Definition]
     where: str
-    linear: Linear = Linear()
+    linear: Linear = IDENTITY
     convert: bool = True
     listed: bool = False
 
@@ -38,11 +38,11 @@ class Stated:
         assert element.fmu
         v = element.fmu.variables[element.fmu.expand(variable)[0]]
         label = f"{element.name}.{variable} {self.where}"
-        unit = Linear(*convert(self.unit, v.unit, self.known, label)) if self.convert else Linear()
+        unit = Linear(*convert(self.unit, v.unit, self.known, label)) if self.convert else IDENTITY
         linear = unit.then(self.linear)
         items = {item.name: item.value for item in getattr(v.declaredType, "items", None) or ()}
         texts = [items.get(text, text) for text in self.texts]
-        if linear != Linear():
+        if linear != IDENTITY:
             try:
                 texts = [linear.factor * float(text) + linear.offset for text in texts]
             except ValueError:
@@ -87,9 +87,7 @@ class Parameters:
         known = [*element.connectors, *element.elements, *(element.fmu.base_names("parameter") if element.fmu else ())]
         close = difflib.get_close_matches(name, known, n=1, cutoff=0.8)
         if close:
-            raise InputError(
-                f"parameter '{name}': '{element.name}' has none; did you mean '{close[0]}'? {value.where}"
-            )
+            raise InputError(f"parameter '{name}': '{element.name}' has none; did you mean '{close[0]}'? {value.where}")
 
     def _binding(self, element: Element, xml: Any) -> dict[str, Stated]:
         if xml.get("type", "application/x-ssp-parameter-set") != "application/x-ssp-parameter-set":

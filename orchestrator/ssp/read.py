@@ -80,7 +80,7 @@ class SspFile(TomlFile):
         if not period:
             raise self.document.fail(
                 f"component '{component.name}' has no period: neither the file nor the FMU's default experiment "
-                f'states one; give one with --step, for instance --step "1 ms"',
+                f'states one; give one with --step "1 ms" (of run, plan and export)',
                 component.xml,
             )
         fmu = str(component.fmu.path.absolute())
@@ -102,7 +102,8 @@ class SspFile(TomlFile):
         start = "0" if experiment is None else experiment.get("startTime", "0")
         if float(start) != 0.0:
             raise self.document.fail(f"a start time of {start} s is not supported; runs begin at 0", experiment)
-        stated = keys.pop("stop_time", None) or (experiment is not None and experiment.get("stopTime"))
+        exact = keys.pop("stop_time", None)  # for times that are no double: 1/3 s
+        stated = exact or (experiment is not None and experiment.get("stopTime"))
         if not (self.stop or stated):
-            raise InputError(f"{self.path.name} states no stop time; give one with --stop, for instance --stop \"10 s\"")
+            raise InputError(f'{self.path.name} states no stop time; give one with --stop "10 s" (of run and export)')
         return str(self.stop or stated)

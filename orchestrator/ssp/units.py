@@ -61,8 +61,11 @@ class Linear:
         return Linear(other.factor * self.factor, other.factor * self.offset + other.offset)
 
 
+IDENTITY = Linear()
+
+
 def stated_linear(element: Any) -> Linear:
     """The LinearTransformation in an element; the identity where there is none."""
     for entry in find(element, "ssc:LinearTransformation"):
         return Linear(float(entry.get("factor", "1")), float(entry.get("offset", "0")))
-    return Linear()
+    return IDENTITY

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zipfile
 from collections.abc import Mapping
+from fractions import Fraction
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -11,13 +12,14 @@ from typing import Any
 from fmpy.model_description import ModelVariable
 from lxml import etree
 
-from ..clock import seconds_text
 from ..errors import InputError
 from ..fmu import Fmu
 from ..results import prepare_folder, write_file
 from ..system import Component, Connection, System
 from .annotations import annotate, component_keys, connection_keys, system_keys
 from .document import NAMESPACES, validate
+from .hints import NAMESPACE as OSP
+from .hints import hint_base_step, hint_step
 
 VERSIONS = ("1.0", "2.0")
 EARLIEST = (1980, 1, 1, 0, 0, 0)  # the date of every entry: the same system, the same file
@@ -34,7 +36,7 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
     structure = structure_of(system, files, ssp_version)
     entries: dict[str, bytes | Path] = {"SystemStructure.ssd": _text(structure)}
     for name, component in system.components.items():
-        values = parameter_set(component, ssp_version)
+        values = parameter_set(component, system.name, ssp_version)
         entries[f"resources/{name}.ssv"] = _text(values)
         entries[files[name]] = component.fmu.path
     if ssp_version == "1.0":
@@ -67,27 +69,27 @@ def structure_of(system: System, files: Mapping[str, str], ssp_version: str) -> 
     elements = _add(top, "ssd:Elements")
     units = _units(component.fmu for component in system.components.values())
     for name, component in system.components.items():
-        element = _add(
-            elements, "ssd:Component", name=name, source=files[name], type="application/x-fmu-sharedlibrary"
-        )
+        element = _add(elements, "ssd:Component", name=name, source=files[name], type="application/x-fmu-sharedlibrary")
         _connectors(element, component.fmu, units)
         bindings = _add(element, "ssd:ParameterBindings")
         _add(bindings, "ssd:ParameterBinding", source=f"resources/{name}.ssv")
         annotate(element, component_keys(component))
+        hint_step(element, component.period)
     if system.connections:
         connections = _add(top, "ssd:Connections")
         for connection in system.connections:
             _connection(connections, system, connection)
     _add_units(root, "ssd:Units", units)
-    stop = seconds_text(system.stop)
-    _add(root, "ssd:DefaultExperiment", startTime="0.0", stopTime=repr(float(system.stop)))
-    annotate(root, {**system_keys(system), "stop_time": stop})
+    stop = repr(float(system.stop))
+    experiment = _add(root, "ssd:DefaultExperiment", startTime="0.0", stopTime=stop)
+    hint_base_step(experiment, min(component.period for component in system.components.values()))
+    annotate(root, system_keys(system) | ({} if Fraction(stop) == system.stop else {"stop_time": f"{system.stop} s"}))
     return root
 
 
-def parameter_set(component: Component, ssp_version: str) -> Any:
+def parameter_set(component: Component, set_name: str, ssp_version: str) -> Any:
     """The values of one component as a ParameterSet, in the order in which they are set."""
-    root = _root("ssv", "ParameterSet", ssp_version, component.name)
+    root = _root("ssv", "ParameterSet", ssp_version, set_name)
     parameters = _add(root, "ssv:Parameters")
     units = _units([component.fmu])
     for name, value in {**component.parameters, **component.inputs}.items():
@@ -144,7 +146,9 @@ def _add_units(parent: Any, tag: str, units: Mapping[str, Any]) -> None:
 
 
 def _root(prefix: str, tag: str, ssp_version: str, name: str) -> Any:
-    element = etree.Element(f"{{{NAMESPACES[prefix]}}}{tag}", nsmap={key: NAMESPACES[key] for key in ("ssc", prefix)})
+    own = {key: NAMESPACES[key] for key in ("ssc", prefix)}
+    hints = {"osp": OSP} if prefix == "ssd" else {}  # at the root: libcosim takes a declaration below for content
+    element = etree.Element(f"{{{NAMESPACES[prefix]}}}{tag}", nsmap=own | hints)
     element.set("version", ssp_version)
     element.set("name", name)
     element.set("generationTool", f"rovbrush {version('rovbrush')}")

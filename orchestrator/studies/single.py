@@ -26,12 +26,13 @@ def planned(
     fmus: Path | None = None,
     changes: Changes = UNCHANGED,
     boundaries: Sequence[str] = (),
+    step: str = "",
 ) -> Plan:
     """Load a system, apply changes, values and a stop time, plan it and check what it wants reported.
 
-    `boundaries`: components of which every input and output is recorded. Raises InputError.
+    `boundaries`: components of which every input and output is recorded. `step`: see `load_system`. Raises InputError.
     """
-    system = changes.apply(load_system(name, fmus)).with_values(values, "--set")
+    system = changes.apply(load_system(name, fmus, step, stop)).with_values(values, "--set")
     for component in boundaries:
         if component not in system.components:
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
@@ -52,9 +53,10 @@ def run_system(
     check: bool,
     changes: Changes = UNCHANGED,
     boundaries: Sequence[str] = (),
+    step: str = "",
 ) -> None:
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(name, values, stop, fmus, changes, boundaries)
+    plan = planned(name, values, stop, fmus, changes, boundaries, step)
     prepare_folder(out)
     for note in (note for component in plan.system.components.values() for note in component.notes):
         console.print(note, markup=False)

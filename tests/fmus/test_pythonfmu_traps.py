@@ -338,6 +338,7 @@ def test_outputs_answer_at_once_only_to_declared_inputs(name: str) -> None:
     slave = component(instance_name="direct")
     for v in component.inputs:
         slave.views[v.name][:] = np.clip(0.01, v.minimum, v.maximum)
+    slave.enter_initialization_mode()
     slave.exit_initialization_mode()
     assert all(slave.do_step(k * H, H) for k in range(40))
 
