@@ -27,9 +27,11 @@ class Changes:
         """The changed system. Raises InputError or FmuError for what does not fit."""
         fmus, mappings = dict(self.fmus), dict(self.mappings)
         periods: dict[str, Fraction] = {}
+        for option, pairs in (("--period", self.periods), ("--replace", self.fmus), ("--map", self.mappings)):
+            for name, _ in pairs:
+                if name not in system.components:
+                    raise InputError(f"{option}: no component '{name}'{nearest(name, system.components)}")
         for name, text in self.periods:
-            if name not in system.components:
-                raise InputError(f"--period: no component '{name}'{nearest(name, system.components)}")
             periods[name] = duration(text, f"--period {name}")
         for name in mappings.keys() - fmus.keys():
             raise InputError(f"--map {name}: nothing replaces {name}; give --replace {name}=their.fmu too")

@@ -37,7 +37,10 @@ class Level:
 
 
 def write_container(system: System, path: Path) -> list[str]:
-    """Write the container; returns what the toolbox has to say of it. Raises InputError for what it cannot hold, RunError where the toolbox fails."""
+    """Write the container; returns what the toolbox has to say of it.
+
+    Raises InputError for what a container cannot hold, RunError where the toolbox fails.
+    """
     if path.suffix != ".fmu" or not path.stem.isidentifier():
         raise InputError(f"--out {path}: the name must end in .fmu and be made of letters, digits and _")
     _check(system)
@@ -90,6 +93,9 @@ def differences(plan: Plan) -> list[str]:
 
 
 def _check(system: System) -> None:
+    for name, component in system.components.items():
+        if component.fmu.crossings:
+            raise InputError(f"component {name} has its variables mapped, which a container cannot do")
     for connection in system.connections:
         if (connection.gain, connection.offset) != (1.0, 0.0):
             raise InputError(

@@ -33,9 +33,9 @@ def test_component(
     ] = 1e-3,
 ) -> None:
     """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
-    from .component_tests.tables import test_component as test
+    from .component_tests.tables import run_bench
 
-    if test(fmu, component, map_, tolerance):
+    if run_bench(fmu, component, map_, tolerance):
         raise typer.Exit(1)
 
 

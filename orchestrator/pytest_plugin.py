@@ -42,7 +42,9 @@ def pytest_collection_modifyitems(session: pytest.Session, config: pytest.Config
         raise pytest.UsageError(str(error)) from error
     suite = Suite.from_parent(session, name=f"{path.name} as {component}", nodeid=f"{path.name}::{component}")
     items.append(InterfaceItem.from_parent(suite, name="interface_fits", bench=bench))
-    items += [BehaviourItem.from_parent(suite, name=test.__name__, bench=bench, test=test) for test in bench.suite.tests]
+    items += [
+        BehaviourItem.from_parent(suite, name=test.__name__, bench=bench, test=test) for test in bench.suite.tests
+    ]
 
 
 class Suite(pytest.Collector):

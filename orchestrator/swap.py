@@ -13,7 +13,7 @@ from dataclasses import replace
 from fmpy.model_description import ModelVariable
 
 from .crossing import REALS, Crossing, crossing
-from .errors import InputError, nearest
+from .errors import InputError
 from .fmu import Fmu, parse_value
 from .mapping import VariableMapping
 from .missing import Missing, leave_out
@@ -29,8 +29,6 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     Raises InputError where the FMU lacks what the system needs, for units that do not fit, another causality or type,
     and for inputs of theirs that nothing drives.
     """
-    if name not in system.components:
-        raise InputError(f"--replace: no component '{name}'{nearest(name, system.components)}")
     before, label = system.components[name], fmu.path.name
     ours = [v for v in before.fmu.variables.values() if v.causality in ROLES]
     mapping.check([v.name for v in ours], fmu.variables, name, label)
@@ -50,7 +48,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     missing = Missing(name, label, mapping, [v.name for v in lacking], fmu)
     component = Component(
         name, replace(fmu, presented=tuple(presented), crossings=crossings), before.period,
-        notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}",
+        notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
                *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings)),
     )  # fmt: skip
     left = leave_out(system, before, missing)
@@ -145,6 +143,12 @@ def own_values(
             if name in mapped:
                 raise InputError(f"[{table}]: '{name}' stands for one of our variables; remove it ({mapping.file})")
     return {**mapping.inputs, **mapping.parameters}
+
+
+def _tool(fmu: Fmu) -> Iterable[str]:
+    if fmu.description.coSimulation and fmu.description.coSimulation.needsExecutionTool:
+        maker = fmu.description.generationTool or "the tool that made it"
+        yield f"{fmu.path.name} says that it needs {maker} on this machine to run (needsExecutionTool)"
 
 
 def _crossing_notes(name: str, crossings: dict[str, Crossing], mapping: VariableMapping) -> Iterable[str]:

@@ -33,7 +33,8 @@ def test_brush_clear_of_the_hull_has_no_forces(unit: Unit) -> None:
 def test_hull_pushes_the_brush_back_and_friction_resists_the_sweep(unit: Unit) -> None:
     """Turning forward and pressed in, F_x, F_z and T_brush are all negative."""
     seen = run(unit, 0.1, H, NOMINAL)
-    holds(np.all(loads(seen) < 0.0), "F_x, F_z, T_brush = {:.4g}, {:.4g}, {:.4g}; expected negative".format(*loads(seen)))
+    F_x, F_z, T_brush = loads(seen)
+    holds(F_x < 0.0 and F_z < 0.0 and T_brush < 0.0, f"F_x = {F_x:.4g}, F_z = {F_z:.4g}, T_brush = {T_brush:.4g}")
 
 
 def test_friction_turns_with_the_direction_of_rotation(unit: Unit) -> None:
@@ -52,7 +53,8 @@ def test_passing_hull_drags_a_brush_at_rest_along(unit: Unit) -> None:
 def test_mirror_images_give_mirrored_forces(unit: Unit) -> None:
     """With rotation, cant, passing speed and angle reversed, F_x and T_brush are reversed and F_z is not."""
     right, left = (
-        loads(run(unit, 0.05, H, {"omega_b": s * 12.0, "delta": 5e-3, "v_rov": s * 0.3}, n=6, alpha=s * -0.3, theta_b_0=s * 0.1))
+        loads(run(unit, 0.05, H, {"omega_b": s * 12.0, "delta": 5e-3, "v_rov": s * 0.3}, n=6, alpha=s * -0.3,
+                  theta_b_0=s * 0.1))
         for s in (1.0, -1.0)
     )
     close(unit, "mirrored force and torque", left, right * (-1.0, 1.0, -1.0), 1e-9)  # angles differ by rounding
@@ -118,10 +120,10 @@ def test_eigenvalues_and_frequencies_are_those_of_the_cantilever(unit: Unit) -> 
 
 
 def test_pressed_filament_at_rest_obeys_beam_statics(unit: Unit) -> None:
-    """Without friction and rotation the base shear is the normal force across the axis; the moment is its lever times L."""
-    L, = values(unit, "L")
-    seen = run(unit, 0.6, H, {"omega_b": 0.0, "delta": 6e-3, "v_rov": 0.0, "friction_scale": 0.0}, n=1, alpha=0.0, k_v=0.0,
-               theta_b_0=0.2, zeta=(0.5,) * 6, foreshortening=False)  # fmt: skip
+    """Without friction and rotation the base shear is the normal force across the axis, the moment L times it."""
+    L = unit.parameter("L")
+    inputs = {"omega_b": 0.0, "delta": 6e-3, "v_rov": 0.0, "friction_scale": 0.0}
+    seen = run(unit, 0.6, H, inputs, n=1, alpha=0.0, k_v=0.0, theta_b_0=0.2, zeta=(0.5,) * 6, foreshortening=False)
     across = seen["F_z"] * np.sin(0.2)
     holds(abs(across) > 0.2, f"{across:.3g} N across the filament; it was to be bent")
     # With half of critical damping, exp(-0.5*163*0.6) is left of the transient.
@@ -139,7 +141,7 @@ def steady(unit: Unit, inputs: dict[str, float], **parameters: Any) -> tuple[Run
 
 
 def test_steady_forces_are_those_of_the_energy_balance(unit: Unit) -> None:
-    """Over a revolution, the hub's work -omega_b*T plus the hull's v_rov*F_x is what friction, contact and damping take."""
+    """Over a revolution, hub work -omega_b*T and hull work v_rov*F_x are what friction, contact and damping take."""
     names = ("W_friction", "W_contact", "W_damping")
     h = 2.0 * np.pi / 15.7 / 400.0
     seen = run(unit, 3200 * h, h, NOMINAL)
@@ -151,7 +153,7 @@ def test_steady_forces_are_those_of_the_energy_balance(unit: Unit) -> None:
 
 
 def test_less_friction_gives_less_drag(unit: Unit) -> None:
-    """In the steady state F_x falls with friction, in proportion within a factor, and so does the torque."""
+    """In the steady state F_x falls with friction, and so does the torque."""
     _, full = steady(unit, NOMINAL)
     _, less = steady(unit, NOMINAL | {"friction_scale": 0.8})
     holds(0.6 < less[0] / full[0] < 0.95, f"F_x falls to {less[0] / full[0]:.3f} at 0.8 of the friction")

@@ -75,10 +75,11 @@ def test_force_control_is_blind_to_position_along_the_normal_and_not_across_it(u
 
 
 def test_taking_over_and_giving_back_make_no_jump(unit: Unit) -> None:
-    """The first pressing sample goes on from the PID's force; the last gives back no more than the PID's own request."""
+    """The first pressing sample goes on from the PID's force; the last gives back what the PID itself asks for."""
     K_position, K_velocity, K_velocity_i = values(unit, "K_position", "K_velocity", "K_velocity_i")
     speed = K_position[2] * 0.05  # asked for by a set-point 50 mm inside the hull
-    seen = unit.new({"F_tool": (0.0, 0.0, -20.0), "z_ref": 0.05}, **where_known(unit, T_s=T_S), mode=2, T_filter=0.0, K_feedforward=0.0)
+    inputs = {"F_tool": (0.0, 0.0, -20.0), "z_ref": 0.05}
+    seen = unit.new(inputs, **where_known(unit, T_s=T_S), mode=2, T_filter=0.0, K_feedforward=0.0)
     forces = []
     for k in range(300):
         pressing = 50 <= k < 200
@@ -104,14 +105,15 @@ def test_force_control_waits_for_contact_and_ends_below_half_of_it(unit: Unit) -
 
 def test_normal_can_point_anywhere(unit: Unit) -> None:
     """F_n is the measured force against the normal, whichever way that points."""
-    seen = unit.new({"F_tool": (-25.0, 0.0, 0.0), "F_n_ref": 40.0}, **where_known(unit, T_s=T_S), mode=2, normal=(1.0, 0.0, 0.0), T_filter=0.0)
+    inputs = {"F_tool": (-25.0, 0.0, 0.0), "F_n_ref": 40.0}
+    seen = unit.new(inputs, **where_known(unit, T_s=T_S), mode=2, normal=(1.0, 0.0, 0.0), T_filter=0.0)
     seen.step(T_S)
     same("force into the hull", seen["F_n"], 25.0)
     same("pressing", seen["pressing"], 1.0)
 
 
 def test_integral_of_the_force_does_not_wind_up(unit: Unit) -> None:
-    """A set-point beyond the thrusters for 10 s leaves little behind when it comes back; without back-calculation much."""
+    """A force beyond the thrusters for 10 s leaves little behind; without back-calculation it leaves much."""
     left = []
     for K_windup in (5.0, 0.0):
         seen = unit.new({"F_tool": (0.0, 0.0, -20.0)}, **where_known(unit, T_s=T_S), mode=2, K_windup=K_windup)

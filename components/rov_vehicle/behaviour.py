@@ -12,7 +12,7 @@ import numpy as np
 from ..behaviour import Running, Unit, close, go_on, holds, read, run, values
 from ..behaviour_suite import Excitation, suite
 from . import behaviour_at_rest
-from .behaviour_at_rest import FREE, H, TILTED, WEIGHTLESS, rotation
+from .behaviour_at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
 from .fmu import RovVehicle
 from .parameters import BENZON_2022, WU_2018, Parameters
 
@@ -72,7 +72,8 @@ def test_thrust_and_drag_balance_at_the_terminal_speed(unit: Unit) -> None:
 def test_weight_below_buoyancy_rights_the_vehicle(unit: Unit) -> None:
     """Heeled and pitched, it turns back at once and comes to rest upright."""
     seen = run(unit, H, H, {}, attitude_start=(0.2, 0.3, 0.0), net_buoyancy=0.0)
-    holds(seen["p"] < 0.0 and seen["q"] < 0.0, f"rates p = {seen['p']:.3g}, q = {seen['q']:.3g} rad/s, expected negative")
+    p, q = read(seen, "p", "q")
+    holds(p < 0.0 and q < 0.0, f"rates p = {p:.3g}, q = {q:.3g} rad/s, expected negative")
     close(unit, "roll and pitch after 2 min", read(go_on(seen, 120.0, 0.02), "phi", "theta"), 0.0, 1e-6, 1.0)
 
 
@@ -140,7 +141,8 @@ def test_energy_is_accounted_for(unit: Unit) -> None:
 def test_errors_fall_with_the_fourth_power_of_the_internal_step(unit: Unit) -> None:
     """Pose and velocity without damping, and the energy residual with it, are of fourth order in max_step."""
     # Without damping: |v| v has a kink at each reversal, which blurs the order.
-    moved = [read(run(unit, 2.0, 0.02, {}, **TILTED, **FREE, max_step=dt), *POSE, *VELOCITY) for dt in (0.02, 0.01, 6.25e-4)]
+    moved = [read(run(unit, 2.0, 0.02, {}, **TILTED, **FREE, max_step=dt), *POSE, *VELOCITY)
+             for dt in (0.02, 0.01, 6.25e-4)]
     order = np.log2(np.abs(moved[0] - moved[2]).max() / np.abs(moved[1] - moved[2]).max())
     close(unit, "order of the integration", order, 4.0, 0.2, 1.0)
     coarse, fine = (go_on(disturbed(unit, max_step=dt), 4.0, H)["energy_residual"] for dt in (5e-3, 2.5e-3))

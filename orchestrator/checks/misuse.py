@@ -1,4 +1,7 @@
-"""What an FMU must refuse: calls in the wrong order and values out of range. A rule that was broken, or met with Fatal, ends its process."""
+"""What an FMU must refuse: calls in the wrong order and values out of range.
+
+What was not refused, or refused with Fatal, ends the process (`child.py`): each rule meets a sound FMU.
+"""
 
 from __future__ import annotations
 

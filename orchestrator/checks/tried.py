@@ -8,7 +8,7 @@ from __future__ import annotations
 import ctypes
 import math
 import struct
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 import fmpy
@@ -192,9 +192,3 @@ def stirred(v: ModelVariable, start: float, angle: float) -> float:
     low, high = bounds(v)
     value = start + 0.01 * (float(v.nominal or 0.0) or abs(start) or 1.0) * math.sin(angle)
     return min(max(value, value if low is None else low), value if high is None else high)
-
-
-def close_all(instances: Iterable[Tried]) -> None:
-    """Terminate and release each."""
-    for instance in instances:
-        instance.close()

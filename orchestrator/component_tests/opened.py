@@ -18,8 +18,11 @@ def open_fmu(path: Path) -> Fmu:
     """Unpack and read a co-simulation FMU. Raises FmuError if it cannot be used, saying why."""
     folder, digest = unpack(path)
     xml = folder / "modelDescription.xml"
-    if not xml.is_file() or fmi_version(path, xml) != "3.0":
+    version = fmi_version(path, xml) if xml.is_file() else "2.0"
+    if version == "2.0":
         return Fmu.open(path)
+    if version != "3.0":
+        raise FmuError(f"FMU {path} is of FMI version {version}; export it for FMI 2.0 or 3.0")
     try:
         description = fmpy.read_model_description(str(folder), validate=True)
     except Exception as error:

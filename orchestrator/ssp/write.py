@@ -31,6 +31,9 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
     """Write a system as an SSP of version 1.0 (validated by its schemas) or 2.0. Raises InputError or RunError."""
     if ssp_version not in VERSIONS:
         raise InputError(f"SSP version {ssp_version!r} cannot be written; take {' or '.join(VERSIONS)}")
+    for name, component in system.components.items():
+        if component.fmu.crossings:
+            raise InputError(f"component {name} has its variables mapped, which is not written to an SSP")
     prepare_folder(path.parent)
     files = resource_names(system)
     structure = structure_of(system, files, ssp_version)

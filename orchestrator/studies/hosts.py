@@ -46,6 +46,8 @@ def run_host(host: str, system: System, steps: int, recording: bool = False, lim
     `recording`: every output at every step, by what the host offers for it. Raises InputError for a host that is not
     installed and for systems of several periods, RunError if the host fails.
     """
+    if steps < 3:
+        raise InputError(f"{host}: at least 3 steps are needed to measure one")
     why = missing(host)
     if why:
         raise InputError(why)
@@ -111,8 +113,9 @@ def _libcosimpy(system: System, ssp: Path, steps: int, recording: bool) -> tuple
         execution.add_observer(series)
         for (name, _), reference in references.items():
             series.start_time_series(index[name], reference, CosimVariableType.REAL)
+    execution.step(1)  # initializes as well
     begin = time.perf_counter()
-    if not execution.step(steps - 1):
+    if not execution.step(steps - 2):
         raise RunError("libcosim stopped early")
     wall = time.perf_counter() - begin
     last = CosimObserver.create_last_value()  # costs something at every step, so only in the last
@@ -122,7 +125,7 @@ def _libcosimpy(system: System, ssp: Path, steps: int, recording: bool) -> tuple
         f"{name}.{output}": last.last_real_values(index[name], [reference])[0]
         for (name, output), reference in references.items()
     }
-    return wall / (steps - 1), values
+    return wall / (steps - 2), values
 
 
 def _ecospy(system: System, ssp: Path, steps: int, recording: bool) -> tuple[float, dict[str, float]]:

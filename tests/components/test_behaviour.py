@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from helpers import Measured, build_fixture
 from kernel_unit import KernelUnit
-from rovbrush.components.build import COMPONENTS
+from rovbrush.components.build import COMPONENTS, HERE, sources
 from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
 from rovbrush.orchestrator.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
 
@@ -67,17 +67,13 @@ def test_kernel_behaves(name: str, test: Callable[[Any], None], measured: Measur
 
 @pytest.mark.parametrize("kind", OWN)
 @pytest.mark.parametrize(("name", "test"), TESTS, ids=IDS)
-def test_fmu_behaves(
-    name: str, test: Callable[[Any], None], kind: str, bench_of: Callable[[str, str], Bench]
-) -> None:
+def test_fmu_behaves(name: str, test: Callable[[Any], None], kind: str, bench_of: Callable[[str, str], Bench]) -> None:
     attempt(test, bench_of(name, kind).unit)
 
 
 @pytest.mark.parametrize("kind", OWN)
 @pytest.mark.parametrize("name", COMPONENTS)
-def test_interface_of_the_fmu_is_the_declared_one(
-    name: str, kind: str, bench_of: Callable[[str, str], Bench]
-) -> None:
+def test_interface_of_the_fmu_is_the_declared_one(name: str, kind: str, bench_of: Callable[[str, str], Bench]) -> None:
     comparison = bench_of(name, kind).comparison
     assert [row for row in comparison.rows if row.finding != "fits"] == []
     assert set(comparison.bindings) == {v.name for v in suite_of(name).interface}
@@ -97,3 +93,8 @@ def test_every_claim_is_said_in_a_sentence(name: str) -> None:
     assert all(test.__doc__ and test.__doc__.strip().endswith(".") for test in suite.tests)
     assert len({test.__name__ for test in suite.tests}) == len(suite.tests)
     assert set(suite.essential) <= {v.name for v in suite.interface}
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_fmus_do_not_carry_the_tests(name: str) -> None:
+    assert not [path for path in sources(HERE / name) if "behaviour" in path]

@@ -66,7 +66,7 @@ DESCRIPTIONS = {
     "a step size is suggested": ("finding", {' stepSize="0.001"': ""}),
     "every number has a unit": ("finding", {K: K.replace('unit="1" ', "")}),
     "units are defined": ("error", {K: K.replace('unit="1"', 'unit="m"')}),
-    "units are understood": ("finding", {'<Unit name="N">': '<Unit name="furlongs per pint">'}),
+    "units are understood": ("finding", {'<Unit name="N">': '<Unit name="bananas">'}),
     "BaseUnit is given": ("finding", {'<BaseUnit kg="1" m="1" s="-2"/>': ""}),
     "BaseUnit fits the name": ("finding", {'kg="1" m="1" s="-2"': 'kg="1" m="2" s="-2"'}),
     "states can be saved": ("finding", {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}),
@@ -206,6 +206,7 @@ def test_an_fmu_that_does_not_run_gets_no_further_rules(gain: Edit) -> None:
 
 
 def test_fmpy_and_fmutool_are_heard(gain: Edit) -> None:
+    pytest.importorskip("fmu_manipulation_toolbox")
     subject = open_subject(gain({}, {'name="held"': 'name="y"'}))
     for row, words in (
         (external.fmpy_row(subject), "not unique"),

@@ -382,7 +382,7 @@ def test_any_change_of_a_source_changes_the_guid(tmp_path: Path, fmus: Path) -> 
     changed = tmp_path / "new" / "gain"
     shutil.copytree(FIXTURES / "gain", changed)
     (changed / "kernel.py").write_text((changed / "kernel.py").read_text() + "# changed\n")
-    assert declared(build(changed, tmp_path)).get("guid") != declared(fmus / "gain.fmu").get("guid")
+    assert declared(build(changed, tmp_path)[0]).get("guid") != declared(fmus / "gain.fmu").get("guid")
 
 
 @every_component

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
+import fmpy
 import pytest
 from helpers import build_fixture, edited, python
+from rovbrush.orchestrator.component_tests.suites import NotApplicableError
 from rovbrush.orchestrator.component_tests.verdicts import make_bench
 from rovbrush.orchestrator.errors import FmuError, InputError
 
@@ -81,7 +85,8 @@ def test_constants_that_are_five_percent_off_are_found_and_break_no_energy_law(m
 
 def test_energy_out_of_nothing_is_found(motor: Path, mapped: Mapped) -> None:
     found = failed(motor, mapped(fault=3))
-    assert any(claim.startswith("In the steady state the shaft gets less") for claim in found)
+    for claim in ("In the steady state the shaft gets less", "In the steady state V_in*i - shaft power"):
+        assert any(c.startswith(claim) for c in found)
 
 
 def test_results_that_do_not_repeat_are_found(motor: Path, mapped: Mapped) -> None:
@@ -109,25 +114,20 @@ def test_missing_port_fails_and_the_nearest_name_is_offered(fmus: Path, tmp_path
 @pytest.mark.parametrize(
     ("old", "new", "finding", "words"),
     [
-        ('<Real unit="rad/s" />', '<Real unit="rpm" />', "converted", "rad/s becomes omega_b [rpm]"),
-        ('<Real unit="rad/s" />', '<Real unit="N.m" />', "failed", "the units do not fit"),
-        ('<Real unit="rad/s" />', "<Real />", "noted", "states no unit; taken as rad/s"),
+        ('<Real unit="rad/s"/>', '<Real unit="rpm"/>', "converted", "rad/s becomes omega_b [rpm]"),
+        ('<Real unit="rad/s"/>', '<Real unit="N.m"/>', "failed", "the units do not fit"),
+        ('<Real unit="rad/s"/>', "<Real/>", "noted", "states no unit; taken as rad/s"),
     ],
 )
 def test_units_are_converted_refused_or_noted(
     old: str, new: str, finding: str, words: str, fmus: Path, tmp_path: Path
 ) -> None:
-    import re
-    import zipfile
-
     with zipfile.ZipFile(fmus / "dc_motor.fmu") as archive:
         text = archive.read("modelDescription.xml").decode()
     element = re.search(r'<ScalarVariable name="omega_b".*?</ScalarVariable>', text, re.DOTALL)
     assert element is not None and old in element[0]
     units = {'<Unit name="rad/s">': '<Unit name="rpm" /><Unit name="rad/s">'} if "rpm" in new else {}
-    bad = edited(
-        fmus / "dc_motor.fmu", tmp_path / "bad.fmu", {}, {element[0]: element[0].replace(old, new), **units}
-    )
+    bad = edited(fmus / "dc_motor.fmu", tmp_path / "bad.fmu", {}, {element[0]: element[0].replace(old, new), **units})
     row = next(r for r in make_bench(bad, "dc_motor", None).comparison.rows if r.ours == "omega_b")
     assert row.finding == finding and words in row.text
 
@@ -147,6 +147,56 @@ def test_unknown_component_and_unknown_names_are_one_message(motor: Path, mapped
         make_bench(motor.with_name("nowhere.fmu"), "dc_motor", None)
 
 
+@pytest.mark.parametrize(
+    ("flag", "value", "reason"),
+    [
+        ("canGetAndSetFMUstate", "false", "needs an FMU that can save and restore its state"),
+        ("canBeInstantiatedOnlyOncePerProcess", "true", "needs several instances at a time"),
+    ],
+)
+def test_what_an_fmu_cannot_do_is_not_counted_as_passed(
+    flag: str, value: str, reason: str, fmus: Path, tmp_path: Path
+) -> None:
+    old = f'{flag}="{"true" if value == "false" else "false"}"'
+    limited = edited(fmus / "dc_motor.fmu", tmp_path / "limited.fmu", {}, {old: f'{flag}="{value}"'})
+    verdicts = list(make_bench(limited, "dc_motor", None, tolerance=0.0).judge())
+    assert not [v for v in verdicts if v.verdict == "failed"]
+    lacking = [v for v in verdicts if v.verdict == "not applicable"]
+    assert lacking and all(v.text.startswith(reason) for v in lacking)
+
+
+def test_steps_of_several_lengths_are_not_asked_of_an_fmu_that_allows_one(fmus: Path, tmp_path: Path) -> None:
+    flag = "canHandleVariableCommunicationStepSize"
+    rigid = edited(fmus / "dc_motor.fmu", tmp_path / "rigid.fmu", {}, {f'{flag}="true"': f'{flag}="false"'})
+    unit = make_bench(rigid, "dc_motor", None).unit
+    running = unit.new({"V_in": 12.0})
+    running.step(1e-3)
+    with pytest.raises(NotApplicableError, match="the FMU allows one length"):
+        running.step(2e-3)
+    unit.release()
+
+
+def test_parameter_beyond_their_range_is_not_applicable(fmus: Path, tmp_path: Path) -> None:
+    narrow = edited(
+        fmus / "dc_motor.fmu", tmp_path / "narrow.fmu", {},
+        {'unit="kg.m2" min="1e-09" max="1.0"': 'unit="kg.m2" min="1e-09" max="0.1"'},
+    )  # fmt: skip
+    lacking = [v.text for v in make_bench(narrow, "dc_motor", None).judge() if v.verdict == "not applicable"]
+    assert lacking == ["needs J_m = 1, outside of 1e-09 to 0.1"]
+
+
+def test_fmus_that_cannot_be_used_give_one_message_that_says_what_to_ask_for(
+    fmus: Path, native: Path, tmp_path: Path
+) -> None:
+    old = edited(fmus / "dc_motor.fmu", tmp_path / "old.fmu", {}, {'fmiVersion="2.0"': 'fmiVersion="1.0"'})
+    with pytest.raises(FmuError, match=r"is of FMI version 1\.0; export it for FMI 2\.0 or 3\.0"):
+        make_bench(old, "dc_motor", None)
+    library = f"binaries/{fmpy.platform_tuple}/dc_motor{fmpy.sharedLibraryExtension}"
+    bare = edited(native / "fmi3" / "dc_motor.fmu", tmp_path / "bare.fmu", {library: None})
+    with pytest.raises(FmuError, match=f"has no binary for {fmpy.platform_tuple}; it has "):
+        make_bench(bare, "dc_motor", None)
+
+
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     return python("from rovbrush.orchestrator.cli import main; main()", "test-component", *arguments)
 
@@ -155,6 +205,7 @@ def test_command_prints_verdicts_within_100_columns_and_returns_them(motor: Path
     good = command(str(motor), "--as", "dc_motor", "--map", str(mapped()))
     assert good.returncode == 0, good.stderr
     assert "0 failed" in good.stdout and "not applicable" in good.stdout
+    assert "not there, so that tests which need them do not apply: " in good.stdout
     assert max(map(len, good.stdout.splitlines())) <= 100
     bad = command(str(motor), "--as", "dc_motor", "--map", str(mapped(fault=1)))
     assert bad.returncode == 1 and "failed" in bad.stdout
@@ -174,7 +225,9 @@ def test_plugin_collects_the_suite_in_a_repository_without_tests(motor: Path, ma
     good = run_pytest(tmp_path, "--fmu", str(motor), "--as", "dc_motor", "--map", str(mapped()), "-rs")
     assert good.returncode == 0, good.stdout
     assert "passed" in good.stdout and "not applicable: needs T_motor" in good.stdout
-    bad = run_pytest(tmp_path, "--fmu", str(motor), "--as", "dc_motor", "--map", str(mapped(fault=1)), "-v")
+    bad = run_pytest(
+        tmp_path, "--fmu", str(motor), "--as", "dc_motor", "--map", str(mapped(fault=1)), "-v", "-k", "forward"
+    )
     assert bad.returncode == 1
     assert "foreign_motor.fmu::dc_motor::test_voltage_turns_the_brush_forward_and_torque_pushes_it FAILED" in bad.stdout
     assert "is the sign of T_brush turned round?" in bad.stdout

@@ -128,8 +128,7 @@ GET_STATUS(String, fmi2String)
 
 fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind kind, fmi2Real *value) {
     if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
-    const double *v = ((Instance *)c)->v + component.value_count;
-    *value = v[0] + v[1];
+    *value = ((Instance *)c)->v[component.value_count];
     return fmi2OK;
 }
 

@@ -180,6 +180,7 @@ Status instance_step(Instance *instance, double time, double step) {
     instance->v[time_place() + 1] = step;
     if (check_inputs(instance)) return STATUS_ERROR;
     component.step(instance->v, instance->arrays, instance->shapes);
+    instance->v[time_place()] = time + step; /* outputs that are asked for between two steps belong to its end */
     instance->stale = false;
     return check_outputs(instance);
 }
