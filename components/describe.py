@@ -1,6 +1,6 @@
 """The variable tables of `fmus/README.md`, written from the interface declarations of the components.
 
-    python -m rovbrush.components.describe     writes the tables anew, between the two marks in the file
+`python -m rovbrush.components.describe` writes them anew, between the two marks in the file.
 """
 
 from __future__ import annotations
@@ -81,7 +81,9 @@ def _range(v: Variable) -> str:
 
 
 def _number(value: float) -> str:
-    return repr(float(value)).removesuffix(".0")
+    """All digits, in the shorter of two forms."""
+    full, short = repr(float(value)).removesuffix(".0"), f"{value:g}"
+    return short if float(short) == value and len(short) < len(full) else full
 
 
 def main(path: Path = README) -> None:

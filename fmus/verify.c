@@ -1,15 +1,16 @@
 /* Drives a native FMI 2.0 FMU with a recording and compares its outputs: a host of one file, with no Python.
 
-   verify FOLDER NAME RECORDING [RTOL [ATOL]]
-     FOLDER     the unpacked FMU           NAME  its model name, e.g. dc_motor
-     RECORDING  path without the ending, e.g. results/motor for motor_in.csv, motor_ref.csv, motor_ref.opt,
-                motor_parameters.csv
+   verify FOLDER RECORDING [RTOL [ATOL]]
+     FOLDER     the unpacked FMU
+     RECORDING  path without the ending: results/motor for results/motor_in.csv, _ref.csv, _ref.opt, _parameters.csv
    An output is within where |error| <= ATOL + RTOL*its largest magnitude; RTOL is that of the recording if not given.
    Exit code: 0 all within, 1 an output is outside or a call failed, 2 wrong use or files.
 
    gcc -std=c11 -O2 -I FOLDER/sources verify.c -o verify -lm -ldl      cl /std:c11 /I FOLDER\sources verify.c  */
 #define _CRT_SECURE_NO_WARNINGS
+#define _XOPEN_SOURCE 700
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,11 +19,15 @@
 
 #ifdef _WIN32
 #include <windows.h>
+#define FULL_PATH(path, full) _fullpath(full, path, sizeof full)
+#define FILE_URI "file:///%s/resources"
 #define LIBRARY "%s/binaries/win64/%s.dll"
 static void *load(const char *path) { return (void *)LoadLibraryA(path); }
 static void *find(void *library, const char *name) { return (void *)GetProcAddress((HMODULE)library, name); }
 #else
 #include <dlfcn.h>
+#define FULL_PATH(path, full) realpath(path, full)
+#define FILE_URI "file://%s/resources"
 #define LIBRARY "%s/binaries/linux64/%s.so"
 static void *load(const char *path) { return dlopen(path, RTLD_NOW); }
 static void *find(void *library, const char *name) { return dlsym(library, name); }
@@ -74,6 +79,11 @@ static fmi2ValueReference look_up(const char *xml, const char *name, char *type)
     if (!at) stop(2, "the FMU has no variable ", name);
     *type = strchr(at + 1, '<')[1];
     return (fmi2ValueReference)strtoul(at + strlen(key), NULL, 10);
+}
+
+static void attribute(const char *xml, const char *key, char value[256]) {
+    const char *at = strstr(xml, key);
+    if (!at || sscanf(at + strlen(key), "=\"%255[^\"]", value) != 1) stop(2, "modelDescription.xml lacks ", key);
 }
 
 static int next_row(Series *s) {
@@ -130,13 +140,18 @@ static void message(void *environment, fmi2String instance, fmi2Status status, f
     if (!Name) stop(1, "the library lacks ", #Name)
 
 int main(int count, char **words) {
-    if (count < 4) stop(2, "usage: verify FOLDER NAME RECORDING [RTOL [ATOL]]", "");
-    const char *folder = words[1], *base = words[3];
-    const char *xml = read_text(folder);
-    char path[1024], token[256] = "", type;
-    snprintf(path, sizeof path, LIBRARY, folder, words[2]);
+    if (count < 3) stop(2, "usage: verify FOLDER RECORDING [RTOL [ATOL]]", "");
+    const char *base = words[2], *xml = read_text(words[1]);
+    char folder[4096], path[8192], resources[8192], name[256], token[256], type;
+    if (!FULL_PATH(words[1], folder)) stop(2, "no folder ", words[1]);
+    attribute(xml, "modelIdentifier", name);
+    attribute(xml, "guid", token);
+    snprintf(path, sizeof path, LIBRARY, folder, name);
+    snprintf(resources, sizeof resources, FILE_URI, folder);
+    for (char *at = resources; *at; at++)
+        if (*at == '\\') *at = '/';
     void *library = load(path);
-    if (!library) stop(1, "cannot load ", path);
+    if (!library) stop(1, "cannot load (is it for this platform? does it need Python?) ", path);
     FUNCTION(fmi2Instantiate);
     FUNCTION(fmi2SetupExperiment);
     FUNCTION(fmi2EnterInitializationMode);
@@ -149,10 +164,8 @@ int main(int count, char **words) {
     FUNCTION(fmi2Terminate);
     FUNCTION(fmi2FreeInstance);
 
-    const char *guid = strstr(xml, "guid=\"");
-    if (!guid || sscanf(guid, "guid=\"%255[^\"]", token) != 1) stop(2, "no guid in modelDescription.xml", "");
     const fmi2CallbackFunctions callbacks = {message, calloc, free, NULL, NULL};
-    fmi2Component c = fmi2Instantiate(words[2], fmi2CoSimulation, token, "", &callbacks, fmi2False, fmi2True);
+    fmi2Component c = fmi2Instantiate(name, fmi2CoSimulation, token, resources, &callbacks, fmi2False, fmi2True);
     if (!c) stop(1, "fmi2Instantiate gives no instance", "");
 
     /* name, causality, value, unit: parameters and the inputs of time 0 */
@@ -172,8 +185,8 @@ int main(int count, char **words) {
     fclose(file);
 
     Series *in = open_series(xml, base, "_in.csv"), *ref = open_series(xml, base, "_ref.csv");
-    const double step = option(base, "StepSize"), rtol = count > 4 ? atof(words[4]) : option(base, "RelTol");
-    const double atol = count > 5 ? atof(words[5]) : 0.0;
+    const double step = option(base, "StepSize"), rtol = count > 3 ? atof(words[3]) : option(base, "RelTol");
+    const double atol = count > 4 ? atof(words[4]) : 0.0;
     double seen[COLUMNS], error[COLUMNS] = {0}, scale[COLUMNS] = {0};
     CALL(fmi2SetupExperiment(c, fmi2False, 0.0, in->values[0], fmi2False, 0.0));
     CALL(fmi2EnterInitializationMode(c));

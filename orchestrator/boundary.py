@@ -19,6 +19,7 @@ import numpy as np
 
 from .results import write_file
 from .simulation import Run
+from .swap import OWN
 
 HEAD = ("name", "causality", "value", "unit")
 TOLERANCE = 1e-6  # RelTol of a recording: between solvers of ordinary accuracy, not between bits
@@ -35,12 +36,17 @@ def write_boundary(run: Run, name: str, folder: Path) -> list[Path]:
     # In row k of a table stands the input of the step that ends there; a file of inputs has it where the step begins.
     held = np.concatenate([table[1:], table[-1:]])
     inputs = {v: held[:, columns[v]].tolist() for v in component.fmu.names("input") if v in columns}
-    inputs |= {v: [float(value)] * len(times) for v, value in component.inputs.items() if variables[v].type == "Real"}
+    constant = {v: value for v, value in component.inputs.items() if not v.startswith(OWN)}
+    inputs |= {v: [float(value)] * len(times) for v, value in constant.items() if variables[v].type == "Real"}
     outputs = {v: table[:, columns[v]].tolist() for v in component.fmu.names("output") if v in columns}
     starts: dict[str, object] = {v: variables[v].start for v in component.fmu.names("parameter")}
-    starts |= {**component.parameters, **component.inputs}
+    starts |= {**component.parameters, **constant}
     starts |= {v: float(table[0, columns[v]]) for v in (*inputs, *outputs) if v in columns}
-    rows = [(v, variables[v].causality, _text(value), variables[v].unit or "1") for v, value in starts.items()]
+    rows = [
+        (v, variables[v].causality, _text(value), variables[v].unit or "1")
+        for v, value in starts.items()
+        if value is not None and not v.startswith(OWN)  # what is another FMU's own means nothing to the next one
+    ]
     settings = {"StartTime": 0.0, "StopTime": times[-1], "StepSize": plan.clock.time(group.period), "RelTol": TOLERANCE}
     options = "".join(f"{key}, {value!r}\n" for key, value in settings.items())
     return [

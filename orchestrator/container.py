@@ -4,6 +4,9 @@ A container steps its FMUs in parallel at one period, with inputs held from the 
 `hold`. Several periods nest: the container of the slowest components holds, as one more FMU, the container of all that
 are faster, so each period must be a whole multiple of the next faster one. Parameters that the system sets and inputs
 that nothing drives can be set from outside, as `component.variable`; so are all outputs named.
+
+A container does not solve loops at time 0, and a nested one gives zeros until its first step: what slow components
+hear of fast ones comes one slow period late. Inputs are to be set before steps, not before the initialization.
 """
 
 from __future__ import annotations
@@ -89,6 +92,8 @@ def differences(plan: Plan) -> list[str]:
         notes.append(f"the container holds every signal; the plan has other transfers for {', '.join(other)}")
     notes += [f"{name} samples at the beginning of its step; in the container its outputs come one period later"
               for name in plan.samplers]  # fmt: skip
+    if len(set(plan.clock.periods.values())) > 1:
+        notes.append("slow components hear of fast ones one slow period late: nested containers give zeros at time 0")
     return notes
 
 

@@ -90,7 +90,8 @@ def _crossings(fmu: LoneFmu, recording: Recording, mapping: VariableMapping) -> 
     roles = dict.fromkeys(recording.inputs, "input") | dict.fromkeys(recording.outputs, "output")
     roles |= {name: start.causality for name, start in recording.starts.items()}
     label = fmu.path.name
-    mapping.check(roles, fmu.variables, recording.name, label)
+    left_out = [name for name, entry in mapping.entries.items() if entry.absent]  # a recording may lack them too
+    mapping.check([*roles, *left_out], fmu.variables, recording.name, label)
     crossings: dict[str, Crossing] = {}
     lacking: dict[str, list[str]] = {}
     notes = []

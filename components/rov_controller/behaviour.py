@@ -48,14 +48,17 @@ def test_no_error_gives_no_command(unit: Unit) -> None:
 
 
 def test_first_sample_is_the_product_of_the_gains(unit: Unit) -> None:
-    """F = K_velocity*(K_position*e - v) in the first sample, before any integral; M likewise."""
+    """F = K_velocity*(K_position*(ref - position) - v) in the first sample, before any integral; M likewise."""
     K_position, K_velocity, K_attitude, K_rate = values(unit, "K_position", "K_velocity", "K_attitude", "K_rate")
-    seen = after_one_sample(unit, {"x_ref": 0.1, "y_ref": -0.05, "z_ref": 0.02, "u": 0.03, "w": -0.01, "q": 0.02})
-    expected = K_velocity * (K_position * (0.1, -0.05, 0.02) - (0.03, 0.0, -0.01))
+    inputs = {"x_ref": 0.1, "y_ref": -0.05, "z_ref": 0.02, "x_n": 0.03, "y_n": 0.01, "z_n": -0.04}
+    seen = after_one_sample(unit, inputs | {"u": 0.03, "w": -0.01, "p": 0.01, "q": 0.02, "r": -0.03})
+    expected = K_velocity * (K_position * (0.07, -0.06, 0.06) - (0.03, 0.0, -0.01))
     close(unit, "force", seen["F_ref"], expected, 1e-12)
-    close(unit, "moment", seen["M_ref"], K_rate * (0.0, -0.02, 0.0), 1e-12)
-    turned = after_one_sample(unit, {"psi_ref": 0.1})
-    close(unit, "moment", turned["M_ref"], K_rate * K_attitude * (0.0, 0.0, 0.1), 1e-12)
+    close(unit, "moment against the rates", seen["M_ref"], K_rate * (-0.01, -0.02, 0.03), 1e-12)
+    for axis, angle in enumerate(("phi", "theta", "psi")):
+        expected = K_rate * K_attitude * 0.06 * (np.arange(3) == axis)
+        seen = after_one_sample(unit, {f"{angle}_ref": 0.1, angle: 0.04})
+        close(unit, "moment against an angle", seen["M_ref"], expected, 1e-12)
 
 
 def test_integral_grows_with_the_error(unit: Unit) -> None:

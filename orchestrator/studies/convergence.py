@@ -10,7 +10,7 @@ from typing import Any
 from rich.table import Table
 
 from ..changes import UNCHANGED, Changes
-from ..console import console, progress
+from ..console import console, print_notes, progress
 from ..errors import RunError
 from ..plan import make_plan
 from ..results import prepare_folder, write_file, write_json
@@ -25,6 +25,7 @@ def converge(name: str, out: Path, fmus: Path | None, changes: Changes = UNCHANG
     """Run with periods times 1, 1/2 and 1/4; print and write what each mean does. Raises RunError beyond BOUND."""
     base = planned(name, {}, fmus=fmus, changes=changes)
     prepare_folder(out)
+    print_notes(base.system)
     summaries = []
     for factor in (Fraction(1), Fraction(1, 2), Fraction(1, 4)):
         plan = make_plan(base.system.with_periods(factor))

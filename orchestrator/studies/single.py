@@ -9,7 +9,7 @@ from pathlib import Path
 from ..boundary import write_boundary
 from ..changes import UNCHANGED, Changes
 from ..clock import duration
-from ..console import console, print_comparison, print_summary, progress
+from ..console import console, print_comparison, print_notes, print_summary, progress
 from ..errors import InputError, RunError, nearest
 from ..plan import Plan, make_plan
 from ..reader import load_system
@@ -58,8 +58,7 @@ def run_system(
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
     plan = planned(name, values, stop, fmus, changes, boundaries, step)
     prepare_folder(out)
-    for note in (note for component in plan.system.components.values() for note in component.notes):
-        console.print(note, markup=False)
+    print_notes(plan.system)
     console.print("loading the FMUs; the first run compiles their kernels, which takes about half a minute")
     with progress(float(plan.system.stop), f"running {plan.system.name}") as report:
         run = simulate(plan, progress=report)

@@ -13,7 +13,7 @@ from rich.markup import escape
 from rich.table import Table as Printed
 
 from ..changes import UNCHANGED, Changes
-from ..console import console, progress
+from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..results import prepare_folder
 from ..summary import figure_units
@@ -75,6 +75,7 @@ def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
     workers = make_workers(options, job, len(design))
     with workers:
         prepare_folder(out)
+        print_notes(system)
         points = Points(out, header(system.name, job.digest, float(system.stop), design, units))
         texts = {**{key: str(text) for key, text in system.reporting["summary"].items()}}
         figures = {key: (unit, texts.get(key, key.replace("_", " "))) for key, unit in units.items()}

@@ -84,7 +84,9 @@ def document(top: str, units: str = "", experiment: str = 'stopTime="0.1"', vers
     )
 
 
-def write_ssp_file(path: Path, fmus: Path, text: str, used: Iterable[str], files: Mapping[str, str] | None = None) -> Path:
+def write_ssp_file(
+    path: Path, fmus: Path, text: str, used: Iterable[str], files: Mapping[str, str] | None = None
+) -> Path:
     """A .ssp with a structure, FMUs by name in resources/, and further text files."""
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("SystemStructure.ssd", text)

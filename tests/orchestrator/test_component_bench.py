@@ -12,7 +12,8 @@ from pathlib import Path
 import fmpy
 import pytest
 from helpers import build_fixture, edited, python
-from rovbrush.orchestrator.component_tests.suites import NotApplicableError
+from rovbrush.components.build import COMPONENTS
+from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
 from rovbrush.orchestrator.component_tests.verdicts import make_bench
 from rovbrush.orchestrator.errors import FmuError, InputError
 
@@ -248,3 +249,15 @@ def test_plugin_imports_nothing_heavy() -> None:
     code = "import sys, rovbrush.orchestrator.pytest_plugin; print(*sorted(sys.modules))"
     loaded = set(python(code).stdout.split())
     assert not loaded & {"numpy", "numba", "scipy", "fmpy", "pythonfmu", "rich", "typer", "rovbrush.components"}
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_turned_sign_of_any_variable_that_systems_need_is_found(name: str, native: Path, tmp_path: Path) -> None:
+    unfound = []
+    for variable in suite_of(name).essential:
+        path = tmp_path / f"{variable}.toml"
+        path.write_text(f"[variables]\n{variable} = {{ name = '{variable}', sign = -1 }}\n")
+        verdicts = make_bench(native / "fmi2" / f"{name}.fmu", name, path).judge()
+        if not any(v.verdict == "failed" for v in verdicts):
+            unfound.append(variable)
+    assert not unfound

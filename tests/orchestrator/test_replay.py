@@ -11,10 +11,14 @@ import numpy as np
 import pytest
 from fmpy.util import read_csv, read_ref_opt_file
 from helpers import edited, system_text
+from rovbrush.orchestrator.boundary import write_boundary
+from rovbrush.orchestrator.changes import changes_of
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.recording import read_recording
 from rovbrush.orchestrator.replay import replay
+from rovbrush.orchestrator.simulation import require_complete, simulate
+from rovbrush.orchestrator.studies.single import planned
 
 PARTS = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 90.0}),
@@ -141,3 +145,31 @@ def test_what_cannot_be_replayed_is_refused(
 def test_an_empty_folder_says_how_to_make_a_recording(fmus: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="--record-boundary"):
         replay(fmus / "gain.fmu", tmp_path)
+
+
+@pytest.mark.parametrize("version", ["fmi2", "fmi3"])
+def test_a_native_controller_repeats_the_bits_of_the_python_one(
+    version: str, native: Path, fmus: Path, tmp_path: Path
+) -> None:
+    """It samples, and in FMI 3.0 its vectors are arrays."""
+    run = require_complete(simulate(planned("nominal", {}, "200 ms", fmus, boundaries=("controller",))))
+    write_boundary(run, "controller", tmp_path)
+    verdicts = replay(native / version / "rov_controller.fmu", tmp_path, rtol=0.0)
+    assert {v.text for v in verdicts} == {"equal"}
+    assert {f"u_thruster[{k}]" for k in range(1, 9)} <= {v.output for v in verdicts}
+
+
+def test_what_a_foreign_fmu_did_in_the_loop_replays_with_its_own_mapping(fmus: Path, tmp_path: Path) -> None:
+    """The recording is in our names; what only their FMU has comes from the mapping file again."""
+    (tmp_path / "case.toml").write_text(system_text(PARTS, WIRES, stop="300 ms"), encoding="utf-8")
+    fmu = edited(
+        fmus / "gain.fmu", tmp_path / "their.fmu", {}, {'name="u"': 'name="force"', 'name="k"': 'name="factor"'}
+    )
+    (tmp_path / "map.toml").write_text(
+        "[variables]\nu = ''\nk = ''\ny = { sign = -1 }\n[inputs]\nforce = 3.0\n[parameters]\nfactor = 4.0\n"
+    )
+    changes = changes_of([f"g={fmu}"], [f"g={tmp_path / 'map.toml'}"], [])
+    plan = planned(str(tmp_path / "case.toml"), {}, "", fmus, changes, boundaries=("g",))
+    write_boundary(require_complete(simulate(plan)), "g", tmp_path)
+    verdicts = replay(fmu, tmp_path, mapping=tmp_path / "map.toml", rtol=0.0)
+    assert {v.text for v in verdicts} == {"equal"} and verdicts[0].scale == 12.01

@@ -81,9 +81,7 @@ def test_a_run_from_the_ssp_is_bitwise_the_run_from_toml(name: str, fmus: Path, 
 
 
 def test_the_same_system_gives_the_same_file_byte_for_byte(fmus: Path, tmp_path: Path) -> None:
-    first, second = (
-        write_ssp(load_system("test_stand", fmus), tmp_path / f"{k}.ssp").read_bytes() for k in range(2)
-    )
+    first, second = (write_ssp(load_system("test_stand", fmus), tmp_path / f"{k}.ssp").read_bytes() for k in range(2))
     assert first == second
 
 

@@ -73,7 +73,9 @@ def test_the_period_is_the_option_else_the_step_size_of_the_fmu(read: Read) -> N
 def test_without_any_period_the_error_names_the_component_and_the_option(tmp_path: Path, fmus: Path) -> None:
     top = system(component("bare", "plain"))
     path = write_ssp_file(tmp_path / "case.ssp", fmus, document(top), ("plain",))
-    with pytest.raises(InputError, match=r"component 'bare' has no period.*--step.*case\.ssp/SystemStructure\.ssd, line"):
+    with pytest.raises(
+        InputError, match=r"component 'bare' has no period.*--step.*case\.ssp/SystemStructure\.ssd, line"
+    ):
         load_system(str(path))
 
 
@@ -179,7 +181,9 @@ def test_a_parameter_mapping_renames_transforms_and_drops_what_it_does_not_menti
 
 
 def test_parameters_of_a_system_reach_the_components_behind_its_connectors(read: Read) -> None:
-    head = connectors(stiffness="parameter", drive="input") + bindings(inline(real("stiffness", "5") + real("drive", "2")))
+    head = connectors(stiffness="parameter", drive="input") + bindings(
+        inline(real("stiffness", "5") + real("drive", "2"))
+    )
     wires = connection("stiffness", "a.k") + connection("drive", "a.u", '<ssc:LinearTransformation factor="3"/>')
     found = read(document(system(component("a", "gain"), wires, head=head))).components["a"]
     assert (found.parameters, found.inputs) == ({"k": 5.0}, {"u": 6.0})
@@ -189,7 +193,9 @@ def test_a_name_that_no_variable_has_is_passed_over_but_a_misspelt_one_is_an_err
     top = system(component("a", "gain", bindings(inline(real("of_another_system", "1")))))
     assert read(document(top)).components["a"].parameters == {}
     top = system(component("a", "gain", bindings(inline(real("ofset", "1")))))
-    with pytest.raises(InputError, match=r"parameter 'ofset': 'a' has none; did you mean 'offset'\? \(case\.ssp/.*line"):
+    with pytest.raises(
+        InputError, match=r"parameter 'ofset': 'a' has none; did you mean 'offset'\? \(case\.ssp/.*line"
+    ):
         read(document(top))
 
 
@@ -287,7 +293,10 @@ def test_ssp_2_elements_that_are_not_supported_are_errors_too(read: Read) -> Non
     ("text", "message"),
     [
         ("<ssd:System", r"SystemStructure\.ssd is not well-formed XML"),
-        (document(CHAIN).replace("<ssd:System ", "<ssd:Sistem ").replace("</ssd:System>", "</ssd:Sistem>"), "no valid SSP"),
+        (
+            document(CHAIN).replace("<ssd:System ", "<ssd:Sistem ").replace("</ssd:System>", "</ssd:Sistem>"),
+            "no valid SSP",
+        ),
         (document(CHAIN, version="3.0"), r"SSP version 3\.0 is not known; 1\.0 and 2\.0 are"),
         (document(CHAIN, experiment='startTime="5" stopTime="6"'), r"a start time of 5 s is not supported"),
         (
