@@ -30,12 +30,11 @@ file, stop, step, answer, *values = sys.argv[1:]
 description = fmpy.read_model_description(file)
 names = [v.name for v in description.modelVariables if v.causality == "output"]
 given = {name: float(value) for name, _, value in (text.partition("=") for text in values)}
-inputs = [v.name for v in description.modelVariables if v.causality == "input"]
-signals = None
-if inputs:  # before every step, with the start values of the container where none is given
-    starts = {v.name: float(v.start) for v in description.modelVariables if v.name in inputs}
-    columns = [("time", float), *((name, float) for name in inputs)]
-    signals = numpy.array([(0.0, *(given.get(name, starts[name]) for name in inputs))], dtype=columns)
+inputs = [v.name for v in description.modelVariables if v.causality == "input" and v.name in given]
+signals = None  # inputs are set before every step
+if inputs:
+    row = (0.0, *(given[name] for name in inputs))
+    signals = numpy.array([row], dtype=[("time", float), *((name, float) for name in inputs)])
 start = {name: value for name, value in given.items() if name not in inputs}
 result = fmpy.simulate_fmu(file, stop_time=float(stop), step_size=float(step), output_interval=float(step),
                            output=names, start_values=start, input=signals)

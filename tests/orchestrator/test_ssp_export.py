@@ -114,7 +114,7 @@ def test_the_export_is_valid_by_the_schemas_and_an_invalid_tree_would_be_found(f
     Document(tmp_path / "files" / "resources" / "motor.ssv", "ssv", "ParameterSet")
     root = etree.parse(str(tmp_path / "files" / "SystemStructure.ssd")).getroot()
     root.find(".//{*}Component").attrib.pop("name")
-    with pytest.raises(InputError, match="no valid SSP file.*name"):
+    with pytest.raises(InputError, match=r"no valid SSP file.*name"):
         validate(root, "ssd")
 
 
