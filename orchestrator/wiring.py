@@ -32,7 +32,7 @@ class Link:
 
 
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
-    link = entry if isinstance(entry, Link) else _parsed(file, str(entry))
+    link = entry if isinstance(entry, Link) else _parsed(file, entry)
     source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
     label, where = f"connection {link}", link.where or file.at(str(entry))
     if transfer and transfer not in TRANSFERS:
@@ -68,11 +68,11 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     return found
 
 
-def _parsed(file: TomlFile, entry: str) -> Link:
-    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", entry.strip())
+def _parsed(file: TomlFile, entry: object) -> Link:
+    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
     if match is None:
         raise file.fail(
-            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', entry
+            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
         )
     source, output, target, input_, transfer = match.groups(default="")
     return Link(source, output, target, input_, transfer)
