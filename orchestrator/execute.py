@@ -1,35 +1,33 @@
 """Runs a plan. `run` is one source with two lives: compiled by Numba for speed, plain Python as its interpreter.
 
-It calls the FMI functions by address (`calls.py`), allocates nothing and touches no Python object.
+It calls the FMI functions by address (`exchange.py`, `calls.py`), allocates nothing and touches no Python object.
 """
 
 from __future__ import annotations
 
 from functools import cache
-from math import isfinite
 from typing import Any
 
 import numpy as np
 
-from .calls import do_step, exchange
-from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
+from .exchange import BAD_VALUE, get_outputs, set_inputs, step
+from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, MOVE, PUSH, RECORD, SET, STEP
 
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE = range(4)
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
-SET_REAL, GET_REAL, DO_STEP, INSTANCE, IN_REFS, IN_COUNT, IN_VALUES, OUT_REFS, OUT_COUNT, OUT_VALUES, OUT_SLOT = range(
-    11
-)
 
 
 def run(
-    operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, z: np.ndarray,
-    slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray, control: np.ndarray,
+    operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, blocks: np.ndarray,
+    z: np.ndarray, typed: Any, slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray,
+    control: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS or NOT_FINITE.
 
-    operations (m, 8), see operations.COLUMNS; components (n, 11), addresses and counts, see SET_REAL...;
-    z: all signals; groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
+    operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
+    exchange.py; z: all signals; typed: the same cells as whole numbers, raw values and texts, see memory.py;
+    groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (5): a stop request from outside, and where and why the run ended.
     """
     for cycle in range(first_cycle, first_cycle + cycles):
@@ -47,37 +45,19 @@ def run(
             if code == STEP:
                 start = base + b
                 time = (start * numerator) / denominator
-                step = (a * numerator) / denominator
-                status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, step)
+                length = (a * numerator) / denominator
+                status = step(components[c], typed, time, length)
                 if status > 1:
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
             elif code in (SET, GET):
                 if code == SET:
-                    status = exchange(
-                        components[c, SET_REAL],
-                        components[c, INSTANCE],
-                        components[c, IN_REFS],
-                        components[c, IN_COUNT],
-                        components[c, IN_VALUES],
-                    )
+                    status = set_inputs(components[c], blocks, z, typed)
                 else:
-                    status = exchange(
-                        components[c, GET_REAL],
-                        components[c, INSTANCE],
-                        components[c, OUT_REFS],
-                        components[c, OUT_COUNT],
-                        components[c, OUT_VALUES],
-                    )
+                    status = get_outputs(components[c], blocks, z, typed, control)
                 if status > 1:
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
-                    return BAD_STATUS
-                if code == GET:
-                    first = components[c, OUT_SLOT]
-                    for j in range(first, first + components[c, OUT_COUNT]):
-                        if not isfinite(z[j]):
-                            control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j
-                            return NOT_FINITE
+                    return NOT_FINITE if status == BAD_VALUE else BAD_STATUS
             elif code == COPY:
                 z[b] = coefficients[k] * z[a] + coefficients[k + 1]
             elif code == LINEAR:
@@ -88,7 +68,7 @@ def run(
                 tail = coefficients[k + 2] * z[a] + coefficients[k + 3] * z[p]
                 z[b] = coefficients[k] * (z[q] + tail) + coefficients[k + 1]
                 z[q] = -tail
-            elif code == PUSH:
+            elif code in (MOVE, PUSH):
                 z[b] = z[a]
             elif code == RECORD:
                 first, columns = groups[a, 0], groups[a, 1]
@@ -105,6 +85,9 @@ def compiled_run() -> Any:
     import numba
 
     compiled = numba.njit(cache=True, error_model="numpy")(run)
-    table, cells, numbers = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1]
-    compiled.compile((table, numbers, table, numbers, cells, table, numbers, cells, cells, *(numba.int64,) * 5))
+    table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
+    typed = numba.types.containers.Tuple((cells, raw, numba.float32[::1], raw, cells))
+    compiled.compile(
+        (table, numbers, table, table, numbers, typed, cells, table, numbers, cells, cells, *(numba.int64,) * 5)
+    )
     return compiled

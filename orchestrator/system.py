@@ -23,6 +23,8 @@ class Component:
     period: Fraction
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
+    isolation: str = ""  # "process": the FMU runs in a process of its own
+    timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""
