@@ -47,7 +47,7 @@ def _do_step3(address: int) -> Any:
 
 
 def exchange(function: int, component: int, references: int, count: int, values: int) -> int:
-    """fmi2SetReal, fmi2GetInteger...: `count` values at address `values`, their references at `references`; the status."""
+    """fmi2SetReal, fmi2GetInteger...: `count` values at address `values`, for those at `references`; the status."""
     return int(_set_or_get(int(function))(int(component), int(references), int(count), int(values)))
 
 

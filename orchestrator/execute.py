@@ -86,7 +86,7 @@ def compiled_run() -> Any:
 
     compiled = numba.njit(cache=True, error_model="numpy")(run)
     table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
-    typed = numba.types.containers.Tuple((cells, raw, numba.float32[::1], raw, cells))
+    typed = numba.types.Tuple((cells, raw, numba.float32[::1], raw, cells))  # type: ignore[no-untyped-call]
     compiled.compile(
         (table, numbers, table, table, numbers, typed, cells, table, numbers, cells, cells, *(numba.int64,) * 5)
     )

@@ -105,7 +105,8 @@ class Fmu:
         """The start value of a scalar; zero, false or empty where the description gives none."""
         v, kind = self.variables[name], self.type_of(name)
         empty = "" if kind is None or kind.dtype.kind == "O" else "0"
-        return parse_value(v, v.start if v.start is not None else empty, f"{self.path.name}: start value of {name}")
+        value = v.start if v.start is not None else empty
+        return parse_value(v, value, f"{self.path.name}: start value of {name}", kind)
 
     @property
     def can_save_state(self) -> bool:
@@ -150,7 +151,9 @@ class Fmu:
         return {name: known.get(owners[name], inputs) for name in self.names("output")}
 
 
-def parse_value(variable: ModelVariable, value: object, label: str) -> float | int | bool | str:
+def parse_value(
+    variable: ModelVariable, value: object, label: str, kind: FmiType | None = None
+) -> float | int | bool | str:
     """A parameter or start value in the variable's type and range. Raises InputError saying what is allowed."""
     unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
     real = variable.type in ("Real", "Float64", "Float32")
@@ -165,9 +168,9 @@ def parse_value(variable: ModelVariable, value: object, label: str) -> float | i
         if number != number or abs(number) == float("inf"):
             raise ValueError
     except (ValueError, KeyError, OverflowError):
-        kind = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
-        raise InputError(f"{label} = {value!s} is not {kind}") from None
-    low, high = _bounds(variable, real)
+        what = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
+        raise InputError(f"{label} = {value!s} is not {what}") from None
+    low, high = _bounds(variable, real, kind or TYPES[2].get(variable.type) or TYPES[3].get(variable.type))
     if not low <= number <= high:
         shown = f"{number:g}" if real else f"{number}"
         raise InputError(f"{label} = {shown}{unit} is out of range: {_text(low)} to {_text(high)}{unit} are allowed")
@@ -184,12 +187,11 @@ def _whole(text: str) -> int:
         return int(float(text))
 
 
-def _bounds(variable: ModelVariable, real: bool) -> tuple[float | int, float | int]:
+def _bounds(variable: ModelVariable, real: bool, kind: FmiType | None) -> tuple[float | int, float | int]:
     """The allowed range: what the variable declares, within what its type can hold."""
     if real:
         low = float(variable.min) if variable.min is not None else -float("inf")
         return low, float(variable.max) if variable.max is not None else float("inf")
-    kind = TYPES[2].get(variable.type) or TYPES[3].get(variable.type)
     limits = kind.range if kind else (-(2**63), 2**63 - 1)
     low = max(limits[0], int(variable.min)) if variable.min is not None else limits[0]
     return low, min(limits[1], int(variable.max)) if variable.max is not None else limits[1]

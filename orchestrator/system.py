@@ -128,6 +128,6 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")
     return {
-        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}")
+        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}", fmu.type_of(scalar))
         for scalar, v in zip(scalars, values, strict=True)
     }

@@ -109,7 +109,11 @@ def test_a_missing_description_is_refused(fmus: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('fmiVersion="2.0"', 'fmiVersion="1.0"', ["is of FMI version 1.0; version 2.0 or 3.0 is needed", "export it again"]),
+        (
+            'fmiVersion="2.0"',
+            'fmiVersion="1.0"',
+            ["is of FMI version 1.0; version 2.0 or 3.0 is needed", "export it again"],
+        ),
         ('fmiVersion="2.0"', 'fmiVersion="4.0"', ["is of FMI version 4.0; version 2.0 or 3.0 is needed"]),
         ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["is not valid"]),
         ("</fmiModelDescription>", "", ["not well-formed"]),
@@ -154,7 +158,8 @@ def test_a_broken_component_source_is_an_error_with_its_reason(fmus: Path, tmp_p
     # In a process of its own: the package keeps its name, and Python would find the one it has imported before.
     run = python(
         "import sys; from rovbrush.orchestrator.fmu import *; from rovbrush.orchestrator.instances import load; "
-        "load(Fmu.open(Path(sys.argv[1])), 'g')", str(path)
+        "load(Fmu.open(Path(sys.argv[1])), 'g')",
+        str(path),
     )
     assert run.returncode == 1
     assert "component g: bad.fmu cannot be instantiated" in run.stderr and "nonexistent_module_x" in run.stderr
