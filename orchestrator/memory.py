@@ -14,6 +14,7 @@ from .plan import Plan
 from .texts import Texts
 
 Key = tuple[str, str]
+Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
 class Memory:
@@ -47,8 +48,8 @@ class Memory:
         found: Value = decode(kind, self.z[slot : slot + 1])[0].item()
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
-    def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, tuple[np.ndarray, ...]]:
-        """`components` (n, 9), `blocks` (k, 10) and `typed` for `execute.run`, see exchange.py."""
+    def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
+        """`components` (n, 9) and `blocks` (k, 10) for `execute.run`, see exchange.py; whole, raw, raw32, pool, index."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0

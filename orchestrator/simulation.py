@@ -104,7 +104,7 @@ class _Loop:
             size = min(block, cycles - first)
             begin = time.perf_counter()
             code = function(
-                plan.cycle, plan.coefficients, self.components, self.blocks, self.z, self.typed, self.slots,
+                plan.cycle, plan.coefficients, self.components, self.blocks, self.z, *self.typed, self.slots,
                 self.groups, self.buffer, self.rows, self.control, first, size, clock.hyperperiod, clock.numerator,
                 clock.denominator,
             )  # fmt: skip
