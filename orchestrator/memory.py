@@ -49,7 +49,7 @@ class Memory:
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
-        """`components` (n, 9) and `blocks` (k, 10) for `execute.run`, see exchange.py; whole, raw, raw32, pool, index."""
+        """`components` (n, 9) and `blocks` (k, 10) for `execute.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0

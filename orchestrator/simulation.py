@@ -152,12 +152,14 @@ class _Loop:
         if status in REPORTED:
             return REPORTED[status]
         instance.dead = status == 4
-        discarded = instance.why_discarded() if status == 2 else ""
-        return f" returned {instance.prefix}{STATUS[status]}{discarded}"
+        return f" returned {instance.prefix}{STATUS[status]}"
 
     def _hint(self, name: str, code: int) -> str:
-        log = self.instances[name].log_text()
-        return f"; see its inputs and parameters{log}" if code == execute.NOT_FINITE else log
+        instance = self.instances[name]
+        if code == execute.NOT_FINITE:
+            return f"; see its inputs and parameters{instance.log_text()}"
+        discarded = code == execute.BAD_STATUS and self.control[execute.STATUS] == 2
+        return (instance.why_discarded() if discarded else "") + instance.log_text()
 
     def _output(self, slot: int) -> str:
         return next(key for key, s in self.plan.layout.outputs.items() if s == slot)[1]

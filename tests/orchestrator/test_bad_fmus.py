@@ -104,7 +104,7 @@ def test_a_connection_to_an_ill_declared_variable_is_refused(
 @pytest.mark.parametrize(
     ("fault", "words"),
     [
-        ("discard", "returned fmi2Discard; it reached t = 0.0125 s in the step"),
+        ("discard", "returned fmi2Discard in the step to t = 0.004 s; it reached t = 0.0125 s"),
         ("error", "returned fmi2Error"),
         ("fatal", "returned fmi2Fatal"),
         ("pending", "returned fmi2Pending"),

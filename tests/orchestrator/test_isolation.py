@@ -75,7 +75,7 @@ def test_a_python_fmu_gives_the_same_bits_too(fmus: Path, tmp_path: Path) -> Non
         ("hang", "its process did not answer within 1 s and was ended"),
         ("error", "returned fmi2Error"),
         ("fatal", "returned fmi2Fatal"),
-        ("discard", "returned fmi2Discard; it reached t = 0.0125 s"),
+        ("discard", "returned fmi2Discard in the step to t = 0.005 s; it reached t = 0.0125 s"),
     ],
 )
 def test_what_ends_the_process_is_an_error_of_the_run(fault: str, words: str, native: Path, tmp_path: Path) -> None:
