@@ -17,8 +17,8 @@ LARGEST_XML = 64 << 20  # bytes
 LARGEST_ARRAY = 100_000  # elements; every one is a signal with a name
 
 
-def read_description(path: Path, folder: Path) -> tuple[ModelDescription, Any]:
-    """The model description of an unpacked FMU and its XML. Raises FmuError for what is no FMU that can be run."""
+def read_description(path: Path, folder: Path) -> tuple[ModelDescription, dict[str, list[str]]]:
+    """The description of an unpacked FMU, and its texts by variable. Raises FmuError for what cannot be run."""
     xml = folder / "modelDescription.xml"
     if not xml.is_file():
         raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
@@ -38,7 +38,11 @@ def read_description(path: Path, folder: Path) -> tuple[ModelDescription, Any]:
         kind = "model exchange" if description.modelExchange else "scheduled execution"
         raise FmuError(f"FMU {path} is for {kind} only; export it for co-simulation")
     _check_binary(path, folder, description)
-    return description, root
+    texts = {
+        e.get("name"): [start.get("value") for start in e.iterfind("Start")]
+        for e in root.iterfind("ModelVariables/String")
+    }
+    return description, texts
 
 
 def _reason(error: Exception) -> str:
@@ -83,7 +87,7 @@ def _check_binary(path: Path, folder: Path, description: ModelDescription) -> No
     raise FmuError(f"FMU {path} has no binary for {platform}; it has {', '.join(there)}{remedy}")
 
 
-def scalars_of(path: Path, variable: ModelVariable, root: Any) -> dict[str, ModelVariable]:
+def scalars_of(path: Path, variable: ModelVariable, texts: dict[str, list[str]]) -> dict[str, ModelVariable]:
     """A variable as scalars: itself, or the elements `u[1]`, `M[1,2]` of an FMI 3 array, each with its own start."""
     if not variable.shape:
         return {variable.name: variable}
@@ -91,14 +95,13 @@ def scalars_of(path: Path, variable: ModelVariable, root: Any) -> dict[str, Mode
         raise FmuError(f"FMU {path}: array {variable.name} has more than {LARGEST_ARRAY} elements; refused")
     if variable.type == "String":
         name = variable.alias.name if variable.alias is not None else variable.name
-        element = next((e for e in root.iterfind("ModelVariables/String") if e.get("name") == name), None)
-        starts = [] if element is None else [start.get("value") for start in element.iterfind("Start")]
+        starts = texts[name]
     else:
         starts = (variable.start or "").split()
     count = prod(variable.shape)
     if len(starts) not in (0, 1, count):
         raise FmuError(f"FMU {path}: array {variable.name} has {count} elements and {len(starts)} start values")
-    values = starts if len(starts) == count else (starts or [None]) * count
+    values: list[str | None] = list(starts) if len(starts) == count else [starts[0] if starts else None] * count
     indices = product(*(range(1, n + 1) for n in variable.shape))
     return {
         f"{variable.name}[{','.join(map(str, index))}]": evolve(

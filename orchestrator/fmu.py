@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable
 
@@ -33,7 +32,7 @@ class Fmu:
     folder: Path
     digest: str
     description: ModelDescription
-    root: Any  # the XML of the description
+    texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
@@ -62,7 +61,7 @@ class Fmu:
     @cached_property
     def _elements(self) -> dict[str, dict[str, ModelVariable]]:
         """The scalars of every variable, by its own name."""
-        return {v.name: scalars_of(self.path, v, self.root) for v in self.description.modelVariables}
+        return {v.name: scalars_of(self.path, v, self.texts) for v in self.description.modelVariables}
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:
