@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
+from .capabilities import remarks
 from .clock import seconds_text
-from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, NAMES, PUSH, RECORD, SET, STEP
+from .fmu import Fmu
+from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, MOVE, NAMES, PUSH, RECORD, SET, STEP
 from .plan import Plan
 
 
@@ -24,7 +28,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         component = system.components[name]
         lines.append(
             f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, "
-            f"sha256 {component.fmu.digest[:12]}"
+            f"FMI {component.fmu.description.fmiVersion}, sha256 {component.fmu.digest[:12]}{remarks(component)}"
         )
     for name in plan.order:
         lines += [f"  {note}" for note in system.components[name].notes]
@@ -61,6 +65,14 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     return "\n".join(lines)
 
 
+def _types(fmu: Fmu, variables: list[str]) -> str:
+    """`3 values`, or where not all are floating point `2 Real, 1 Boolean`."""
+    kinds = [kind for kind in map(fmu.type_of, variables) if kind is not None]
+    if all(kind.real for kind in kinds):
+        return f"{len(variables)} values"
+    return ", ".join(f"{n} {name}" for name, n in Counter(kind.name for kind in kinds).items())
+
+
 class _Names:
     """Operations in words."""
 
@@ -86,11 +98,11 @@ class _Names:
             return f"{head} {name} from {begin} by {seconds_text(clock.seconds(a))}"
         if code in (SET, GET):
             table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
-            return f"{head} {name}: {sum(owner == name for owner, _ in table)} values"
+            return f"{head} {name}: {_types(self.plan.system.components[name].fmu, [v for o, v in table if o == name])}"
         if code == RECORD:
             group = self.plan.groups[a]
             return f"{head} {len(group.columns)} signals of {', '.join(group.components)}"
-        if code == PUSH:
+        if code in (MOVE, PUSH):
             return f"{head} {s[b]} = {s[a]}"
         if code == ACCUMULATE:
             return f"{head} {s[b]} += {c[k]:g} ({s[p]} + {s[a]})"

@@ -8,6 +8,8 @@ from fnmatch import fnmatchcase
 import numpy as np
 
 from .clock import Clock
+from .fmi_types import GROUPED
+from .fmu import Fmu
 from .system import Connection, System
 from .transfer import Choice
 
@@ -48,17 +50,20 @@ class Group:
 
 
 def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
-    """Outputs and inputs of a component are contiguous, in the order of its description."""
+    """Outputs and inputs of a component are contiguous, grouped by type, in the order of its description.
+
+    Of an FMI 3 array all elements have a cell where one has: they are set and got together.
+    """
     layout = Layout()
     used = {c.source for c in system.connections}
     driven = {c.target for c in system.connections}
     for name, component in system.components.items():
-        for variable in component.fmu.names("output"):
-            key = (name, variable)
-            if component.fmu.variables[variable].type == "Real" and (key in used or _recorded(system, key)):
-                layout.add(layout.outputs, key)
-        for variable in component.fmu.names("input"):
-            if (name, variable) in driven:
+        for variable in _by_type(component.fmu, "output"):
+            keys = [(name, element) for element in component.fmu.arrays[variable]]
+            if any(key in used or _recorded(system, key) for key in keys):
+                layout.add(layout.outputs, (name, variable))
+        for variable in _by_type(component.fmu, "input"):
+            if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
     for connection, choice in choices.items():
         if choice.transfer in ("linear", "mean"):
@@ -73,6 +78,12 @@ def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
                 for key in keys:
                     layout.add(foreign, key)
     return layout
+
+
+def _by_type(fmu: Fmu, causality: str) -> list[str]:
+    """Variables that can be exchanged, by type, and otherwise in the order of the description."""
+    typed = [(fmu.type_of(name), name) for name in fmu.names(causality)]
+    return [name for kind, name in sorted(((k, n) for k, n in typed if k), key=lambda entry: GROUPED[entry[0].name])]
 
 
 def _recorded(system: System, key: tuple[str, str]) -> bool:

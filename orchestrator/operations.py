@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD = range(9)
-NAMES = ("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record")
+COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
+NAMES = ("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move")
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .capabilities import check_capabilities
 from .clock import Clock, make_clock, seconds_text
 from .errors import InputError
-from .fixed_step import check_step
 from .layout import Group, Layout, make_groups, make_layout
 from .schedule import Schedule
 from .system import Connection, System
@@ -33,8 +33,7 @@ class Plan:
 
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop time or transfers do not fit."""
-    for component in system.components.values():
-        check_step(component)
+    check_capabilities(system)
     clock = make_clock({name: c.period for name, c in system.components.items()}, system.stop)
     samplers = _samplers(system)
     choices = {c: _choice(system, clock, c, samplers) for c in system.connections}
@@ -58,6 +57,14 @@ def _samplers(system: System) -> tuple[str, ...]:
 
 
 def _choice(system: System, clock: Clock, connection: Connection, samplers: tuple[str, ...]) -> Choice:
+    kind = system.components[connection.source[0]].fmu.type_of(connection.source[1])
+    if kind is not None and not kind.real:
+        if connection.transfer not in ("", "hold"):
+            raise InputError(
+                f"connection {connection.label}: a {kind.name} is held, '{connection.transfer}' has no meaning for it; "
+                f"take 'hold' {connection.where}"
+            )
+        return Choice("hold", f"a {kind.name} is held")
     source, target = (clock.periods[end[0]] for end in (connection.source, connection.target))
     sampled = [_discrete(system, end) for end in (connection.source, connection.target)]
     choice = choose(connection.transfer, source, target, *sampled)

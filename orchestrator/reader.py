@@ -21,7 +21,8 @@ KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
     *("record", "require", "summary", "balance", "compare", "figures"),
 }
-COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs"}
+COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout"}
+ISOLATION = ("none", "process")
 ALGORITHMS = ("gauss-seidel", "jacobi")
 
 
@@ -117,7 +118,10 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
         path = path if path.is_absolute() else file.path.parent / path
     else:
         path = (fmus or fmu_folder()) / f"{path}.fmu"
-    component = Component(name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading))
+    component = Component(
+        name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading),
+        **_isolation(file, name, table, heading),
+    )  # fmt: skip
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):
         for key, value in file.entry(dict, kind, table, heading).items():
             origin = f"{kind} of {name} {file.at(key, heading)}"
@@ -127,6 +131,27 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
             for scalar, scalar_value in found.items():
                 component = component.with_value(scalar, scalar_value)
     return component
+
+
+def _isolation(file: TomlFile, name: str, table: dict[str, Any], heading: str) -> dict[str, Any]:
+    isolation = table.get("isolation", "none")
+    if isolation not in ISOLATION:
+        raise file.fail(
+            f"component {name}: unknown isolation '{isolation}'{nearest(str(isolation), ISOLATION)}",
+            "isolation", heading,
+        )  # fmt: skip
+    if isolation == "none":
+        if "timeout" in table:
+            raise file.fail(f'component {name}: timeout needs isolation = "process"', "timeout", heading)
+        return {}
+    if not hasattr(os, "fork"):
+        raise file.fail(f"component {name}: isolation needs Linux or macOS; remove it", "isolation", heading)
+    limit = (
+        {"timeout": _duration(file, table["timeout"], f"component {name}: timeout", heading)}
+        if "timeout" in table
+        else {}
+    )
+    return {"isolation": isolation, **limit}
 
 
 def _with_parameter_file(file: TomlFile, system: System) -> System:

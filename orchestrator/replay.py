@@ -14,7 +14,8 @@ from rich.table import Table
 from .console import console, progress
 from .crossing import REALS, Crossing
 from .errors import InputError, RunError, nearest
-from .lone_fmu import LoneFmu, Port, typed
+from .fmu import parse_value
+from .lone_fmu import LoneFmu, Port
 from .mapping import VariableMapping, load_mapping
 from .recording import Recording, read_recording
 from .swap import crossing_between, own_values
@@ -131,7 +132,7 @@ def _drive(
     begin = {
         crossings[name].name: _there(fmu, crossings[name], value) for name, value in starts.items() if name in crossings
     }
-    begin |= {name: typed(fmu.variables[name], value) for name, value in own.items()}
+    begin |= {name: parse_value(fmu.variables[name], value, name) for name, value in own.items()}
     fmu.set(begin)
     fmu.initialize(recording.options["StopTime"])
     given, taken = (Port(fmu, [crossings[name].name for name in names]) for names in (inputs, outputs))
@@ -153,7 +154,7 @@ def _drive(
 def _there(fmu: LoneFmu, cross: Crossing, text: str) -> object:
     variable = fmu.variables[cross.name]
     value = float(text) if variable.type in REALS and not cross.exact else text
-    return typed(variable, cross.there(value) if isinstance(value, float) else value)
+    return parse_value(variable, cross.there(value) if isinstance(value, float) else value, cross.name)
 
 
 def _show(fmu: Path, recording: Recording, verdicts: list[Verdict], notes: list[str]) -> None:

@@ -19,7 +19,7 @@ from .clock import Clock, seconds_text
 from .crossing import Crossing
 from .errors import InputError
 from .layout import Group, Layout
-from .operations import ACCUMULATE, COLUMNS, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
+from .operations import ACCUMULATE, COLUMNS, COPY, GET, LINEAR, MEAN, MOVE, PUSH, RECORD, SET, STEP
 from .system import Connection, System
 from .transfer import Choice, linear_ratio, mean_tail
 
@@ -148,6 +148,9 @@ class Schedule:
         transfer = self.choices[c].transfer
         a, b, target = self.layout.outputs[c.source], self.layout.inputs[c.target], self.index[c.target[0]]
         source_period, target_period = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
+        kind = self.system.components[c.source[0]].fmu.type_of(c.source[1])
+        if kind is not None and not kind.real:
+            return (MOVE, tick, target, a, b, 0, 0, 0)
         if transfer == "hold":
             return (COPY, tick, target, a, b, 0, 0, self._constant(c.gain, c.offset))
         sample = sample // source_period * source_period

@@ -12,13 +12,21 @@ from typing import Any
 
 import numpy as np
 
-from . import execute
+from . import exchange, execute
 from .errors import RunError
-from .fmu import STATUS, Instance
 from .initialize import initialize
+from .instance import STATUS, Instance
+from .instances import start
+from .memory import Memory
 from .plan import Plan
 from .process import seconds_since_start
+from .texts import Texts
 
+REPORTED = {
+    exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",
+    exchange.EARLY: " returned early (earlyReturn), which it was not allowed to,",
+    exchange.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
+}
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 
 
@@ -33,7 +41,8 @@ class Run:
     wall: float = 0.0  # s, in the loop
     start: float = 0.0  # s, from the start of the process to the end of the first block of steps
     sweeps: int = 0
-    calculated: dict[str, float] = field(default_factory=dict)  # calculated parameters, "component.variable"
+    texts: Texts | None = None  # those whose numbers the tables hold
+    calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
 
 
 def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], None] | None = None) -> Run:
@@ -48,15 +57,16 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
     try:
         with _stop_on_interrupt(control):
             for name, component in plan.system.components.items():
-                instances[name] = Instance(component.fmu, name)
-            z = np.zeros(max(plan.layout.size, 1))
-            sweeps = initialize(plan, instances, z)
+                instances[name] = start(component)
+            memory = Memory(plan)
+            sweeps = initialize(plan, instances, memory)
             calculated = {
-                f"{name}.{variable}": float(instance.get(variable))
+                f"{name}.{variable}": instance.get(variable)
                 for name, instance in instances.items()
                 for variable in instance.fmu.names("calculatedParameter")
+                if instance.fmu.type_of(variable) is not None
             }
-            run = _Loop(plan, instances, z, control).go(interpreted, progress)
+            run = _Loop(plan, instances, memory, control).go(interpreted, progress)
         run.sweeps, run.calculated = sweeps, calculated
         return run
     finally:
@@ -67,10 +77,10 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
 class _Loop:
     """The arrays that the loop works on, laid out for `execute.run`."""
 
-    def __init__(self, plan: Plan, instances: dict[str, Instance], z: np.ndarray, control: np.ndarray) -> None:
-        self.plan, self.instances, self.z, self.control = plan, instances, z, control
-        self.keep: list[np.ndarray] = []  # value references, alive as long as their addresses are in use
-        self.components = np.array([self._component(name) for name in plan.system.components], dtype=np.int64)
+    def __init__(self, plan: Plan, instances: dict[str, Instance], memory: Memory, control: np.ndarray) -> None:
+        self.plan, self.instances, self.memory, self.control = plan, instances, memory, control
+        self.z = memory.z
+        self.components, self.blocks, self.typed = memory.tables(instances)
         self.rows_wanted = [plan.clock.stop // group.period + 1 for group in plan.groups]
         sizes = [rows * len(group.slots) for rows, group in zip(self.rows_wanted, plan.groups, strict=True)]
         firsts = np.cumsum([0, *(len(group.slots) for group in plan.groups)])
@@ -82,37 +92,25 @@ class _Loop:
         self.buffer = np.zeros(max(int(cells[-1]), 1))
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
         for k, group in enumerate(plan.groups):
-            self.buffer[cells[k] : cells[k] + len(group.slots)] = z[group.slots]
-
-    def _component(self, name: str) -> list[int]:
-        instance, layout = self.instances[name], self.plan.layout
-        row = [instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")] + [
-            int(instance.slave.component)
-        ]
-        for table in layout.exchanged(name):
-            slots = [(slot, variable) for variable, slot in table.items()]
-            references = np.array([instance.fmu.variables[v].valueReference for _, v in slots] or [0], dtype=np.uint32)
-            self.keep.append(references)
-            first = slots[0][0] if slots else 0
-            row += [references.ctypes.data, len(slots), self.z.ctypes.data + 8 * first]
-        return [*row, first]
+            self.buffer[cells[k] : cells[k] + len(group.slots)] = self.z[group.slots]
 
     def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
         clock, plan = self.plan.clock, self.plan
         function = execute.run if interpreted else execute.compiled_run()
         cycles = clock.stop // clock.hyperperiod  # every period divides the stop
-        code, wall, reached, start, failure = execute.DONE, 0.0, 0.0, 0.0, ""
+        code, wall, reached, began, failure = execute.DONE, 0.0, 0.0, 0.0, ""
         first, block = 0, 1
         while first < cycles and code == execute.DONE:
             size = min(block, cycles - first)
             begin = time.perf_counter()
             code = function(
-                plan.cycle, plan.coefficients, self.components, self.z, self.slots, self.groups, self.buffer, self.rows,
-                self.control, first, size, clock.hyperperiod, clock.numerator, clock.denominator,
+                plan.cycle, plan.coefficients, self.components, self.blocks, self.z, *self.typed, self.slots,
+                self.groups, self.buffer, self.rows, self.control, first, size, clock.hyperperiod, clock.numerator,
+                clock.denominator,
             )  # fmt: skip
             spent = time.perf_counter() - begin
             wall += spent
-            start = start or seconds_since_start()
+            began = began or seconds_since_start()
             first += size
             block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
             if code == execute.DONE:
@@ -125,7 +123,7 @@ class _Loop:
             self.buffer[start : start + rows * columns].reshape(rows, columns)
             for (_, columns, start), rows in zip(self.groups.tolist(), self.rows.tolist(), strict=True)
         ]
-        return Run(plan, tables, failure, reached, wall, start)
+        return Run(plan, tables, failure, reached, wall, began, texts=self.memory.texts)
 
     def _failure(self, code: int) -> tuple[float, str]:
         """The time until which every component is complete, and what happened."""
@@ -139,18 +137,33 @@ class _Loop:
         end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
         if code == execute.INTERRUPTED:
             return end, f"interrupted by the user at t = {end:.9g} s"
-        log = self.instances[name].log_text()
+        return end, f"component {name}{self._what(name, code)} in the step to t = {at:.9g} s" + self._hint(name, code)
+
+    def _what(self, name: str, code: int) -> str:
+        """What a component did."""
+        status, instance = int(self.control[execute.STATUS]), self.instances[name]
+        slot = int(self.control[execute.SLOT])
         if code == execute.NOT_FINITE:
-            slot = int(self.control[execute.SLOT])
-            variable = next(v for v, s in self.plan.layout.exchanged(name)[1].items() if s == slot)
-            return (
-                end,
-                f"component {name}: output {variable} became {self.z[slot]} in the step to t = {at:.9g} s; "
-                f"see its inputs and parameters{log}",
-            )
-        status = int(self.control[execute.STATUS])
-        self.instances[name].dead = status == 4
-        return end, f"component {name} returned fmi2{STATUS[status]} in the step to t = {at:.9g} s{log}"
+            return f": output {self._output(name, slot)} became {self.z[slot]}"
+        if instance.fault:
+            return f": {instance.fault}"
+        if status == exchange.NO_ROOM:
+            output = self._output(name, slot)
+            return f": there is no room for another text of output {output}; do not record or connect it,"
+        if status in REPORTED:
+            return REPORTED[status]
+        instance.dead = status == 4
+        return f" returned {instance.prefix}{STATUS[status]}"
+
+    def _hint(self, name: str, code: int) -> str:
+        instance = self.instances[name]
+        if code == execute.NOT_FINITE:
+            return f"; see its inputs and parameters{instance.log_text()}"
+        discarded = code == execute.BAD_STATUS and self.control[execute.STATUS] == 2
+        return (instance.why_discarded() if discarded else "") + instance.log_text()
+
+    def _output(self, name: str, slot: int) -> str:
+        return next(variable for variable, s in self.plan.layout.exchanged(name)[1].items() if s == slot)
 
 
 @contextmanager

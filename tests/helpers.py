@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -78,7 +79,7 @@ def _toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     return (
-        f'"{value}"'
+        json.dumps(value, ensure_ascii=False)
         if isinstance(value, str)
         else f"[{', '.join(map(_toml, value))}]"
         if isinstance(value, (list, tuple))

@@ -11,8 +11,8 @@ from typing import Any
 import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
+from ..description import safe_xml
 from ..errors import FmuError
-from ..fmu import fmi_version
 from ..unpack import unpack
 
 REALS = ("Real", "Float64", "Float32")
@@ -105,8 +105,8 @@ def open_subject(path: Path) -> Subject:
         raise FmuError("it has no modelDescription.xml; it is not an FMU, or not a complete one")
     build = folder / "sources" / "buildDescription.xml"
     if build.is_file():
-        fmi_version(path, build)  # refuses document types, which fmpy would follow
-    version = fmi_version(path, xml) or ""
+        safe_xml(path, build)  # refuses document types, which fmpy would follow
+    version = safe_xml(path, xml).get("fmiVersion") or ""
     if not version.startswith(("2.0", "3.0")):
         raise FmuError(f"it is of FMI version {version}; export it again for FMI 2.0 or 3.0")
     try:

@@ -14,6 +14,7 @@ from ..crossing import Crossing, crossing
 from ..errors import InputError
 from ..fmu import Fmu
 from ..mapping import VariableMapping
+from .opened import whole_variables
 from .suites import Declared
 
 REALS = ("Real", "Float64", "Float32")
@@ -81,10 +82,10 @@ def unit_of(v: ModelVariable) -> str | None:
 
 def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
     """Their variable for one of ours; None if they have none. Raises InputError if sizes or units do not fit."""
-    found = []
+    found, known = [], whole_variables(fmu)
     for name in [ours.name, *([f"{ours.name}[{k + 1}]" for k in range(ours.size)] if ours.size else [])]:
         entry = mapping.entry(name)
-        v = None if entry.absent else fmu.variables.get(entry.name)
+        v = None if entry.absent else known.get(entry.name)
         if v is not None:
             found.append((v, entry))
             if name == ours.name:

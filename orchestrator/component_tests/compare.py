@@ -9,6 +9,7 @@ from ..errors import InputError, nearest
 from ..fmu import Fmu
 from ..mapping import VariableMapping
 from .binding import REALS, WHOLES, Binding, bind
+from .opened import whole_variables
 from .suites import Declared, Suite
 
 Finding = Literal["fits", "converted", "noted", "absent", "surplus", "failed"]
@@ -47,7 +48,7 @@ def compare(fmu: Fmu, suite: Suite, mapping: VariableMapping) -> Comparison:
     """Bind every declared variable to theirs. Raises InputError for a mapping file that names what nobody has."""
     ours = [v.name for v in suite.interface]
     elements = [f"{v.name}[{k + 1}]" for v in suite.interface for k in range(v.size)]
-    mapping.check([*ours, *elements], list(fmu.variables), suite.name, fmu.path.name)
+    mapping.check([*ours, *elements], list(whole_variables(fmu)), suite.name, fmu.path.name)
     rows: list[Row] = []
     bindings: dict[str, Binding] = {}
     for v in suite.interface:

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 
 from ..errors import FmuError
-from ..fmu import Fmu, Instance
+from ..fmu import Fmu
+from ..instances import load
+from ..loaded import LoadedInstance
 from ..mapping import Value, VariableMapping
 from .binding import Binding
-from .opened import initialize, is_fmi3, new_instance
+from .opened import initialize, is_fmi3, whole_variables
 from .suites import NotApplicableError
 
 
@@ -49,7 +51,7 @@ class FmuUnit:
             self.release()
         for name, value in parameters.items():
             self._check_range(name, value)
-        running = RunningFmu(self, new_instance(self.fmu, f"unit{len(self.instances)}"))
+        running = RunningFmu(self, load(self.fmu, f"unit{len(self.instances)}"))
         self.instances.append(running)
         running.begin(inputs or {}, parameters)
         return running
@@ -76,7 +78,7 @@ class FmuUnit:
 class RunningFmu:
     """One instance, its time at 0 after `begin`."""
 
-    def __init__(self, unit: FmuUnit, instance: Instance) -> None:
+    def __init__(self, unit: FmuUnit, instance: LoadedInstance) -> None:
         self.unit, self.instance, self.time = unit, instance, 0.0
         self.step_size = 0.0
         self.states: list[Any] = []
@@ -145,7 +147,7 @@ class RunningFmu:
 
     def _set_own(self, values: Mapping[str, Value]) -> None:
         for name, value in values.items():
-            v = self.unit.fmu.variables[name]
+            v = whole_variables(self.unit.fmu)[name]
             setter = getattr(self.instance.slave, f"set{v.type}")
             self.instance.call(f"set {name} = {value}", setter, [v.valueReference], [value])
 

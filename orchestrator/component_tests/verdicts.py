@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..errors import FmuError
+from ..fmu import Fmu
 from ..mapping import VariableMapping, load_mapping
 from .compare import Comparison, compare
 from .fmu_unit import FmuUnit, first_line
-from .opened import open_fmu
 from .suites import NotApplicableError, Suite, claim_of, suite_of
 
 TOLERANCE = 1e-3  # what the solver of a foreign FMU may err by, relative to the size of a result
@@ -44,7 +44,7 @@ def make_bench(path: Path, component: str, map_path: Path | None, tolerance: flo
     """Open the FMU and compare interfaces. Raises InputError or FmuError if that is not possible."""
     suite = suite_of(component)
     mapping = load_mapping(map_path) if map_path else VariableMapping()
-    fmu = open_fmu(path)
+    fmu = Fmu.open(path)
     comparison = compare(fmu, suite, mapping)
     return Bench(suite, FmuUnit(fmu, comparison.bindings, mapping, tolerance), comparison)
 

@@ -6,9 +6,11 @@ of a component: its period; of a connection: its transfer.
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 from lxml import etree
@@ -23,23 +25,44 @@ NAMESPACE = "urn:rovbrush:simulation:1"
 
 def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
-    keys = {
-        "algorithm": system.algorithm,
-        "order": list(system.order),
-        "record": list(system.record),
+    in_ssp = ("name", "path", "description", "stop", "components", "connections")
+    return {
+        **_stated(system, (*in_ssp, "bonds", "requirements", "reporting")),
         "bonds": [_bond(bond) for bond in system.bonds],
         "require": [_requirement(requirement) for requirement in system.requirements],
-        **system.reporting,
+        **{key: table for key, table in system.reporting.items() if table},
     }
-    return {key: value for key, value in keys.items() if value or key == "record"}
 
 
 def component_keys(component: Component) -> dict[str, Any]:
-    return {"period": seconds_text(component.period)}
+    return _stated(component, ("name", "fmu", "parameters", "inputs", "notes"))
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:
-    return {"transfer": connection.transfer} if connection.transfer else {}
+    return _stated(connection, ("source", "target", "gain", "offset", "where"))
+
+
+def _bond(bond: Bond) -> dict[str, Any]:
+    ends = {"effort": bond.effort[1], "flow": bond.flow[1] or bond.flow[0]}
+    return ends | _stated(bond, ("effort", "flow"))
+
+
+def _requirement(requirement: Requirement) -> dict[str, Any]:
+    keys = _stated(requirement, ("value",))
+    return {"value": ".".join(requirement.value)} | {k: v for k, v in keys.items() if v not in (math.inf, -math.inf)}
+
+
+def _stated(item: Any, elsewhere: tuple[str, ...] = ()) -> dict[str, Any]:
+    """Fields of a dataclass that are not at their defaults, as a system file has them: under their own names."""
+    keys = {}
+    for field in dataclasses.fields(item):
+        value = getattr(item, field.name)
+        default = field.default if field.default_factory is dataclasses.MISSING else field.default_factory()
+        if field.name not in elsewhere and value != default:
+            keys[field.name] = seconds_text(value) if isinstance(value, Fraction) else value
+            if dataclasses.is_dataclass(value):
+                keys[field.name] = _stated(value)
+    return keys
 
 
 def annotate(parent: Any, keys: Mapping[str, Any]) -> None:
@@ -72,16 +95,3 @@ def annotated(document: Document, element: Any, allowed: tuple[str, ...] = ()) -
                 raise document.fail(f"the {TYPE} annotation may hold {', '.join(allowed) or 'a table'} only", entry)
             found |= keys
     return found
-
-
-def _bond(bond: Bond) -> dict[str, Any]:
-    return {"name": bond.name, "effort": bond.effort[1], "flow": bond.flow[1] or bond.flow[0], "sign": bond.sign}
-
-
-def _requirement(requirement: Requirement) -> dict[str, Any]:
-    bounds = {"minimum": requirement.minimum, "maximum": requirement.maximum}
-    return {
-        "value": ".".join(requirement.value),
-        **{key: bound for key, bound in bounds.items() if math.isfinite(bound)},
-        "message": requirement.message,
-    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,15 @@ CHILDREN = {
 PASSED_OVER = {"ElementGeometry", "ConnectorGeometry", "ConnectionGeometry", "SystemGeometry", "GraphicalElements"}
 PASSED_OVER |= {"Enumerations", "Annotations", "MetaData", "Signature"}
 REFUSED_ATTRIBUTES = ("startIndices", "endIndices")
+# What must be there and what must be a number, in versions too for which there is no schema.
+REQUIRED_CHILDREN = {"SystemStructureDescription": "System", "Unit": "BaseUnit"}
+REQUIRED_ATTRIBUTES = {
+    **{name: ("name",) for name in ("SystemStructureDescription", "System", "Component", "Parameter", "Unit")},
+    "Connector": ("name", "kind"),
+    "Connection": ("startConnector", "endConnector"),
+    **{name: ("source", "target") for name in ("MappingEntry", "MapEntry")},
+}
+NUMBERS = {"factor", "offset", "startTime", "stopTime"}
 
 
 class Document:
@@ -103,13 +113,30 @@ class Document:
         for attribute in REFUSED_ATTRIBUTES:
             if element.get(attribute) is not None:
                 raise self.fail(f"<{local(element)}>: the attribute {attribute} is not supported", element)
-        for child in element.iterchildren(tag=etree.Element):
+        for attribute in REQUIRED_ATTRIBUTES.get(local(element), ()):
+            if not element.get(attribute):
+                raise self.fail(f"<{local(element)}>: the attribute {attribute} is missing", element)
+        for attribute in sorted(NUMBERS.intersection(element.keys())):
+            if not is_finite(element.get(attribute)):
+                text = element.get(attribute)
+                raise self.fail(f"<{local(element)}>: {attribute} = '{text}' is no finite number", element)
+        needed, children = REQUIRED_CHILDREN.get(local(element)), list(element.iterchildren(tag=etree.Element))
+        if needed and needed not in map(local, children):
+            raise self.fail(f"<{local(element)}> has no <{needed}>", element)
+        for child in children:
             if local(child) in PASSED_OVER:
                 continue
             if local(child) not in CHILDREN.get(local(element), ()):
                 name = f" '{child.get('name')}'" if child.get("name") else ""
                 raise self.fail(f"<{local(child)}>{name} in <{local(element)}> is not supported", child)
             self._check(child)
+
+
+def is_finite(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def local(element: Any) -> str:

@@ -28,7 +28,10 @@ def definitions(document: Document) -> dict[str, Definition]:
     path = "ssd:Units/ssc:Unit" if find(document.root, "ssd:Units") else "ssv:Units/ssc:Unit"
     for unit in find(document.root, path):
         base = find(unit, "ssc:BaseUnit")[0]
-        exponents = {name: int(base.get(name, "0")) for name in BASE_UNITS}
+        try:
+            exponents = {name: int(base.get(name, "0")) for name in BASE_UNITS}
+        except ValueError:
+            raise document.fail(f"unit '{unit.get('name')}': exponents must be whole numbers", base) from None
         text = ".".join(f"{name}{exponent}" for name, exponent in exponents.items() if exponent) or "1"
         found[unit.get("name")] = Definition(text, float(base.get("factor", "1")), float(base.get("offset", "0")))
     return found

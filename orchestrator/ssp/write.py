@@ -106,10 +106,10 @@ def parameter_set(component: Component, set_name: str, ssp_version: str) -> Any:
 
 
 def _connectors(element: Any, fmu: Fmu, units: Mapping[str, Any]) -> None:
-    variables = [v for v in fmu.description.modelVariables if v.causality in KINDS]
+    variables = {name: v for name, v in fmu.variables.items() if v.causality in KINDS}
     connectors = _add(element, "ssd:Connectors") if variables else None
-    for variable in variables:
-        connector = _add(connectors, "ssd:Connector", name=variable.name, kind=variable.causality)
+    for name, variable in variables.items():
+        connector = _add(connectors, "ssd:Connector", name=name, kind=variable.causality)
         typed = _add(connector, f"ssc:{_type(variable)}")
         if variable.unit in units and _type(variable) == "Real":
             typed.set("unit", variable.unit)

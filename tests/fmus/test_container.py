@@ -19,6 +19,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan import make_plan
 from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.ssp.write import write_ssp
 from rovbrush.orchestrator.system import System
 
 pytest.importorskip("fmu_manipulation_toolbox", reason="fmu-manipulation-toolbox is not installed")
@@ -127,6 +128,19 @@ def test_several_components_may_share_one_fmu(fmus: Path, tmp_path: Path) -> Non
     }
     system = read_system(tmp_path, fmus, parts, ["a.y -> b.u", "b.y -> x.u"])
     assert differing(contained(system, "0.1", tmp_path), in_parallel(system, "1/10")) == set()
+
+
+def test_the_toolbox_reads_our_ssp_with_every_component_and_connection(fmus: Path, tmp_path: Path) -> None:
+    from fmu_manipulation_toolbox.assembly import Assembly
+
+    system = load_system("nominal", fmus)
+    write_ssp(system, tmp_path / "nominal.ssp")
+    assembly = Assembly("nominal.ssp", fmu_directory=tmp_path)
+    links = {(link.from_port.port_name, link.to_port.port_name) for link in assembly.root.links}
+    assert len(assembly.root.fmu_names_list) == len(system.components)
+    assert links == {(c.source[1], c.target[1]) for c in system.connections}
+    assembly.make_fmu()
+    assert (tmp_path / "nominal.fmu").is_file()
 
 
 def test_a_container_cannot_convert_and_nests_whole_multiples_only(fmus: Path, tmp_path: Path) -> None:

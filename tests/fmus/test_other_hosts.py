@@ -1,8 +1,8 @@
 """Other masters run our systems of Python FMUs and of native FMUs, from the SSPs that we export, and agree with ours.
 
 At one period, `jacobi` and `hold`, the masters do the same arithmetic, so results are compared bit by bit. The period
-is 1/512 s: libcosim forms the step size as a difference of two times and Ecos adds steps up, which is exact in powers of
-two only. With 0.5 ms steps libcosim passes 0.0004999999999999996 now and then.
+is 1/512 s: libcosim forms the step size as a difference of two times and Ecos adds steps up, which is exact in powers
+of two only. With 0.5 ms steps libcosim passes 0.0004999999999999996 now and then.
 """
 
 from __future__ import annotations

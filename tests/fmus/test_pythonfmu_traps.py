@@ -21,7 +21,8 @@ from lxml import etree
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.interface import Variable
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu import Fmu, Instance
+from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
+from rovbrush.orchestrator.fmu import Fmu
 from rovbrush.orchestrator.simulation import simulate
 
 H = 1e-3
