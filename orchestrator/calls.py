@@ -39,6 +39,16 @@ def do_step(function: int, component: int, time: float, step: float) -> int:
     return int(_do_step(int(function))(int(component), time, step, 1))
 
 
+@cache
+def _state(address: int) -> Any:
+    return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(address)
+
+
+def call_state(function: int, component: int, state: int) -> int:
+    """fmi2SetFMUstate with a state, fmi2GetFMUstate or fmi2FreeFMUstate with the address of one; the status."""
+    return int(_state(int(function))(int(component), int(state)))
+
+
 def _pointer(builder: Any, value: Any) -> Any:
     return builder.inttoptr(value, cgutils.voidptr_t)
 
@@ -69,6 +79,18 @@ def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step:
     return signature, codegen
 
 
+@intrinsic
+def _call_state_native(typing: Any, function: Any, component: Any, state: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.int64)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, cgutils.voidptr_t])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        return builder.call(target, [_pointer(builder, args[1]), _pointer(builder, args[2])])
+
+    return signature, codegen
+
+
 # Numba compares the argument names and annotations of an overload with those of its implementation: neither has any.
 @overload(exchange)
 def _exchange_overload(function, component, references, count, values):  # type: ignore[no-untyped-def]
@@ -80,3 +102,8 @@ def _exchange_overload(function, component, references, count, values):  # type:
 @overload(do_step)
 def _do_step_overload(function, component, time, step):  # type: ignore[no-untyped-def]
     return lambda function, component, time, step: _do_step_native(function, component, time, step)  # type: ignore[call-arg]
+
+
+@overload(call_state)
+def _call_state_overload(function, component, state):  # type: ignore[no-untyped-def]
+    return lambda function, component, state: _call_state_native(function, component, state)  # type: ignore[call-arg]

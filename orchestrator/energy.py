@@ -13,9 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
-from .signals import Signal, Signals
+from .books import slug
+from .signals import Signals
 from .system import Bond
 
 
@@ -38,17 +37,25 @@ class Ledger:
         return abs(self.made) / carried if carried else 0.0
 
 
-def work(held: Signal, own: Signal, sign: float) -> np.ndarray:
-    """Cumulative work of a held input times an output of the same component (trapezoidal in the output), (rows,)."""
-    step = sign * held.values[1:] * 0.5 * (own.values[1:] + own.values[:-1]) * np.diff(own.time)
-    return np.concatenate([[0.0], np.cumsum(step)])
-
-
 def ledger(signals: Signals, bond: Bond) -> Ledger:
-    """The books of one bond. Its four signals must be recorded."""
-    effort = float(work(signals[bond.flow[1]], signals[bond.effort[0]], bond.sign)[-1]) if bond.flow[1] else 0.0
-    flow = work(signals[bond.effort[1]], signals[bond.flow[0]], bond.sign)
-    return Ledger(bond.name, effort, float(flow[-1]))
+    """The books of one bond at the end of a run; the coupling's own signals are always recorded."""
+    name = slug(bond)
+    effort, flow = (float(signals[f"coupling.{name}_{side}_side"].values[-1]) for side in ("effort", "flow"))
+    return Ledger(bond.name, effort, flow)
+
+
+def over_limits(ledgers: Iterable[Ledger], bonds: Iterable[Bond]) -> list[str]:
+    """What to tell of bonds at which the coupling made or lost more than the system file allows."""
+    found = []
+    for entry, bond in zip(ledgers, bonds, strict=True):
+        if abs(entry.made) > bond.limit:
+            found.append(f"power bond {bond.name}: the coupling made {entry.made:.4g} J, allowed are {bond.limit:g} J")
+        elif entry.relative > bond.limit_relative:
+            found.append(
+                f"power bond {bond.name}: the coupling made {entry.relative:.3g} of the energy that the bond carried "
+                f"({entry.made:.4g} J), allowed is {bond.limit_relative:g}"
+            )
+    return found
 
 
 @dataclass(frozen=True)

@@ -3,5 +3,9 @@
 from __future__ import annotations
 
 COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD = range(9)
-NAMES = ("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record")
+QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(9, 20)
+NAMES = (
+    *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record"),
+    *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
+)
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

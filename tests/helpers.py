@@ -107,9 +107,9 @@ def run_of(folder: Path, fmus: Path, *args: Any, interpreted: bool = False, **ke
 def column(run: Run, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Times and values of `component.variable`."""
     key = tuple(name.split(".", 1))
-    for group, table in zip(run.plan.groups, run.tables, strict=True):
+    for group, table, ticks in zip(run.plan.groups, run.tables, run.ticks, strict=True):
         if key in group.columns:
-            times = np.array([run.plan.clock.time(k * group.period) for k in range(len(table))])
+            times = np.array([run.plan.clock.time(tick) for tick in ticks.tolist()])
             return times, table[:, group.columns.index(key)]
     raise KeyError(name)
 
