@@ -45,7 +45,7 @@ class Ecco:
     """`[ecco]`: energy tolerances, limits of the step [s] and the gains of the step controller."""
 
     tolerance: float = 1e-3  # J
-    relative: float = 1e-3  # of the energy that a bond carries over a step
+    relative: float = 1e-2  # of the energy that a bond carries over a step
     minimum: Fraction | None = None  # a hundredth of the period where nothing is stated
     maximum: Fraction | None = None  # a hundred periods where nothing is stated
     safety: float = 0.8

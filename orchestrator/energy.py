@@ -13,6 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from .books import slug
 from .signals import Signals
 from .system import Bond
@@ -25,6 +27,7 @@ class Ledger:
     name: str
     effort_side: float
     flow_side: float
+    carried: float  # the largest magnitude of either so far: energy may come back
 
     @property
     def made(self) -> float:
@@ -32,16 +35,16 @@ class Ledger:
 
     @property
     def relative(self) -> float:
-        """|made| over the larger of the two energies; 0 for a bond that carries nothing."""
-        carried = max(abs(self.effort_side), abs(self.flow_side))
-        return abs(self.made) / carried if carried else 0.0
+        """|made| over what the bond carried; 0 for a bond that carries nothing."""
+        return abs(self.made) / self.carried if self.carried else 0.0
 
 
 def ledger(signals: Signals, bond: Bond) -> Ledger:
     """The books of one bond at the end of a run; the coupling's own signals are always recorded."""
     name = slug(bond)
-    effort, flow = (float(signals[f"coupling.{name}_{side}_side"].values[-1]) for side in ("effort", "flow"))
-    return Ledger(bond.name, effort, flow)
+    effort, flow = (signals[f"coupling.{name}_{side}_side"].values for side in ("effort", "flow"))
+    carried = max(float(np.max(np.abs(side))) for side in (effort, flow))
+    return Ledger(bond.name, float(effort[-1]), float(flow[-1]), carried)
 
 
 def over_limits(ledgers: Iterable[Ledger], bonds: Iterable[Bond]) -> list[str]:

@@ -76,6 +76,8 @@ def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop
 def _toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(f'{key} = {_toml(v)}' for key, v in value.items())} }}"
     return (
         f'"{value}"'
         if isinstance(value, str)
