@@ -1,12 +1,12 @@
 """The algorithms that couple the components: what they are, their settings, and what they need of the FMUs.
 
-    gauss-seidel   one after the other in an order; an input takes the latest values
-    jacobi         all at once: an input takes values of the beginning of its step
-    iterated       every macro step is repeated from saved states until the inputs are the mean of what their sources
-                   gave at both ends of the step: second order, and no energy is made at a power bond
-    ecco           Jacobi with macro steps that a controller lengthens and shortens by the energy that the power bonds
-                   make: S. Sadjina, L. T. Kyllingstad, S. Skjong, E. Pedersen, Energy conservation and power bonds in
-                   co-simulations, Engineering with Computers 33 (2017) 607-620
+gauss-seidel   one after the other in an order; an input takes the latest values
+jacobi         all at once: an input takes values of the beginning of its step
+iterated       every macro step is repeated from saved states until the inputs are the mean of what their sources
+               gave at both ends of the step: second order, and no energy is made at a power bond
+ecco           Jacobi with macro steps that a controller lengthens and shortens by the energy that the power bonds
+               make: S. Sadjina, L. T. Kyllingstad, S. Skjong, E. Pedersen, Energy conservation and power bonds in
+               co-simulations, Engineering with Computers 33 (2017) 607-620
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def iteration_of(file: TomlFile) -> Iteration:
 def ecco_of(file: TomlFile) -> Ecco:
     """The table `[ecco]`. Raises InputError for an unknown key or a value out of range."""
     table = _table(file, "ecco", Ecco)
-    limits = {}
+    limits: dict[str, Any] = {}
     for key in ("minimum", "maximum"):
         if key in table:
             try:
@@ -81,9 +81,7 @@ def ecco_of(file: TomlFile) -> Ecco:
                 raise file.fail(str(error), key, "ecco") from None
     found = Ecco(**limits, **_numbers(file, "ecco", table))
     if not found.shrink < 1.0 < found.grow:
-        raise file.fail(
-            f"ecco: shrink = {found.shrink:g} must be below 1 and grow = {found.grow:g} above", "ecco"
-        )
+        raise file.fail(f"ecco: shrink = {found.shrink:g} must be below 1 and grow = {found.grow:g} above", "ecco")
     return found
 
 
@@ -95,7 +93,7 @@ def _table(file: TomlFile, name: str, kind: type[Any]) -> dict[str, Any]:
     return table
 
 
-def _numbers(file: TomlFile, name: str, table: dict[str, Any]) -> dict[str, float]:
+def _numbers(file: TomlFile, name: str, table: dict[str, Any]) -> dict[str, Any]:
     for key, value in table.items():
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value < float("inf"):
             raise file.fail(f"{name}: {key} = {value!r} must be a number above 0", key, name)

@@ -64,7 +64,9 @@ def make_books(system: System, clock: Clock, layout: Layout) -> tuple[Book, ...]
         effort = layout.extra(
             f"{name}_effort_side", "J", f"energy through {bond.name}, as the side of the effort counts", period
         )
-        flow = layout.extra(f"{name}_flow_side", "J", f"energy through {bond.name}, as the side of the flow counts", period)
+        flow = layout.extra(
+            f"{name}_flow_side", "J", f"energy through {bond.name}, as the side of the flow counts", period
+        )
         made = layout.extra(f"{name}_made", "J", f"energy that the coupling made at {bond.name} in this step", period)
         total = layout.extra(f"{name}_total", "J", f"energy that the coupling made at {bond.name} so far", period)
         pairs = [(bond.effort[1], bond.displacement or bond.flow[0], bool(bond.displacement), flow)]

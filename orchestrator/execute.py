@@ -17,8 +17,26 @@ from .ecco import control as choose_step
 from .ecco import gauge
 from .iteration import AGAIN, CONVERGED, iterate
 from .operations import (
-    ACCUMULATE, CONTROL, COPY, GAUGE, GET, ITERATE, LEDGER, LINEAR, MEAN, MIX, PUSH, QUADRATIC, RECORD, REPEAT,
-    RESTORE, REWIND, SAVE, SET, STEP, WORK,
+    ACCUMULATE,
+    CONTROL,
+    COPY,
+    GAUGE,
+    GET,
+    ITERATE,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    MIX,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    REPEAT,
+    RESTORE,
+    REWIND,
+    SAVE,
+    SET,
+    STEP,
+    WORK,
 )  # fmt: skip
 
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
@@ -175,6 +193,21 @@ def compiled_run() -> Any:
 
     compiled = numba.njit(cache=True, error_model="numpy")(run)
     table, cells, numbers = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1]
-    arrays = (table, numbers, table, numbers, cells, table, numbers, cells, cells, cells, numbers, numbers, cells, table)
+    arrays = (
+        table,
+        numbers,
+        table,
+        numbers,
+        cells,
+        table,
+        numbers,
+        cells,
+        cells,
+        cells,
+        numbers,
+        numbers,
+        cells,
+        table,
+    )
     compiled.compile((*arrays, *(numba.int64,) * 5))
     return compiled

@@ -61,10 +61,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += ["", "recorded"]
     for group in plan.groups:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))
-        lines.append(
-            f"  every {every:<8} {len(group.columns)} signals of "
-            f"{', '.join(group.components)}"
-        )
+        lines.append(f"  every {every:<8} {len(group.columns)} signals of {', '.join(group.components)}")
     total = len(plan.cycle)
     lines += [
         "",

@@ -75,7 +75,7 @@ class _Propagation:
             for key, slot in self.plan.layout.outputs.items():
                 self.z[slot] = self._get(key)
             self.started.sweeps = sweep
-            if sweep > 1 and np.array_equal(before, self.z) or not self.plan.start:
+            if (sweep > 1 and np.array_equal(before, self.z)) or not self.plan.start:
                 return self.started
         moved = sorted({".".join(k) for k, slot in self.plan.layout.inputs.items() if before[slot] != self.z[slot]})
         raise FmuError(
@@ -106,7 +106,8 @@ class _Propagation:
 
         def residual(inputs: np.ndarray) -> np.ndarray:
             self._set(block, inputs)
-            return np.array(self._received(block)) - inputs
+            given: np.ndarray = np.array(self._received(block)) - inputs
+            return given
 
         def size(inputs: np.ndarray) -> float:
             return float(np.max(np.abs(residual(inputs)) / np.maximum(np.abs(inputs), 1.0)))

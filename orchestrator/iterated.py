@@ -38,7 +38,7 @@ def add_unknowns(system: System, clock: Clock, choices: dict[Connection, Choice]
         raise InputError(
             f"iteration: Newton with {len(steps)} unknowns (inputs times steps in "
             f"{seconds_text(clock.seconds(clock.hyperperiod))}), more than {LARGEST_NEWTON}; "
-            f"take method = \"aitken\" ({system.path.name})"
+            f'take method = "aitken" ({system.path.name})'
         )
     for table, words in ((layout.unknowns, "unknown"), (layout.images, "image of")):
         for (component, variable), j in steps:

@@ -54,9 +54,7 @@ def make_plan(system: System) -> Plan:
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
-    design = Design(
-        system, clock, order, reason, choices, samplers, leaders, rereads, layout, books, groups, start
-    )
+    design = Design(system, clock, order, reason, choices, samplers, leaders, rereads, layout, books, groups, start)
     schedule = {"iterated": IteratedSchedule, "ecco": AdaptiveSchedule}.get(system.algorithm, Schedule)(design)
     cycle = schedule.build()
     return Plan(**vars(design), cycle=cycle, coefficients=np.array(schedule.constants.values))

@@ -20,7 +20,19 @@ from .clock import seconds_text
 from .design import Constants, Design
 from .errors import InputError
 from .operations import (
-    ACCUMULATE, COLUMNS, COPY, GET, LEDGER, LINEAR, MEAN, PUSH, QUADRATIC, RECORD, SET, STEP, WORK,
+    ACCUMULATE,
+    COLUMNS,
+    COPY,
+    GET,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    SET,
+    STEP,
+    WORK,
 )  # fmt: skip
 from .system import Connection
 from .transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio

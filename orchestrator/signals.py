@@ -63,9 +63,7 @@ class Signals:
         component, _, variable = name.partition(".")
         extra = self.run.plan.layout.extras.get((component, variable))
         if extra:
-            return Signal(
-                name, extra.unit, extra.description, self.times[group], self.run.tables[group][:, column]
-            )
+            return Signal(name, extra.unit, extra.description, self.times[group], self.run.tables[group][:, column])
         v = self.run.plan.system.components[component].fmu.variables[variable]
         return Signal(name, v.unit or "1", v.description or "", self.times[group], self.run.tables[group][:, column])
 

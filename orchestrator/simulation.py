@@ -188,7 +188,7 @@ class _Loop:
             f"the coupling did not converge in the step to t = {at:.9g} s: residual {work[iteration.RESIDUAL]:.3g} of "
             f"{names[int(work[iteration.WORST])]} after {int(work[iteration.COUNT])} iterations "
             f"({settings.method}, tolerance {settings.tolerance:g}); take smaller periods"
-            + (", or method = \"newton\" under [iteration]" if settings.method == "aitken" else "")
+            + (', or method = "newton" under [iteration]' if settings.method == "aitken" else "")
         )
 
 

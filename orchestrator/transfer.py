@@ -20,7 +20,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
-HISTORY = {"hold": 0, "linear": 1, "quadratic": 2, "interpolate": 1, "mean": 1, "iterated": 1}  # earlier samples that a transfer needs
+HISTORY = {
+    "hold": 0,
+    "linear": 1,
+    "quadratic": 2,
+    "interpolate": 1,
+    "mean": 1,
+    "iterated": 1,
+}  # earlier samples that a transfer needs
 CHANGING = ("linear", "quadratic", "interpolate")  # transfers that change the input between samples of its source
 
 

@@ -101,13 +101,17 @@ def bond_of(
     if entry.get("sign", 1.0) not in (1.0, -1.0):
         raise file.fail(f"bond {name}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds")
     sign = float(entry.get("sign", 1.0))
-    limits = {key: _limit(file, name, key, entry) for key in ("limit", "limit_relative") if key in entry}
+    limits: dict[str, Any] = {
+        key: _limit(file, name, key, entry) for key in ("limit", "limit_relative") if key in entry
+    }
     owner, _, variable = str(entry.get("flow")).partition(".")
     if entry.get("effort") in by_target and owner in components and variable in components[owner].fmu.names("output"):
         effort = by_target[entry["effort"]]
         if effort.target[0] == owner:
             pair = (".".join(effort.source), ".".join(effort.target))
-            return _with_counters(file, components, entry, Bond(name, pair, (f"{owner}.{variable}", ""), sign, **limits))
+            return _with_counters(
+                file, components, entry, Bond(name, pair, (f"{owner}.{variable}", ""), sign, **limits)
+            )
     for key in ("effort", "flow"):
         if entry.get(key) not in by_target:
             raise file.fail(
@@ -147,7 +151,8 @@ def _with_counters(file: TomlFile, components: dict[str, Component], entry: dict
                 f"which gives {source}{nearest(variable, known)}",
                 str(entry[key]),
             )
-        bond = replace(bond, **{key: f"{owner}.{variable}"})
+        found: dict[str, Any] = {key: f"{owner}.{variable}"}
+        bond = replace(bond, **found)
     return bond
 
 

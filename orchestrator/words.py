@@ -4,8 +4,26 @@ from __future__ import annotations
 
 from .clock import seconds_text
 from .operations import (
-    ACCUMULATE, CONTROL, COPY, GAUGE, GET, ITERATE, LEDGER, LINEAR, MIX, NAMES, PUSH, QUADRATIC, RECORD, REPEAT,
-    RESTORE, REWIND, SAVE, SET, STEP, WORK,
+    ACCUMULATE,
+    CONTROL,
+    COPY,
+    GAUGE,
+    GET,
+    ITERATE,
+    LEDGER,
+    LINEAR,
+    MIX,
+    NAMES,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    REPEAT,
+    RESTORE,
+    REWIND,
+    SAVE,
+    SET,
+    STEP,
+    WORK,
 )  # fmt: skip
 from .plan import Plan
 

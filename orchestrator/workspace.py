@@ -24,7 +24,7 @@ class Workspace:
     state_calls: np.ndarray
 
     @property
-    def arrays(self) -> tuple[np.ndarray, ...]:
+    def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         return self.clock, self.work, self.saved, self.states, self.state_calls
 
 
@@ -57,6 +57,4 @@ def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
 
     for k, instance in enumerate(instances.values()):
         if space.states[k] and not instance.dead:
-            call_state(
-                int(space.state_calls[k, 2]), int(instance.slave.component), space.states.ctypes.data + 8 * k
-            )
+            call_state(int(space.state_calls[k, 2]), int(instance.slave.component), space.states.ctypes.data + 8 * k)

@@ -95,7 +95,13 @@ def test_results_have_their_own_times(tmp_path: Path, fmus: Path) -> None:
 def test_the_plan_explains_the_steps(tmp_path: Path, fmus: Path) -> None:
     parts = {"w": ("wheel", "2 ms"), "c": ("chassis", "2 ms")}
     text = explain(plan_of(tmp_path, fmus, parts, WIRES, algorithm="ecco", bonds=[BOND]))
-    for words in ("the first step is 2 ms", "every macro step again", "step        w by the macro step", "gauge", "control"):
+    for words in (
+        "the first step is 2 ms",
+        "every macro step again",
+        "step        w by the macro step",
+        "gauge",
+        "control",
+    ):
         assert words in text
 
 

@@ -115,7 +115,12 @@ def test_the_plan_shows_what_is_repeated(tmp_path: Path, fmus: Path) -> None:
     parts = {"w": ("wheel", "1 ms"), "c": ("chassis", "5 ms")}
     text = explain(plan_of(tmp_path, fmus, parts, WIRES, stop="1 s", algorithm="iterated"))
     assert "algorithm iterated: each macro step repeated from saved states (aitken, at most 50 times)" in text
-    for words in ("save        the state of w", "restore     the state of c", "repeat      from operation", "unknown c.F"):
+    for words in (
+        "save        the state of w",
+        "restore     the state of c",
+        "repeat      from operation",
+        "unknown c.F",
+    ):
         assert words in text
 
 

@@ -155,9 +155,7 @@ def test_interpolate_is_exact_for_a_ramp_from_the_first_step_on(
 
 
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
-def test_quadratic_is_exact_for_a_parabola_from_the_third_sample_on(
-    algorithm: str, tmp_path: Path, fmus: Path
-) -> None:
+def test_quadratic_is_exact_for_a_parabola_from_the_third_sample_on(algorithm: str, tmp_path: Path, fmus: Path) -> None:
     for source, target in (("5 ms", "1 ms"), ("5 ms", "3 ms"), ("3 ms", "5 ms")):
         signal = {"c0": 2.0, "c1": 3.0, "c2": -40.0}
         run = run_pair(tmp_path, fmus, source, target, "quadratic", signal, "150 ms", algorithm)
@@ -186,5 +184,5 @@ def test_there_is_no_mean_yet_for_a_component_that_steps_first(tmp_path: Path, f
     plan = plan_of(tmp_path, fmus, parts, wires)
     assert [(choice.transfer) for choice in plan.choices.values()] == ["interpolate", "linear"]
     assert "slow steps first: its outputs are interpolated" in explain(plan)
-    with pytest.raises(InputError, match="slow steps before fast .* so there is no 'mean' yet"):
+    with pytest.raises(InputError, match=r"slow steps before fast .* so there is no 'mean' yet"):
         plan_of(tmp_path, fmus, parts, [wires[0], f"{wires[1]} (mean)"])
