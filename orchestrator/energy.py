@@ -16,7 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .books import slug
+from .errors import RunError
 from .signals import Signals
+from .simulation import Run
 from .system import Bond
 
 
@@ -59,6 +61,15 @@ def over_limits(ledgers: Iterable[Ledger], bonds: Iterable[Bond]) -> list[str]:
                 f"({entry.made:.4g} J), allowed is {bond.limit_relative:g}"
             )
     return found
+
+
+def require_energy(run: Run) -> Run:
+    """The run itself, or RunError if the coupling made or lost more than the bonds of the system allow."""
+    signals, bonds = Signals(run), run.plan.system.bonds
+    excess = over_limits([ledger(signals, bond) for bond in bonds], bonds)
+    if excess:
+        raise RunError("; ".join(excess) + "; take smaller periods, another transfer or another algorithm")
+    return run
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ class Plan(Design):
 
 
 def make_plan(system: System) -> Plan:
-    """Plan a system. Raises InputError where periods, stop time or transfers do not fit, FmuError for what FMUs lack."""
+    """Plan a system. Raises InputError where periods, stop or transfers do not fit, FmuError for what FMUs lack."""
     check_capabilities(system.algorithm, system.components)
     if system.algorithm == "ecco":
         clock = adaptive_clock(system)

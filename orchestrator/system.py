@@ -89,8 +89,8 @@ class System:
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
-    iteration: Iteration = Iteration()
-    ecco: Ecco = Ecco()
+    iteration: Iteration = field(default_factory=Iteration)
+    ecco: Ecco = field(default_factory=Ecco)
 
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.

@@ -1,9 +1,9 @@
 """How far the results depend on the communication periods: rerun with every period halved and quartered.
 
-Of every recorded signal, at the instants of the coarsest run, d1 is the largest difference between the runs with periods
-1 and 1/2, d2 that between 1/2 and 1/4. The observed order is p = log2(d1/d2). Where it shows convergence, Richardson's
-extrapolation gives the error bar of the run as it stands, d1 2^p/(2^p - 1); where the differences do not shrink there
-is none. The means of the summary are treated likewise.
+Of every recorded signal, at the instants of the coarsest run, d1 is the largest difference between the runs with
+periods 1 and 1/2, d2 that between 1/2 and 1/4. The observed order is p = log2(d1/d2). Where it shows convergence,
+Richardson's extrapolation gives the error bar of the run as it stands, d1 2^p/(2^p - 1); where the differences do not
+shrink there is none. The means of the summary are treated likewise.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import math
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -91,7 +92,7 @@ def signal_row(name: str, runs: list[Signals]) -> dict[str, Any]:
     coarse = runs[0][name]
     values = [coarse.values, *(np.interp(coarse.time, run[name].time, run[name].values) for run in runs[1:])]
     size = float(np.max(np.abs(values[2])))
-    first, second = (float(np.max(np.abs(a - b))) for a, b in zip(values, values[1:], strict=False))
+    first, second = (float(np.max(np.abs(a - b))) for a, b in pairwise(values))
     order: float | None = None
     bar: float | None = 0.0
     if max(first, second) > ROUNDING * size:

@@ -8,13 +8,12 @@ from pathlib import Path
 
 from ..clock import duration
 from ..console import console, print_comparison, print_summary, progress
-from ..energy import ledger, over_limits
+from ..energy import require_energy
 from ..errors import RunError
 from ..plan import Plan, make_plan
 from ..reader import load_system
 from ..reporting import check_reporting
 from ..results import prepare_folder, write_results
-from ..signals import Signals
 from ..simulation import simulate
 from ..summary import comparison, summarize
 
@@ -47,9 +46,7 @@ def run_system(name: str, out: Path, values: Mapping[str, object], stop: str, fm
     console.print(f"wrote {', '.join(path.name for path in paths)} to {out}")
     if run.failure:
         raise RunError(f"{run.failure}\nwhat was computed until then is in {out}, marked incomplete")
-    excess = over_limits([ledger(Signals(run), bond) for bond in plan.system.bonds], plan.system.bonds)
-    if excess:
-        raise RunError("; ".join(excess) + f"; take smaller periods or another algorithm; the results are in {out}")
+    require_energy(run)
     outside = [row["label"] for row in rows if row["within"] is False]
     if check and outside:
         raise RunError(f"outside their bounds: {', '.join(outside)}")
