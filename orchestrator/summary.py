@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from .books import coupling_unit
 from .energy import balance, ledger, over_limits
 from .errors import InputError, nearest
 from .process import peak_memory
@@ -145,7 +146,10 @@ def figure_units(system: System) -> dict[str, str]:
         if key != "window":
             operation, name = str(text).split()[:2]
             component, _, variable = name.partition(".")
-            unit = system.components[component].fmu.variables[variable].unit or "1"
+            if component in system.components:
+                unit = system.components[component].fmu.variables[variable].unit or "1"
+            else:
+                unit = coupling_unit(variable)
             units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
     return units | ({"coupling_energy_relative": "1"} if system.bonds else {})
 
