@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 from typing import Any
 
@@ -155,3 +156,12 @@ def test_a_stated_transfer_has_no_meaning_here(tmp_path: Path, fmus: Path) -> No
     parts = {"w": ("wheel", "5 ms"), "c": ("chassis", "5 ms")}
     with pytest.raises(InputError, match="'linear' has no meaning; leave it out"):
         plan_of(tmp_path, fmus, parts, ["c.v_c -> w.v_c (linear)", "w.F -> c.F"], algorithm="iterated")
+
+
+def test_ctrl_c_leaves_whole_macro_steps(tmp_path: Path, fmus: Path) -> None:
+    parts = {"w": ("wheel", "1 ms"), "c": ("chassis", "5 ms")}
+    plan = plan_of(tmp_path, fmus, parts, WIRES, stop="4 s", algorithm="iterated")
+    run = simulate(plan, progress=lambda _: signal.raise_signal(signal.SIGINT))
+    assert run.failure == f"interrupted by the user at t = {run.end:.9g} s" and 0.0 < run.end < 4.0
+    for name in ("w.F", "c.F", "coupling.iterations"):
+        assert column(run, name)[0][-1] == run.end
