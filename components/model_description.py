@@ -43,32 +43,30 @@ def base_unit(unit: str) -> dict[str, int] | None:
     return {base: int(exponent) for base, exponent in exponents.items() if exponent}
 
 
-def model_description(component: type[Any]) -> Element:
-    """The `fmiModelDescription` element of a ComponentSlave subclass; the GUID is filled in by the build."""
+def model_description(component: type[Any], sources: tuple[str, ...] = ()) -> Element:
+    """The `fmiModelDescription` element of a ComponentSlave subclass; the GUID is filled in by the build.
+
+    `sources`: the C files of a native FMU; without them it is a Python FMU.
+    """
     variables: tuple[Variable, ...] = component.variables()
     name = component.component_name()
     root = Element("fmiModelDescription", {
         "fmiVersion": "2.0", "modelName": name, "guid": GUID_PLACEHOLDER,
         "description": (component.__doc__ or "").strip().splitlines()[0], "version": VERSION, "license": "MIT",
-        "generationTool": f"rovbrush {VERSION} with pythonfmu 0.7.0", "variableNamingConvention": "structured",
+        "generationTool": f"rovbrush {VERSION}" + ("" if sources else " with pythonfmu 0.7.0"),
+        "variableNamingConvention": "structured",
     })  # fmt: skip
-    # needsExecutionTool: the FMU needs a Python interpreter with numpy and numba, but no simulation tool.
-    SubElement(root, "CoSimulation", {
+    # needsExecutionTool: a Python FMU needs a Python interpreter with numpy and numba, but no simulation tool.
+    co_simulation = SubElement(root, "CoSimulation", {
         "modelIdentifier": name, "needsExecutionTool": "false", "canHandleVariableCommunicationStepSize": "true",
         "canInterpolateInputs": "false", "canBeInstantiatedOnlyOncePerProcess": "false",
         "canNotUseMemoryManagementFunctions": "true", "canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true",
     })  # fmt: skip
-    units = SubElement(root, "UnitDefinitions")
-    for unit in dict.fromkeys(v.unit for v in variables):
-        element = SubElement(units, "Unit", {"name": unit})
-        exponents = base_unit(unit)
-        if exponents is not None:
-            SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in exponents.items()})
-    categories = SubElement(root, "LogCategories")
-    for category, text in component.log_categories.items():
-        SubElement(categories, "Category", {"name": category, "description": text})
-    experiment = {"startTime": "0", "stopTime": "10", "stepSize": repr(component.default_step)}
-    SubElement(root, "DefaultExperiment", experiment)
+    if sources:
+        files = SubElement(co_simulation, "SourceFiles")
+        for source in sources:
+            SubElement(files, "File", {"name": source})
+    add_definitions(root, component, variables)
     scalars = SubElement(root, "ModelVariables")
     index: dict[str, list[int]] = {}
     for v in variables:
@@ -79,7 +77,31 @@ def model_description(component: type[Any]) -> Element:
     return root
 
 
+def add_definitions(
+    root: Element, component: type[Any], variables: tuple[Variable, ...], more_units: tuple[str, ...] = ()
+) -> None:
+    """Units (also `more_units`), log categories and default experiment, which FMI 2.0 and 3.0 write alike."""
+    units = SubElement(root, "UnitDefinitions")
+    for unit in dict.fromkeys((*(v.unit for v in variables), *more_units)):
+        element = SubElement(units, "Unit", {"name": unit})
+        exponents = base_unit(unit)
+        if exponents is not None:
+            SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in exponents.items()})
+    categories = SubElement(root, "LogCategories")
+    for category, text in component.log_categories.items():
+        SubElement(categories, "Category", {"name": category, "description": text})
+    experiment = {"startTime": "0", "stopTime": "10", "stepSize": repr(component.default_step)}
+    SubElement(root, "DefaultExperiment", experiment)
+
+
 def _scalar_variable(v: Variable, name: str, reference: int, start: float) -> Element:
+    element = Element("ScalarVariable", variable_attributes(v, name, reference))
+    SubElement(element, v.kind, type_attributes(v, (start,)))
+    return element
+
+
+def variable_attributes(v: Variable, name: str, reference: int) -> dict[str, str]:
+    """Name, description, causality, variability, initial: the same words in FMI 2.0 and 3.0."""
     source = f" (source: {v.source})" if v.source else ""
     attributes = {"name": name, "valueReference": str(reference), "description": v.description + source}
     attributes["causality"] = v.causality
@@ -91,18 +113,21 @@ def _scalar_variable(v: Variable, name: str, reference: int, start: float) -> El
         attributes["initial"] = "exact"
     elif v.causality != "input":
         attributes["initial"] = "calculated"
-    element = Element("ScalarVariable", attributes)
+    return attributes
+
+
+def type_attributes(v: Variable, starts: tuple[float, ...]) -> dict[str, str]:
+    """Unit, range, nominal and start values."""
     typed: dict[str, str] = {"unit": v.unit} if v.kind == "Real" else {}
     if v.kind != "Boolean":
         for bound, value in (("min", v.minimum), ("max", v.maximum)):
             if abs(value) != float("inf"):
                 typed[bound] = _literal(value, v)
-    if v.causality == "parameter" and v.kind == "Real" and start:
-        typed["nominal"] = repr(abs(start))
+    if v.causality == "parameter" and v.kind == "Real" and starts[0]:
+        typed["nominal"] = repr(abs(starts[0]))
     if v.causality in ("parameter", "input"):
-        typed["start"] = _literal(start, v)
-    SubElement(element, v.kind, typed)
-    return element
+        typed["start"] = " ".join(_literal(start, v) for start in starts)
+    return typed
 
 
 def _literal(value: float, v: Variable) -> str:

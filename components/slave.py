@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 import inspect
-import struct
 import traceback
 from collections.abc import Callable
 from types import ModuleType
@@ -24,6 +23,10 @@ from .interface import Array, Variable, parameter_variables
 from .kernels import compiled, precompile
 from .model_description import model_description
 from .options import ROWS
+from .state import State, from_bytes, to_bytes
+
+PHASES = ("instantiated", "initializing", "running", "terminated")
+NEW, INITIALIZING, RUNNING, TERMINATED = range(4)  # the life of an instance; reset makes a new one
 
 
 def keep_alive(*objects: object) -> None:
@@ -77,12 +80,13 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             self.views[v.name] = self.values[first : first + len(v.start)]
             first += len(v.start)
         first = self.index[self.outputs[0].name]
+        self.settable = range(sum(len(v.start) for v in parameter_variables(self.parameters)), first)  # the inputs
         self.y = self.values[first : first + sum(len(v.start) for v in self.outputs)]
         self.modelName = self.component_name()
         self.store: dict[str, np.ndarray] = {}
         self.ready = False
         self.stale = False  # inputs were set since the outputs were computed
-        self.initializing = True
+        self.phase = NEW
 
     def to_xml(self, model_options: dict[str, str] | None = None) -> Element:
         """The model description; the whole of FMI 2.0 that pythonfmu's own leaves out."""
@@ -100,12 +104,14 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
 
     def set_real(self, vrs: list[int], values: list[float]) -> None:
         cells = self.cells
+        if self.phase < RUNNING:
+            self.ready = False
+        elif all(vr in self.settable for vr in vrs):
+            self.stale = True
+        else:
+            self.guarded(self.out_of_turn, "set what is not an input")
         for vr, value in zip(vrs, values, strict=True):
             cells[vr] = value
-        if self.initializing:
-            self.ready = False
-        else:
-            self.stale = True
 
     def get_integer(self, vrs: list[int]) -> list[int]:
         return [int(value) for value in self.get_real(vrs)]
@@ -190,13 +196,31 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                     dynamic.append((position, self.index[argument]))
         return getattr(self.functions, name), arguments, dynamic
 
+    def enter_initialization_mode(self) -> None:
+        if self.phase != NEW:
+            self.guarded(self.out_of_turn, "enter initialization")
+        self.phase = INITIALIZING
+
     def exit_initialization_mode(self) -> None:
+        if self.phase != INITIALIZING:
+            self.guarded(self.out_of_turn, "leave initialization")
         self.guarded(self.refresh)
-        self.initializing = False
+        self.phase = RUNNING
+
+    def terminate(self) -> None:
+        self.phase = TERMINATED
+
+    def out_of_turn(self, what: str) -> None:
+        """Raise RuntimeError: the host has called in the wrong order."""
+        raise RuntimeError(f"{self.instance_name}: a host cannot {what} while the FMU is {PHASES[self.phase]}")
 
     def do_step(self, current_time: float, step_size: float) -> bool:
         """Advance by one communication step; False (fmi2Discard) after an exception, whose text goes to the logger."""
         try:
+            if self.phase != RUNNING:
+                self.out_of_turn("do a step")
+            if step_size <= 0.0:
+                raise ValueError("the step size must be positive")
             arguments, cells = self.arguments, self.cells
             cells[-2] = current_time
             cells[-1] = step_size
@@ -212,12 +236,12 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             self.report(f"do_step at t = {current_time!r} s with h = {step_size!r} s")
             return False
 
-    def guarded(self, action: Callable[[], None]) -> None:
+    def guarded(self, action: Callable[..., None], *arguments: Any) -> None:
         """Run a life-cycle action; its exception is logged before pythonfmu turns it into fmi2Fatal."""
         try:
-            action()
+            action(*arguments)
         except Exception:
-            self.report("initialization")
+            self.report("a call")
             keep_alive(type(self), self, self.log_queue)  # pythonfmu drops them once more when the instance is freed
             raise
 
@@ -226,46 +250,30 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         text = f"{self.instance_name}: {where} failed\n{traceback.format_exc()}"
         self.log(text.replace("%", "%%"), Fmi2Status.error)
 
-    # --- complete state: all values and all arrays that carry anything from one call to the next ---
+    # --- complete state: see state.py ---
 
-    def _get_fmu_state(self) -> dict[str, Any]:
+    def _get_fmu_state(self) -> State:
         if self.stale:
             self.guarded(self.answer)
         kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.ready}
-        return {"values": self.values.copy(), "arrays": kept, "flags": (self.ready, self.initializing)}
+        return State(self.values.copy(), kept, self.ready, self.phase)
 
-    def _set_fmu_state(self, state: dict[str, Any]) -> None:
-        first = self.index[self.inputs[0].name if self.inputs else self.outputs[0].name]  # behind the parameters
-        bound = self.ready and np.array_equal(self.values[:first], state["values"][:first])
-        self.values[:] = state["values"]
-        self.ready, self.initializing = state["flags"]
-        self.stale = False
+    def _set_fmu_state(self, state: State) -> None:
+        parameters = slice(self.settable.start)
+        bound = self.ready and np.array_equal(self.values[parameters], state.values[parameters])
+        self.values[:] = state.values
+        self.ready, self.phase, self.stale = state.ready, state.phase, False
         if self.ready:
             if not bound:
                 self.refresh()  # allocates for the saved parameters and binds them
-            for name, array in state["arrays"].items():
+            for name, array in state.arrays.items():
                 self.store[name][...] = array.reshape(self.store[name].shape)
-            self.values[:] = state["values"]
+            self.values[:] = state.values
 
     @staticmethod
-    def _fmu_state_to_bytes(state: dict[str, Any]) -> bytes:
-        arrays = [state["values"], *state["arrays"].values()]
-        names = ["values", *state["arrays"]]
-        parts = [struct.pack("<??I", *state["flags"], len(arrays))]
-        for name, array in zip(names, arrays, strict=True):
-            key = name.encode()
-            parts += [struct.pack("<IQ", len(key), array.size), key, array.astype("<f8").tobytes()]
-        return b"".join(parts)
+    def _fmu_state_to_bytes(state: State) -> bytes:
+        return to_bytes(state)
 
     @staticmethod
-    def _fmu_state_from_bytes(state: bytes) -> dict[str, Any]:
-        ready, initializing, count = struct.unpack_from("<??I", state)
-        at = struct.calcsize("<??I")
-        arrays = {}
-        for _ in range(count):
-            n_key, n_values = struct.unpack_from("<IQ", state, at)
-            at += struct.calcsize("<IQ")
-            key = state[at : at + n_key].decode()
-            arrays[key] = np.frombuffer(state, "<f8", n_values, at + n_key).copy()
-            at += n_key + 8 * n_values
-        return {"values": arrays.pop("values"), "arrays": arrays, "flags": (ready, initializing)}
+    def _fmu_state_from_bytes(state: bytes) -> State:
+        return from_bytes(state)

@@ -1,4 +1,4 @@
-"""The algorithms that couple the components: what they are, their settings, and what they need of the FMUs.
+"""The algorithms that couple the components: what they are, and their settings.
 
 gauss-seidel   one after the other in an order; an input takes the latest values
 jacobi         all at once: an input takes values of the beginning of its step
@@ -7,28 +7,23 @@ iterated       every macro step is repeated from saved states until the inputs a
 ecco           Jacobi with macro steps that a controller lengthens and shortens by the energy that the power bonds
                make: S. Sadjina, L. T. Kyllingstad, S. Skjong, E. Pedersen, Energy conservation and power bonds in
                co-simulations, Engineering with Computers 33 (2017) 607-620
+
+Only floating-point signals are averaged, extrapolated or iterated upon; any other one is held, over an iterated step
+at its value of the beginning.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .clock import duration
-from .errors import FmuError, InputError, nearest
+from .errors import InputError, nearest
 from .toml_file import TomlFile
-
-if TYPE_CHECKING:
-    from .system import Component
 
 ALGORITHMS = ("gauss-seidel", "jacobi", "iterated", "ecco")
 METHODS = ("aitken", "newton")
-FLAGS = {  # FMI 2.0's name of the capability, and what for
-    "iterated": ("canGetAndSetFMUstate", "a macro step that is repeated begins from a saved state"),
-    "ecco": ("canHandleVariableCommunicationStepSize", "its steps vary"),
-}
 
 
 @dataclass(frozen=True)
@@ -98,20 +93,6 @@ def _numbers(file: TomlFile, name: str, table: dict[str, Any]) -> dict[str, Any]
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value < float("inf"):
             raise file.fail(f"{name}: {key} = {value!r} must be a number above 0", key, name)
     return {key: float(value) for key, value in table.items()}
-
-
-def check_capabilities(algorithm: str, components: Mapping[str, Component]) -> None:
-    """Raise FmuError where an FMU does not have what the algorithm needs."""
-    if algorithm not in FLAGS:
-        return
-    flag, reason = FLAGS[algorithm]
-    lacking = [c for c in components.values() if not getattr(c.fmu.description.coSimulation, flag)]
-    if lacking:
-        names = ", ".join(f"{c.name} ({c.fmu.path.name})" for c in lacking)
-        raise FmuError(
-            f"algorithm '{algorithm}' needs FMUs with {flag} = true, because {reason}; it is false for {names}; "
-            f"take 'gauss-seidel' or 'jacobi', or FMUs that can"
-        )
 
 
 def explain_algorithm(algorithm: str, iteration: Iteration) -> str:

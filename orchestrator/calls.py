@@ -1,4 +1,4 @@
-"""FMI 2.0 functions called by address: through ctypes in plain Python, as direct machine calls under Numba.
+"""FMI functions called by address: through ctypes in plain Python, as direct machine calls under Numba.
 
 Every function here has both lives, so that `execute.run` is one source for the interpreter and the compiled loop.
 All addresses are data; one cached compilation serves every system.
@@ -16,6 +16,8 @@ from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
 _INT64 = ir.IntType(64)
+_INT32 = ir.IntType(32)
+STEP_FLAGS = 16  # bytes: event handling needed, terminate simulation, early return; from byte 8 the last time reached
 
 
 @cache
@@ -25,18 +27,44 @@ def _set_or_get(address: int) -> Any:
 
 
 @cache
+def _set_or_get3(address: int) -> Any:
+    kind = ctypes.CFUNCTYPE(
+        ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t
+    )
+    return kind(address)
+
+
+@cache
 def _do_step(address: int) -> Any:
     return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int)(address)
 
 
+@cache
+def _do_step3(address: int) -> Any:
+    return ctypes.CFUNCTYPE(
+        ctypes.c_int, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_bool, *(ctypes.c_void_p,) * 4
+    )(address)
+
+
 def exchange(function: int, component: int, references: int, count: int, values: int) -> int:
-    """fmi2SetReal or fmi2GetReal: `count` values at address `values`, value references at `references`; the status."""
+    """fmi2SetReal, fmi2GetInteger...: `count` values at address `values`, for those at `references`; the status."""
     return int(_set_or_get(int(function))(int(component), int(references), int(count), int(values)))
+
+
+def exchange3(function: int, component: int, references: int, count: int, values: int, size: int) -> int:
+    """fmi3SetFloat64, fmi3GetInt32...: `size` values at address `values` for `count` references; the status."""
+    return int(_set_or_get3(int(function))(int(component), int(references), int(count), int(values), int(size)))
 
 
 def do_step(function: int, component: int, time: float, step: float) -> int:
     """fmi2DoStep from `time` over `step` seconds; the status."""
     return int(_do_step(int(function))(int(component), time, step, 1))
+
+
+def do_step3(function: int, component: int, time: float, step: float, flags: int) -> int:
+    """fmi3DoStep; the FMU writes its three flags and its last time to the address `flags` (see STEP_FLAGS)."""
+    ends = (int(flags), int(flags) + 1, int(flags) + 2, int(flags) + 8)
+    return int(_do_step3(int(function))(int(component), time, step, True, *ends))
 
 
 @cache
@@ -45,8 +73,13 @@ def _state(address: int) -> Any:
 
 
 def call_state(function: int, component: int, state: int) -> int:
-    """fmi2SetFMUstate with a state, fmi2GetFMUstate or fmi2FreeFMUstate with the address of one; the status."""
+    """Set an FMU's state (FMI 2 or 3) to the one given, or get or free one at the address given; the status."""
     return int(_state(int(function))(int(component), int(state)))
+
+
+def byte_at(address: int) -> int:
+    """The byte at an address, 0 to 255."""
+    return ctypes.c_ubyte.from_address(int(address)).value
 
 
 def _pointer(builder: Any, value: Any) -> Any:
@@ -68,13 +101,31 @@ def _exchange_native(typing: Any, function: Any, component: Any, references: Any
 
 
 @intrinsic
-def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step: Any) -> Any:
-    signature = types.int32(types.int64, types.int64, types.float64, types.float64)
+def _exchange3_native(
+    typing: Any, function: Any, component: Any, references: Any, count: Any, values: Any, size: Any
+) -> Any:
+    signature = types.int32(*(types.int64,) * 6)
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, ir.DoubleType(), ir.DoubleType(), ir.IntType(32)])
+        pointer = cgutils.voidptr_t
+        kind = ir.FunctionType(_INT32, [pointer, pointer, _INT64, pointer, _INT64])
         target = builder.inttoptr(args[0], kind.as_pointer())
-        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], ir.Constant(ir.IntType(32), 1)])
+        component, references, values = (_pointer(builder, args[k]) for k in (1, 2, 4))
+        return builder.call(target, [component, references, args[3], values, args[5]])
+
+    return signature, codegen
+
+
+@intrinsic
+def _do_step3_native(typing: Any, function: Any, component: Any, time: Any, step: Any, flags: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.float64, types.float64, types.int64)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        pointer, double = cgutils.voidptr_t, ir.DoubleType()
+        kind = ir.FunctionType(_INT32, [pointer, double, double, _INT32, *(pointer,) * 4])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        ends = [_pointer(builder, builder.add(args[4], ir.Constant(_INT64, k))) for k in (0, 1, 2, 8)]
+        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], ir.Constant(_INT32, 1), *ends])
 
     return signature, codegen
 
@@ -84,9 +135,29 @@ def _call_state_native(typing: Any, function: Any, component: Any, state: Any) -
     signature = types.int32(types.int64, types.int64, types.int64)
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, cgutils.voidptr_t])
+        kind = ir.FunctionType(_INT32, [cgutils.voidptr_t, cgutils.voidptr_t])
         target = builder.inttoptr(args[0], kind.as_pointer())
         return builder.call(target, [_pointer(builder, args[1]), _pointer(builder, args[2])])
+
+    return signature, codegen
+
+
+@intrinsic
+def _byte_at_native(typing: Any, address: Any) -> Any:
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return builder.zext(builder.load(_pointer(builder, args[0])), _INT64)
+
+    return types.int64(types.int64), codegen
+
+
+@intrinsic
+def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.float64, types.float64)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, ir.DoubleType(), ir.DoubleType(), ir.IntType(32)])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], ir.Constant(ir.IntType(32), 1)])
 
     return signature, codegen
 
@@ -102,6 +173,23 @@ def _exchange_overload(function, component, references, count, values):  # type:
 @overload(do_step)
 def _do_step_overload(function, component, time, step):  # type: ignore[no-untyped-def]
     return lambda function, component, time, step: _do_step_native(function, component, time, step)  # type: ignore[call-arg]
+
+
+@overload(exchange3)
+def _exchange3_overload(function, component, references, count, values, size):  # type: ignore[no-untyped-def]
+    return lambda function, component, references, count, values, size: _exchange3_native(
+        function, component, references, count, values, size
+    )  # type: ignore[call-arg]
+
+
+@overload(do_step3)
+def _do_step3_overload(function, component, time, step, flags):  # type: ignore[no-untyped-def]
+    return lambda function, component, time, step, flags: _do_step3_native(function, component, time, step, flags)  # type: ignore[call-arg]
+
+
+@overload(byte_at)
+def _byte_at_overload(address):  # type: ignore[no-untyped-def]
+    return lambda address: _byte_at_native(address)  # type: ignore[call-arg]
 
 
 @overload(call_state)

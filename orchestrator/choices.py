@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from .clock import Clock, seconds_text
-from .dependencies import direct
 from .errors import InputError
 from .system import Connection, System
 from .transfer import CHANGING, Choice, choose
@@ -29,10 +28,27 @@ def choices_of(
     system: System, clock: Clock, samplers: tuple[str, ...], leaders: tuple[str, ...]
 ) -> dict[Connection, Choice]:
     """The transfer of every connection. Raises InputError where a stated one has no meaning."""
-    pick = {"iterated": _iterated, "ecco": _adaptive}.get(system.algorithm)
-    if pick:
-        return {c: pick(c, samplers) for c in system.connections}
-    return {c: _choice(system, clock, c, samplers, leaders) for c in system.connections}
+    found = {}
+    for c in system.connections:
+        if not system.components[c.source[0]].fmu.is_real(c.source[1]):
+            found[c] = _held(system, c)
+        elif system.algorithm == "iterated":
+            found[c] = _iterated(c, samplers)
+        elif system.algorithm == "ecco":
+            found[c] = _adaptive(c)
+        else:
+            found[c] = _choice(system, clock, c, samplers, leaders)
+    return found
+
+
+def _held(system: System, c: Connection) -> Choice:
+    """What is no floating-point signal has nothing between its values."""
+    kind = system.components[c.source[0]].fmu.variables[c.source[1]].type
+    if c.transfer not in ("", "hold"):
+        raise InputError(
+            f"connection {c.label}: a {kind} is held, '{c.transfer}' has no meaning for it; take 'hold' {c.where}"
+        )
+    return Choice("hold", f"a {kind} is held")
 
 
 def _iterated(c: Connection, samplers: tuple[str, ...]) -> Choice:
@@ -47,7 +63,7 @@ def _iterated(c: Connection, samplers: tuple[str, ...]) -> Choice:
     return Choice("iterated", "the mean of the source over the step, both ends known by iteration: second order")
 
 
-def _adaptive(c: Connection, samplers: tuple[str, ...]) -> Choice:
+def _adaptive(c: Connection) -> Choice:
     if c.transfer not in ("", "hold"):
         raise InputError(
             f"connection {c.label}: algorithm 'ecco' judges held inputs, so '{c.transfer}' has no meaning; "
@@ -118,7 +134,7 @@ def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, s
         name, output = c.source
         if choice.transfer not in ("mean", "iterated"):
             continue
-        answers = direct(system.components[name].fmu, output)
+        answers = system.components[name].fmu.feedthrough()[output]
         changing = [
             i.target[1]
             for i, transfer in choices.items()

@@ -9,7 +9,19 @@ from typing import Annotated
 import typer
 
 from .errors import InputError, RunError
-from .options import FmusOption, OutOption, SetOption, StopOption, SystemName, app, assignments
+from .options import (
+    FmusOption,
+    MapOption,
+    OutOption,
+    PeriodOption,
+    ReplaceOption,
+    SetOption,
+    StepOption,
+    StopOption,
+    SystemName,
+    app,
+    assignments,
+)
 
 
 @app.command()
@@ -21,6 +33,13 @@ def build(
     rows: Annotated[
         int, typer.Option("--rows", min=0, help="Per-element outputs for this many rows: filaments of the brush.")
     ] = 0,
+    native: Annotated[
+        bool, typer.Option("--native", help="FMUs with no Python inside, FMI 2.0 and 3.0, into the subfolder native.")
+    ] = False,
+    platform: Annotated[
+        list[str],
+        typer.Option("--platform", help="Binaries of native FMUs: linux64, win64; repeatable; both by default."),
+    ] = ["linux64", "win64"],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
     from .reader import fmu_folder
@@ -30,7 +49,9 @@ def build(
         raise InputError("no components are installed that could be built; install the whole rovbrush package")
     for builder in found:
         try:
-            paths = builder.load()(fmus or fmu_folder(), **({"names": tuple(names)} if names else {}), rows=rows)
+            chosen = {"names": tuple(names)} if names else {}
+            platforms = tuple(platform) if native else ()
+            paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms)
         except Exception as error:
             kind = {"BuildError": RunError, "UnknownComponentError": InputError}.get(type(error).__name__)
             if kind:  # by name: the builder's own package is not known here
@@ -58,18 +79,20 @@ def plan(
     system: SystemName,
     all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,
     set_: SetOption = [],  # noqa: B006
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
+    step: StepOption = "",
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it."""
+    from .changes import changes_of
     from .explain import explain
     from .plan import make_plan
     from .reader import load_system
 
-    print(
-        explain(
-            make_plan(load_system(system, fmus).with_values(assignments(set_), "--set")), None if all_operations else 40
-        )
-    )
+    changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
+    print(explain(make_plan(changed.with_values(assignments(set_), "--set")), None if all_operations else 40))
 
 
 @app.command()
@@ -78,12 +101,22 @@ def run(
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
     stop: StopOption = "",
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
+    record_boundary: Annotated[
+        list[str],
+        typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
+    ] = [],  # noqa: B006
+    step: StepOption = "",
     fmus: FmusOption = None,
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
     ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
+    from .changes import changes_of
     from .studies.single import run_system
 
-    run_system(system, out, assignments(set_), stop, fmus, check)
+    changes = changes_of(replace, map_, period)
+    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step)

@@ -6,11 +6,14 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
+
+if TYPE_CHECKING:
+    from .system import System
 
 console = Console(highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() else 120)
 PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
@@ -78,6 +81,13 @@ def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
     for row in rows:
         if row.get("note"):
             console.print(f"{row['label']}: {row['note']}")
+
+
+def print_notes(system: System) -> None:
+    """What the user must know of replaced components before a run."""
+    for component in system.components.values():
+        for note in component.notes:
+            console.print(note, markup=False)
 
 
 def print_summary(summary: Mapping[str, Any]) -> None:

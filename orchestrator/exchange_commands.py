@@ -2,4 +2,82 @@
 
 from __future__ import annotations
 
-from .options import app  # noqa: F401
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .errors import InputError
+from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app, assignments
+
+
+@app.command()
+def check(
+    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="The files to check, FMI 2.0 or 3.0.")],
+    json_file: Annotated[Path | None, typer.Option("--json", help="Write all rows to this file.")] = None,
+) -> None:
+    """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own."""
+    from .checks.chain import check_all
+
+    if not check_all(fmus, json_file):
+        raise typer.Exit(1)
+
+
+@app.command("test-component")
+def test_component(
+    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to test, FMI 2.0 or 3.0.")],
+    component: Annotated[str, typer.Option("--as", metavar="NAME", help="The component that it claims to be.")],
+    map_: Annotated[Path | None, typer.Option("--map", help="Mapping file, where it has other names.")] = None,
+    tolerance: Annotated[
+        float, typer.Option("--tolerance", min=0.0, help="Relative error granted to its solver.")
+    ] = 1e-3,
+) -> None:
+    """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
+    from .component_tests.tables import run_bench
+
+    if run_bench(fmu, component, map_, tolerance):
+        raise typer.Exit(1)
+
+
+@app.command()
+def replay(
+    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to drive alone, FMI 2.0 or 3.0.")],
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where `run --record-boundary` wrote its files.")],
+    name: Annotated[str, typer.Option("--name", help="Which recording, where DIR holds several.")] = "",
+    map_: Annotated[Path | None, typer.Option("--map", help="Mapping file, where it has other names.")] = None,
+    rtol: Annotated[
+        float | None, typer.Option("--rtol", min=0.0, help="Of an output's magnitude; else RelTol of the recording.")
+    ] = None,
+    atol: Annotated[float, typer.Option("--atol", min=0.0, help="Error granted to every output, in its unit.")] = 0.0,
+) -> None:
+    """Drive an FMU with the recorded inputs of a component and compare its outputs with the recorded ones."""
+    from .replay import replay as drive
+
+    drive(fmu, folder, name, map_, rtol, atol)
+
+
+@app.command()
+def export(
+    system: SystemName,
+    ssp: Annotated[bool, typer.Option("--ssp", help="As an SSP, for tools that read system structures.")] = False,
+    container: Annotated[bool, typer.Option("--container", help="As one FMU that holds all the others.")] = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="SYSTEM.ssp or SYSTEM.fmu if not given.")
+    ] = None,
+    ssp_version: Annotated[str, typer.Option("--ssp-version", help="1.0 or 2.0.")] = "1.0",
+    set_: SetOption = [],  # noqa: B006
+    stop: StopOption = "",
+    step: StepOption = "",
+    fmus: FmusOption = None,
+) -> None:
+    """Write a whole system as one file for other tools."""
+    from .studies.export import export_container, export_ssp
+    from .studies.single import planned
+
+    if ssp == container:
+        raise InputError("export: choose one of --ssp and --container")
+    plan = planned(system, assignments(set_), stop, fmus, step=step)
+    if ssp:
+        export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
+    else:
+        export_container(plan, out or Path(f"{plan.system.name}.fmu"))

@@ -1,6 +1,6 @@
 """Runs a plan. `run` is one source with two lives: compiled by Numba for speed, plain Python as its interpreter.
 
-It calls the FMI functions by address (`calls.py`), allocates nothing and touches no Python object.
+It calls the FMI functions by address (`exchange.py`, `calls.py`), allocates nothing and touches no Python object.
 """
 
 from __future__ import annotations
@@ -12,9 +12,32 @@ from typing import Any
 import numpy as np
 
 from . import ecco
-from .calls import call_state, do_step, exchange
+from .calls import call_state, do_step, exchange, exchange3
 from .ecco import control as choose_step
 from .ecco import gauge
+from .exchange import (
+    AT,
+    CODE,
+    COUNT,
+    DO_STEP,
+    FIRST_IN,
+    FIRST_OUT,
+    FIRST_SLOT,
+    FMI,
+    FUNCTION,
+    IN_PLACE,
+    INSTANCE,
+    LAST_IN,
+    LAST_OUT,
+    NO_ROOM,
+    REFERENCES,
+    SIZE,
+    VALUES,
+    pack,
+    step3,
+    unpack,
+)  # fmt: skip
+from .fmi_types import FLOAT
 from .iteration import AGAIN, CONVERGED, iterate
 from .operations import (
     ACCUMULATE,
@@ -27,6 +50,7 @@ from .operations import (
     LINEAR,
     MEAN,
     MIX,
+    MOVE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -41,23 +65,23 @@ from .operations import (
 
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
-SET_REAL, GET_REAL, DO_STEP, INSTANCE, IN_REFS, IN_COUNT, IN_VALUES, OUT_REFS, OUT_COUNT, OUT_VALUES, OUT_SLOT = range(
-    11
-)
-
 GET_STATE, SET_STATE, FREE_STATE = range(3)  # columns of `state_calls`
 
 
 def run(
-    operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, z: np.ndarray,
-    slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray, control: np.ndarray,
+    operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, blocks: np.ndarray,
+    z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, pool: np.ndarray, index: np.ndarray,
+    slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray,
+    control: np.ndarray,
     clock: np.ndarray, work: np.ndarray, saved: np.ndarray, states: np.ndarray, state_calls: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
 
-    operations (m, 8), see operations.COLUMNS; components (n, 11), addresses and counts, see SET_REAL...;
-    z: all signals; groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
+    operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
+    exchange.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
+    want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
+    groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (5): a stop request from outside, and where and why the run ended; clock (5): see ecco.NOW..., with steps
     that vary (cycle_ticks is 0 then), otherwise zeros; work: state of the iteration or of the step controller; saved:
     signals at the beginning of a macro step; states (n): FMU states; state_calls (n, 3): addresses of the
@@ -80,37 +104,39 @@ def run(
             if code == STEP:
                 start = base + b
                 time = (start * numerator) / denominator
-                step = ((a + clock[ecco.STEP]) * numerator) / denominator
-                status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, step)
+                length = ((a + clock[ecco.STEP]) * numerator) / denominator
+                if components[c, FMI] == 2:
+                    status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length)
+                else:
+                    status = step3(components, c, raw, time, length)
                 if status > 1:
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
             elif code in (SET, GET):
-                if code == SET:
-                    status = exchange(
-                        components[c, SET_REAL],
-                        components[c, INSTANCE],
-                        components[c, IN_REFS],
-                        components[c, IN_COUNT],
-                        components[c, IN_VALUES],
-                    )
-                else:
-                    status = exchange(
-                        components[c, GET_REAL],
-                        components[c, INSTANCE],
-                        components[c, OUT_REFS],
-                        components[c, OUT_COUNT],
-                        components[c, OUT_VALUES],
-                    )
-                if status > 1:
-                    control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
-                    return BAD_STATUS
+                first, last = components[c, FIRST_IN], components[c, LAST_IN]
                 if code == GET:
-                    first = components[c, OUT_SLOT]
-                    for j in range(first, first + components[c, OUT_COUNT]):
-                        if not isfinite(z[j]):
-                            control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j
-                            return NOT_FINITE
+                    first, last = components[c, FIRST_OUT], components[c, LAST_OUT]
+                for n in range(first, last):
+                    if code == SET and blocks[n, AT] != IN_PLACE:
+                        pack(blocks, n, z, whole, raw, raw32, index)
+                    function, instance = blocks[n, FUNCTION], components[c, INSTANCE]
+                    references, count, values = blocks[n, REFERENCES], blocks[n, COUNT], blocks[n, VALUES]
+                    if components[c, FMI] == 2:
+                        status = exchange(function, instance, references, count, values)
+                    else:
+                        status = exchange3(function, instance, references, count, values, blocks[n, SIZE])
+                    if status <= 1 and code == GET and blocks[n, AT] != IN_PLACE:
+                        full = unpack(blocks, n, z, whole, raw, raw32, pool, index)
+                        if full >= 0:
+                            status, control[SLOT] = NO_ROOM, full
+                    if status > 1:
+                        control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
+                        return BAD_STATUS
+                    if code == GET and blocks[n, CODE] == FLOAT:
+                        for j in range(blocks[n, FIRST_SLOT], blocks[n, FIRST_SLOT] + blocks[n, SIZE]):
+                            if not isfinite(z[j]):
+                                control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j
+                                return NOT_FINITE
             elif code == COPY:
                 z[b] = coefficients[k] * z[a] + coefficients[k + 1]
             elif code == LINEAR:
@@ -121,7 +147,7 @@ def run(
                 tail = coefficients[k + 2] * z[a] + coefficients[k + 3] * z[p]
                 z[b] = coefficients[k] * (z[q] + tail) + coefficients[k + 1]
                 z[q] = -tail
-            elif code == PUSH:
+            elif code in (MOVE, PUSH):
                 z[b] = z[a]
             elif code == RECORD:
                 first, columns = groups[a, 0], groups[a, 1]
@@ -192,22 +218,9 @@ def compiled_run() -> Any:
     import numba
 
     compiled = numba.njit(cache=True, error_model="numpy")(run)
-    table, cells, numbers = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1]
-    arrays = (
-        table,
-        numbers,
-        table,
-        numbers,
-        cells,
-        table,
-        numbers,
-        cells,
-        cells,
-        cells,
-        numbers,
-        numbers,
-        cells,
-        table,
-    )
-    compiled.compile((*arrays, *(numba.int64,) * 5))
+    table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
+    texts = (raw, cells)
+    signals = (numbers, cells, raw, numba.float32[::1], *texts)
+    results, repeated = (cells, table, numbers, cells), (cells, numbers, numbers, cells, table)
+    compiled.compile((table, numbers, table, table, *signals, *results, cells, *repeated, *(numba.int64,) * 5))
     return compiled

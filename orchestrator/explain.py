@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from .algorithms import explain_algorithm
+from .capabilities import remarks
 from .clock import seconds_text
 from .plan import Plan
 from .words import Words
@@ -29,8 +30,10 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         component = system.components[name]
         lines.append(
             f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, "
-            f"sha256 {component.fmu.digest[:12]}"
+            f"FMI {component.fmu.description.fmiVersion}, sha256 {component.fmu.digest[:12]}{remarks(component)}"
         )
+    for name in plan.order:
+        lines += [f"  {note}" for note in system.components[name].notes]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     for name in plan.leaders:

@@ -1,73 +1,133 @@
-"""One FMU: its description, and a running instance with a guard between its faults and the run.
-
-fmpy reads the description, loads the library and does the calls before and after the loop; inside the loop the FMI
-functions are called by their addresses (`calls.py`).
-"""
+"""One FMU as its description tells it: variables, types, and what it can do. Instances are in `instances.py`."""
 
 from __future__ import annotations
 
-import ctypes
-from collections import deque
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
-import fmpy
-from fmpy import fmi2
-from fmpy.model_description import ModelDescription, ModelVariable
+from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable
 
-from .errors import FmuError, InputError
-from .exit_guard import end_before_library_destructors
+from .crossing import Crossing
+from .description import platform_folder, read_description, scalars_of
+from .errors import InputError
+from .fmi_types import TYPES, FmiType
 from .unpack import unpack
 
-STATUS = {0: "OK", 1: "Warning", 2: "Discard", 3: "Error", 4: "Fatal", 5: "Pending"}
+
+@dataclass(frozen=True)
+class Place:
+    """Where a scalar lives in its FMU: the value reference, and its position in an array of `count` values."""
+
+    reference: int
+    index: int
+    count: int
 
 
 @dataclass(frozen=True)
 class Fmu:
-    """An unpacked FMI 2.0 co-simulation FMU and what its model description says."""
+    """An unpacked FMI 2.0 or 3.0 co-simulation FMU and what its model description says."""
 
     path: Path
     folder: Path
     digest: str
     description: ModelDescription
+    texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
+    # Somebody else's FMU in the place of a component: the variables that the system sees, and where they cross.
+    presented: tuple[ModelVariable, ...] = ()
+    crossings: Mapping[str, Crossing] = field(default_factory=dict)
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
-        """Unpack and read an FMU. Raises FmuError if it is missing, corrupt, or no FMI 2.0 co-simulation FMU."""
+        """Unpack and read an FMU. Raises FmuError if it is missing, corrupt, or no FMU that can be run here."""
         folder, digest = unpack(path)
-        xml = folder / "modelDescription.xml"
-        if not xml.is_file():
-            raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
-        version = fmi_version(path, xml)
-        if version != "2.0":
-            raise FmuError(f"FMU {path} is of FMI version {version}; version 2.0 is needed")
-        try:
-            description = fmpy.read_model_description(str(folder), validate=True)
-        except Exception as error:
-            raise FmuError(f"FMU {path}: its modelDescription.xml is not valid: {str(error).strip()}") from error
-        if description.coSimulation is None:
-            raise FmuError(f"FMU {path} is for model exchange only; export it for co-simulation")
-        library = (
-            folder
-            / "binaries"
-            / fmpy.platform
-            / f"{description.coSimulation.modelIdentifier}{fmpy.sharedLibraryExtension}"
-        )
-        if not library.is_file():
-            there = sorted(p.name for p in (folder / "binaries").glob("*")) or ["none"]
-            raise FmuError(f"FMU {path} has no binary for {fmpy.platform}; it has {', '.join(there)}")
-        return cls(path, folder, digest, description)
+        fmu = cls(path, folder, digest, *read_description(path, folder))
+        _ = fmu.places  # an array that cannot be laid out is refused now
+        return fmu
+
+    @property
+    def version(self) -> int:
+        """2 or 3."""
+        return int(self.description.fmiMajorVersion)
+
+    @property
+    def interface(self) -> CoSimulation:
+        """What the description says about co-simulation."""
+        assert self.description.coSimulation is not None
+        return self.description.coSimulation
+
+    @property
+    def library(self) -> Path:
+        """Folder of the binary for this machine."""
+        return self.folder / "binaries" / platform_folder(self.description)
+
+    @cached_property
+    def _elements(self) -> dict[str, dict[str, ModelVariable]]:
+        """The scalars of every variable, by its own name."""
+        return {v.name: scalars_of(self.path, v, self.texts) for v in self.description.modelVariables}
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:
-        """All variables by name."""
-        return {v.name: v for v in self.description.modelVariables}
+        """All scalar variables by name; the elements of an FMI 3 array are scalars `u[1]`, `u[2]`...
+
+        Of a foreign FMU those that the system sees (see `swap.py`).
+        """
+        if self.presented:
+            return {v.name: v for v in self.presented}
+        return {name: v for elements in self._elements.values() for name, v in elements.items()}
+
+    @cached_property
+    def own(self) -> Fmu:
+        """The FMU under its own names, which are others where it is presented as a component."""
+        return replace(self, presented=(), crossings={}) if self.presented else self
+
+    @cached_property
+    def _ours(self) -> dict[str, str]:
+        """Names in the system by the FMU's own."""
+        return {crossing.name: name for name, crossing in self.crossings.items()}
+
+    @cached_property
+    def places(self) -> dict[str, Place]:
+        """Where every scalar lives."""
+        if self.presented:
+            return {name: self.own.places[crossing.name] for name, crossing in self.crossings.items()}
+        return {
+            name: Place(v.valueReference, k, len(elements))
+            for elements in self._elements.values()
+            for k, (name, v) in enumerate(elements.items())
+        }
+
+    @cached_property
+    def arrays(self) -> dict[str, list[str]]:
+        """For every scalar the scalars that are set and got together with it, in their order."""
+        if self.presented:
+            return {name: self._together(name) for name in self.crossings}
+        return {name: list(elements) for elements in self._elements.values() for name in elements}
+
+    def _together(self, name: str) -> list[str]:
+        theirs = self.own.arrays[self.crossings[name].name]
+        lacking = [x for x in theirs if x not in self._ours]
+        if lacking:
+            raise InputError(
+                f"{self.path.name}: '{lacking[0]}' belongs to the same array as '{self.crossings[name].name}' and is "
+                f"not mapped; map the whole array"
+            )
+        return [self._ours[x] for x in theirs]
+
+    def type_of(self, name: str) -> FmiType | None:
+        """The type of a scalar; None for one that cannot be exchanged (Binary, Clock)."""
+        return TYPES[self.version].get(self.variables[name].type)
+
+    def is_real(self, name: str) -> bool:
+        """Whether a scalar is floating point; every other signal is held."""
+        kind = self.type_of(name)
+        return kind is not None and kind.real
 
     def names(self, *causalities: str) -> list[str]:
-        """Names of the variables with one of the causalities, in the order of the description."""
-        return [v.name for v in self.description.modelVariables if v.causality in causalities]
+        """Names of the scalars with one of the causalities, in the order of the description."""
+        return [name for name, v in self.variables.items() if v.causality in causalities]
 
     def expand(self, name: str) -> list[str]:
         """The scalars behind a name: itself, or the elements `name[1]`, `name[2]` ... of an array; [] if unknown."""
@@ -79,131 +139,111 @@ class Fmu:
         """Names without their element index, for suggestions."""
         return list(dict.fromkeys(name.split("[")[0] for name in self.names(*causalities)))
 
+    def start(self, name: str) -> float | int | bool | str:
+        """The start value of a scalar; zero, false or empty where the description gives none."""
+        v, kind = self.variables[name], self.type_of(name)
+        empty = "" if kind is None or kind.dtype.kind == "O" else "0"
+        value = v.start if v.start is not None else empty
+        return parse_value(v, value, f"{self.path.name}: start value of {name}", kind)
 
-def fmi_version(path: Path, xml: Path) -> str | None:
-    """The version attribute. A document type declaration is refused: it can expand entities or open files."""
-    from lxml import etree
+    @property
+    def can_save_state(self) -> bool:
+        """Whether its state can be saved and restored, as rollback needs it."""
+        return bool(self.interface.canGetAndSetFMUstate)
 
-    try:
-        tree = etree.parse(str(xml), etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False))
-    except etree.XMLSyntaxError as error:
-        raise FmuError(f"FMU {path}: its modelDescription.xml is not well-formed: {error}") from error
-    if tree.docinfo.doctype:
-        raise FmuError(f"FMU {path}: its modelDescription.xml has a document type declaration; refused")
-    version: str | None = tree.getroot().get("fmiVersion")
-    return version
+    @property
+    def can_serialize_state(self) -> bool:
+        """Whether its state can be written to disk, as a checkpoint needs it."""
+        return self.can_save_state and bool(self.interface.canSerializeFMUstate)
+
+    @property
+    def can_vary_step(self) -> bool:
+        """Whether steps of different lengths are allowed."""
+        return bool(self.interface.canHandleVariableCommunicationStepSize)
+
+    @property
+    def recommended_step(self) -> Fraction | None:
+        """The communication step that its maker had in mind [s]."""
+        experiment = self.description.defaultExperiment
+        return Fraction(experiment.stepSize) if experiment is not None and experiment.stepSize else None
+
+    @property
+    def internal_step(self) -> Fraction | None:
+        """The step that it makes inside (FMI 3 fixedInternalStepSize) [s]; a communication step is a multiple of it."""
+        step = self.interface.fixedInternalStepSize
+        return Fraction(str(step)) if step is not None and float(step) > 0 else None
+
+    def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
+        """For each output the inputs on which it depends at once; all of them where the description does not say.
+
+        `initial`: the dependencies during initialization instead of those while stepping; an output with an exact
+        start value has none then.
+        """
+        if self.presented:
+            known = self.own.feedthrough(initial)
+            return {
+                name: frozenset(self._ours[x] for x in known[self.crossings[name].name] if x in self._ours)
+                for name in self.names("output")
+            }
+        inputs = frozenset(self.names("input"))
+        stated = self.description.initialUnknowns if initial else self.description.outputs
+        given = {
+            u.variable.name: frozenset(name for d in u.dependencies for name in self._elements[d.name]) & inputs
+            for u in stated
+            if u.dependencies is not None
+        }
+        owners = {name: v for v, elements in self._elements.items() for name in elements}
+        fixed = {name for name, v in self.variables.items() if initial and v.initial == "exact"}
+        return {
+            name: given.get(owners[name], frozenset() if name in fixed else inputs) for name in self.names("output")
+        }
 
 
-def parse_value(variable: ModelVariable, value: object, label: str) -> float | int | bool | str:
+def parse_value(
+    variable: ModelVariable, value: object, label: str, kind: FmiType | None = None
+) -> float | int | bool | str:
     """A parameter or start value in the variable's type and range. Raises InputError saying what is allowed."""
     unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
+    real = variable.type in ("Real", "Float64", "Float32")
     try:
-        if variable.type == "String":
+        if variable.type in ("String", "Binary"):
             return str(value)
         if variable.type == "Boolean":
             return {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}[
                 str(value).strip().lower()
             ]
-        number = float(str(value))
+        number: float | int = float(str(value)) if real else _whole(str(value))
         if number != number or abs(number) == float("inf"):
             raise ValueError
-        if variable.type in ("Integer", "Enumeration") and number != int(number):
-            raise ValueError
-    except (ValueError, KeyError):
-        kind = {"Real": "a finite number", "Boolean": "true or false"}.get(variable.type, "a whole number")
-        raise InputError(f"{label} = {value!s} is not {kind}") from None
-    low = float(variable.min) if variable.min is not None else -float("inf")
-    high = float(variable.max) if variable.max is not None else float("inf")
+    except (ValueError, KeyError, OverflowError):
+        what = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
+        raise InputError(f"{label} = {value!s} is not {what}") from None
+    low, high = _bounds(variable, real, kind or TYPES[2].get(variable.type) or TYPES[3].get(variable.type))
     if not low <= number <= high:
-        raise InputError(f"{label} = {number:g}{unit} is out of range: {low:g} to {high:g}{unit} are allowed")
-    return number if variable.type == "Real" else int(number)
+        shown = f"{number:g}" if real else f"{number}"
+        raise InputError(f"{label} = {shown}{unit} is out of range: {_text(low)} to {_text(high)}{unit} are allowed")
+    return number
 
 
-class Instance:
-    """A loaded FMU instance. After fmi2Fatal it is never called again."""
+def _whole(text: str) -> int:
+    """A whole number, exact to 64 bits; `3.0` is one."""
+    try:
+        return int(text)
+    except ValueError:
+        if float(text) != int(float(text)):
+            raise ValueError from None
+        return int(float(text))
 
-    def __init__(self, fmu: Fmu, name: str) -> None:
-        self.fmu, self.name = fmu, name
-        self.messages: deque[str] = deque(maxlen=50)  # an FMU may warn at every step
-        self.dead = False
-        assert fmu.description.coSimulation is not None
-        self.made_by_pythonfmu = (fmu.folder / "resources" / "slavemodule.txt").is_file()
-        if self.made_by_pythonfmu:
-            end_before_library_destructors()
-        self._callbacks = self._make_callbacks()
-        try:
-            self.slave = fmi2.FMU2Slave(
-                guid=fmu.description.guid,
-                modelIdentifier=fmu.description.coSimulation.modelIdentifier,
-                unzipDirectory=str(fmu.folder),
-                instanceName=name,
-            )
-            self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
-        except Exception as error:
-            raise FmuError(
-                f"component {name}: {fmu.path.name} cannot be instantiated: {error}{self.log_text()}"
-            ) from error
 
-    def _make_callbacks(self) -> Any:
-        callbacks = fmi2.fmi2CallbackFunctions()
-        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log)
-        callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
-        callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
-        # The proxy formats the printf arguments of the FMI logger. pythonfmu passes none, but bare messages as the
-        # format: an exception whose text holds %s would end the process there.
-        if not self.made_by_pythonfmu:
-            fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
-        return callbacks
+def _bounds(variable: ModelVariable, real: bool, kind: FmiType | None) -> tuple[float | int, float | int]:
+    """The allowed range: what the variable declares, within what its type can hold."""
+    if real:
+        low = float(variable.min) if variable.min is not None else -float("inf")
+        return low, float(variable.max) if variable.max is not None else float("inf")
+    limits = kind.range if kind else (-(2**63), 2**63 - 1)
+    low = max(limits[0], int(variable.min)) if variable.min is not None else limits[0]
+    return low, min(limits[1], int(variable.max)) if variable.max is not None else limits[1]
 
-    def _log(self, _environment: Any, _instance: bytes, status: int, _category: bytes, message: bytes) -> None:
-        if status > 0 and message:
-            text = message.decode("utf-8", "replace").strip()
-            self.messages.append(text.replace("%%", "%") if self.made_by_pythonfmu else text)
 
-    def log_text(self) -> str:
-        """What the FMU has logged, as the tail of an error message."""
-        return "".join(f"\n{message}" for message in dict.fromkeys(self.messages))
-
-    def call(self, what: str, function: Any, *arguments: Any) -> Any:
-        """Call before or after the loop; a bad status becomes an FmuError with the FMU's own words."""
-        if self.dead:
-            raise FmuError(f"component {self.name}: cannot {what} after a fatal error{self.log_text()}")
-        try:
-            return function(*arguments)
-        except Exception as error:
-            status = getattr(error, "status", None)
-            self.dead = status == 4
-            reason = f"fmi2{STATUS.get(status, status)}" if status is not None else str(error)
-            raise FmuError(f"component {self.name}: cannot {what} ({reason}){self.log_text()}") from error
-
-    def set(self, name: str, value: float | int | bool | str) -> None:
-        """Set one variable by name."""
-        v = self.fmu.variables[name]
-        setter = {"Real": self.slave.setReal, "Boolean": self.slave.setBoolean, "String": self.slave.setString}.get(
-            v.type, self.slave.setInteger
-        )
-        self.call(f"set {name} = {value}", setter, [v.valueReference], [value])
-
-    def get(self, name: str) -> Any:
-        """Get one variable by name."""
-        v = self.fmu.variables[name]
-        getter = {"Real": self.slave.getReal, "Boolean": self.slave.getBoolean, "String": self.slave.getString}.get(
-            v.type, self.slave.getInteger
-        )
-        return self.call(f"get {name}", getter, [v.valueReference])[0]
-
-    def address(self, function: str) -> int:
-        """Address of an FMI function in the loaded library."""
-        return ctypes.cast(getattr(self.slave.dll, function), ctypes.c_void_p).value or 0
-
-    def close(self, terminate: bool = True) -> None:
-        """Terminate and free the instance. The library stays loaded: unloading one with Python inside is not safe."""
-        if self.dead:
-            return
-        try:
-            if terminate:
-                self.slave.terminate()
-            self.slave.fmi2FreeInstance(self.slave.component)
-        except Exception as error:
-            self.messages.append(f"closing failed: {error}")
-        self.dead = True
+def _text(bound: float | int) -> str:
+    return f"{bound:g}" if isinstance(bound, float) else f"{bound}"

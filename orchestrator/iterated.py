@@ -94,11 +94,18 @@ class IteratedSchedule(Schedule):
                         yield (COPY, 0, self.index[c.target[0]], a, slot, 0, 0, k)
 
     def begin(self, tick: int) -> Iterator[Row]:
-        """Samplers step; nobody else's inputs are formed now."""
+        """Samplers step; of the others the inputs that are held whatever the algorithm take their values."""
         for name in self.due(tick):
             if name in self.design.samplers:
                 yield from self._take(tick, name, tick)
                 yield from self.advance(tick, name, tick)
+        for name in self.due(tick):
+            if name not in self.design.samplers:
+                for c in self.design.into(name):
+                    if not self._real(c):
+                        yield self.held(
+                            c.target, tick, self.layout.outputs[c.source], self.layout.inputs[c.target], 1, 0
+                        )
 
     def finish(self, tick: int) -> Iterator[Row]:
         for name in self.due(tick):
@@ -112,13 +119,15 @@ class IteratedSchedule(Schedule):
     def _take(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs of one step: unknowns, and what samplers hold or take."""
         for c in self.design.into(name):
-            b, target = self.layout.inputs[c.target], self.index[name]
+            b = self.layout.inputs[c.target]
             if self.design.choices[c].transfer == "iterated":
                 a = self.layout.unknowns[c.target, start // self.clock.periods[name]]
-                yield (COPY, tick, target, a, b, 0, 0, self.constants.at(1.0, 0.0))
-            else:
-                a = self.layout.outputs[c.source]
-                yield (COPY, tick, target, a, b, 0, 0, self.constants.at(c.gain, c.offset))
+                yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
+            elif name in self.design.samplers or self._real(c):
+                yield self.held(c.target, tick, self.layout.outputs[c.source], b, c.gain, c.offset)
+
+    def _real(self, c: Connection) -> bool:
+        return self.system.components[c.source[0]].fmu.is_real(c.source[1])
 
     def _collect(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """What the step from `start` to `tick` adds to the images of the inputs that it drives."""

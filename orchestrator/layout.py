@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .clock import Clock
+from .fmi_types import GROUPED
+from .fmu import Fmu
 from .system import Bond, Connection, System
 from .transfer import HISTORY, Choice
 
@@ -31,6 +33,9 @@ class Layout:
     size: int = 0
     outputs: dict[Key, int] = field(default_factory=dict)
     inputs: dict[Key, int] = field(default_factory=dict)
+    # Inputs and outputs of a foreign FMU as it has them, where some differ from ours in unit or direction.
+    foreign_inputs: dict[Key, int] = field(default_factory=dict)
+    foreign_outputs: dict[Key, int] = field(default_factory=dict)
     previous: dict[Key, int] = field(default_factory=dict)  # an output one period ago
     before: dict[Key, int] = field(default_factory=dict)  # an output two periods ago
     begins: dict[Key, int] = field(default_factory=dict)  # an output read again at the beginning of the step
@@ -60,6 +65,12 @@ class Layout:
         """The slot of an output's value at the beginning of the step that was done last."""
         return self.begins.get(key, self.previous[key])
 
+    def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
+        """Slots of the inputs and outputs that a component is given and gives, by variable."""
+        sides = ((self.inputs, self.foreign_inputs), (self.outputs, self.foreign_outputs))
+        found = [{key[1]: {**ours, **foreign}[key] for key in ours if key[0] == name} for ours, foreign in sides]
+        return found[0], found[1]
+
 
 @dataclass(frozen=True)
 class Group:
@@ -72,17 +83,20 @@ class Group:
 
 
 def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict[str, str]) -> Layout:
-    """Outputs and inputs of a component are contiguous, in the order of its description."""
+    """Outputs and inputs of a component are contiguous, grouped by type, in the order of its description.
+
+    Of an FMI 3 array all elements have a cell where one has: they are set and got together.
+    """
     layout = Layout()
     used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
     for name, component in system.components.items():
-        for variable in component.fmu.names("output"):
-            key = (name, variable)
-            if component.fmu.variables[variable].type == "Real" and (key in used or _recorded(system, key)):
-                layout.add(layout.outputs, key)
-        for variable in component.fmu.names("input"):
-            if (name, variable) in driven:
+        for variable in _by_type(component.fmu, "output"):
+            keys = [(name, element) for element in component.fmu.arrays[variable]]
+            if any(key in used or _recorded(system, key) for key in keys):
+                layout.add(layout.outputs, (name, variable))
+        for variable in _by_type(component.fmu, "input"):
+            if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
     histories += [(c.source, 1) for c in choices if c.source[0] in _leading(choices)]
@@ -97,7 +111,20 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     for connection, choice in choices.items():
         if choice.transfer == "mean":
             layout.add(layout.integrals, connection.target)
+    for name, component in system.components.items():
+        for ours, foreign in ((layout.inputs, layout.foreign_inputs), (layout.outputs, layout.foreign_outputs)):
+            keys = [key for key in ours if key[0] == name]
+            crossings = [component.fmu.crossings.get(key[1]) for key in keys]
+            if any(crossing and not crossing.exact for crossing in crossings):
+                for key in keys:
+                    layout.add(foreign, key)
     return layout
+
+
+def _by_type(fmu: Fmu, causality: str) -> list[str]:
+    """Variables that can be exchanged, by type, and otherwise in the order of the description."""
+    typed = [(fmu.type_of(name), name) for name in fmu.names(causality)]
+    return [name for kind, name in sorted(((k, n) for k, n in typed if k), key=lambda entry: GROUPED[entry[0].name])]
 
 
 def _leading(choices: dict[Connection, Choice]) -> set[str]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD = range(9)
-QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(9, 20)
+COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
+QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(10, 21)
 NAMES = (
-    *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record"),
+    *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
     *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
 )
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

@@ -17,7 +17,8 @@ app = typer.Typer(
 )
 
 SystemName = Annotated[
-    str, typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or the path of a .toml file.")
+    str,
+    typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."),
 ]
 SetOption = Annotated[
     list[str],
@@ -25,9 +26,27 @@ SetOption = Annotated[
         "--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable."
     ),
 ]
+ReplaceOption = Annotated[
+    list[str],
+    typer.Option(
+        "--replace", metavar="NAME=FMU", help="Another FMU in place of a component, for instance motor=their.fmu."
+    ),
+]
+MapOption = Annotated[
+    list[str],
+    typer.Option(
+        "--map", metavar="NAME=FILE", help="What the variables are called there, for instance motor=map.toml."
+    ),
+]
+PeriodOption = Annotated[
+    list[str], typer.Option("--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms".')
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]
+StepOption = Annotated[
+    str, typer.Option("--step", metavar="TIME", help="The period of components for which an SSP states none.")
+]
 
 
 def assignments(options: list[str]) -> dict[str, object]:

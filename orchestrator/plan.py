@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from .adaptive import AdaptiveSchedule, adaptive_clock, add_times
-from .algorithms import check_capabilities
 from .books import check_names, make_books
+from .capabilities import check_capabilities
 from .choices import check_leaders, choices_of, leaders_of, order_of, rereads_of, samplers_of
 from .clock import make_clock
 from .design import Design
@@ -33,8 +33,8 @@ class Plan(Design):
 
 
 def make_plan(system: System) -> Plan:
-    """Plan a system. Raises InputError where periods, stop or transfers do not fit, FmuError for what FMUs lack."""
-    check_capabilities(system.algorithm, system.components)
+    """Plan a system. Raises InputError where periods, stop, transfers or what FMUs can do does not fit."""
+    check_capabilities(system)
     if system.algorithm == "ecco":
         clock = adaptive_clock(system)
     else:

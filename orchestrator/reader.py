@@ -22,7 +22,8 @@ KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
     *("iteration", "ecco", "record", "require", "summary", "balance", "compare", "figures"),
 }
-COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs"}
+COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout"}
+ISOLATION = ("none", "process")
 
 
 def shipped_systems() -> list[str]:
@@ -43,23 +44,19 @@ def fmu_folder() -> Path:
     return user_data_path("rovbrush") / "fmus"
 
 
-def load_system(name: str, fmus: Path | None = None) -> System:
-    """Read and check a system, by the name of a shipped one or by the path of a TOML file.
+def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str = "") -> System:
+    """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp or a .ssd.
 
+    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
-    path = Path(name)
-    if path.suffix != ".toml":
-        path = SYSTEMS / f"{name}.toml"
-        if not path.is_file():
-            raise InputError(f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml file")
-    file = TomlFile(path)
+    file = _opened(name, step, stop)
     data = file.data
     for key in data.keys() - KEYS:
         raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
     for key in ("stop_time", "components"):
         if key not in data or data[key] == {}:
-            raise InputError(f"{path.name}: '{key}' is missing")
+            raise InputError(f"{file.path.name}: '{key}' is missing")
     algorithm = data.get("algorithm", ALGORITHMS[0])
     if algorithm not in ALGORITHMS:
         raise file.fail(f"unknown algorithm '{algorithm}'{nearest(str(algorithm), ALGORITHMS)}", "algorithm")
@@ -71,7 +68,7 @@ def load_system(name: str, fmus: Path | None = None) -> System:
     connections = tuple(c for entry in file.entry(list, "connections") for c in connections_of(file, components, entry))
     check_drivers(file, components, connections)
     system = System(
-        name=path.stem, path=path, description=str(data.get("description", "")),
+        name=file.name, path=file.path, description=str(data.get("description", "")),
         stop=_duration(file, data["stop_time"], "stop_time"), algorithm=algorithm, order=order,
         components=components, connections=connections,
         bonds=tuple(bond_of(file, components, connections, entry) for entry in file.entries(dict, "bonds")),
@@ -84,6 +81,21 @@ def load_system(name: str, fmus: Path | None = None) -> System:
         iteration=iteration_of(file), ecco=ecco_of(file),
     )  # fmt: skip
     return _with_parameter_file(file, system)
+
+
+def _opened(name: str, step: str, stop: str) -> TomlFile:
+    path = Path(name)
+    if path.suffix in (".ssp", ".ssd"):
+        from .ssp.read import SspFile
+
+        return SspFile(path, step, stop)
+    if path.suffix != ".toml":
+        path = SYSTEMS / f"{name}.toml"
+        if not path.is_file():
+            raise InputError(
+                f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp or .ssd file"
+            )
+    return TomlFile(path)
 
 
 def _duration(file: TomlFile, value: object, what: str, table: str = "") -> Fraction:
@@ -107,7 +119,10 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
         path = path if path.is_absolute() else file.path.parent / path
     else:
         path = (fmus or fmu_folder()) / f"{path}.fmu"
-    component = Component(name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading))
+    component = Component(
+        name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading),
+        **_isolation(file, name, table, heading),
+    )  # fmt: skip
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):
         for key, value in file.entry(dict, kind, table, heading).items():
             origin = f"{kind} of {name} {file.at(key, heading)}"
@@ -117,6 +132,27 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
             for scalar, scalar_value in found.items():
                 component = component.with_value(scalar, scalar_value)
     return component
+
+
+def _isolation(file: TomlFile, name: str, table: dict[str, Any], heading: str) -> dict[str, Any]:
+    isolation = table.get("isolation", "none")
+    if isolation not in ISOLATION:
+        raise file.fail(
+            f"component {name}: unknown isolation '{isolation}'{nearest(str(isolation), ISOLATION)}",
+            "isolation", heading,
+        )  # fmt: skip
+    if isolation == "none":
+        if "timeout" in table:
+            raise file.fail(f'component {name}: timeout needs isolation = "process"', "timeout", heading)
+        return {}
+    if not hasattr(os, "fork"):
+        raise file.fail(f"component {name}: isolation needs Linux or macOS; remove it", "isolation", heading)
+    limit = (
+        {"timeout": _duration(file, table["timeout"], f"component {name}: timeout", heading)}
+        if "timeout" in table
+        else {}
+    )
+    return {"isolation": isolation, **limit}
 
 
 def _with_parameter_file(file: TomlFile, system: System) -> System:

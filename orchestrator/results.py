@@ -69,7 +69,8 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
         variables = {}
         for name in (".".join(key) for key in group.columns):
             signal = signals[name]
-            variables[name] = ("time", signal.values, {"units": signal.unit, "long_name": signal.description})
+            units = {"units": signal.unit} if signal.unit else {}
+            variables[name] = ("time", signal.values, {**units, "long_name": signal.description})
         time = ("time", signals.times[g], {"units": "s", "long_name": "time"})
         period = "varies" if run.plan.adaptive else seconds_text(run.plan.clock.seconds(group.period))
         attributes = {"period": period, "complete": int(not run.failure)}
@@ -122,11 +123,21 @@ def write_csv(run: Run, path: Path) -> None:
             header.append(signal.label)
             column = [""] * len(instants)
             for row, value in zip(rows, signal.values.tolist(), strict=True):
-                column[row] = f"{value:.10g}"
+                column[row] = csv_text(value)
             columns.append(column)
     with path.open("w", encoding="utf-8") as file:
         file.write(",".join(header) + "\n")
         file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+
+
+def csv_text(value: float | int | bool | str) -> str:
+    """A cell of the table; a text is quoted where it must be."""
+    if isinstance(value, str):
+        quoted = value.replace('"', '""')
+        return f'"{quoted}"' if any(c in value for c in ',"\r\n') else value
+    return (
+        str(value).lower() if isinstance(value, bool) else f"{value:.10g}" if isinstance(value, float) else str(value)
+    )
 
 
 def write_json(path: Path, content: Any) -> None:

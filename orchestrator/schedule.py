@@ -17,8 +17,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from .clock import seconds_text
+from .crossing import Crossing
 from .design import Constants, Design
 from .errors import InputError
+from .layout import Key
 from .operations import (
     ACCUMULATE,
     COLUMNS,
@@ -27,6 +29,7 @@ from .operations import (
     LEDGER,
     LINEAR,
     MEAN,
+    MOVE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -140,13 +143,17 @@ class Schedule:
         """Set inputs, step from `start` over one period, get outputs."""
         component, period, layout = self.index[name], self.clock.periods[name], self.layout
         if self.design.into(name):
+            for key, slot in layout.foreign_inputs.items():
+                if key[0] == name:
+                    crossing = self._crossing(key)
+                    yield self.held(key, tick, layout.inputs[key], slot, crossing.gain, crossing.offset)
             yield (SET, tick, component, 0, 0, 0, 0, 0)
         pushes = [(layout.previous[key], slot) for key, slot in layout.before.items() if key[0] == name]
         pushes += [(layout.outputs[key], slot) for key, slot in layout.previous.items() if key[0] == name]
         rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
         if name in self.design.rereads:
             yield from rows
-            yield (GET, tick, component, 1, 0, 0, 0, 0)
+            yield from self._get(tick, name, 1)
             for key, slot in layout.begins.items():
                 if key[0] == name:
                     yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
@@ -154,13 +161,31 @@ class Schedule:
         yield self.stepping(tick, component, period, start)
         yield from rows
         if any(key[0] == name for key in layout.outputs):
-            yield (GET, tick, component, 0, 0, 0, 0, 0)
+            yield from self._get(tick, name, 0)
         for connection, choice in self.design.choices.items():
             if choice.transfer == "mean" and connection.source[0] == name:
                 weight = self.constants.at(period / (2 * self.clock.periods[connection.target[0]]))
                 a, p = layout.outputs[connection.source], layout.start(connection.source)
                 yield (ACCUMULATE, tick, component, a, layout.integrals[connection.target], p, 0, weight)
         yield from self.works(tick, name)
+
+    def _get(self, tick: int, name: str, begin: int) -> Iterator[Row]:
+        """Get a component's outputs, and turn those of a foreign FMU into ours; `begin`: as its step begins."""
+        yield (GET, tick, self.index[name], begin, 0, 0, 0, 0)
+        for key, slot in self.layout.foreign_outputs.items():
+            if key[0] == name:
+                crossing = self._crossing(key)
+                yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)
+
+    def _crossing(self, key: Key) -> Crossing:
+        return self.system.components[key[0]].fmu.crossings.get(key[1], Crossing(key[1]))
+
+    def held(self, key: Key, tick: int, a: int, b: int, gain: float, offset: float) -> Row:
+        """Give slot b the value of slot a, which is of the type of `key`."""
+        component = self.index[key[0]]
+        if self.system.components[key[0]].fmu.is_real(key[1]):
+            return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
+        return (MOVE, tick, component, a, b, 0, 0, 0)
 
     def stepping(self, tick: int, component: int, period: int, start: int) -> Row:
         """The step itself."""
@@ -187,9 +212,12 @@ class Schedule:
         transfer, layout = self.design.choices[c].transfer, self.layout
         a, b, target = layout.outputs[c.source], layout.inputs[c.target], self.index[c.target[0]]
         h, H = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
-        if transfer == "hold" and (c.source[0] not in self.design.leaders or sample <= start):
-            return (COPY, tick, target, a, b, 0, 0, self.constants.at(c.gain, c.offset))
+        ahead = c.source[0] in self.design.leaders and sample - h <= start < sample  # the source has stepped already
+        if transfer == "hold" and not ahead:
+            return self.held(c.target, tick, a, b, c.gain, c.offset)
         p = layout.previous[c.source]
+        if not self.system.components[c.source[0]].fmu.is_real(c.source[1]):
+            return self.held(c.target, tick, p, b, c.gain, c.offset)
         if transfer == "quadratic":
             weights = quadratic_weights(sample, h, start, H)
             k = self.constants.at(c.gain, c.offset, *weights)

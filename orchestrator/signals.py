@@ -8,12 +8,16 @@ from functools import cached_property
 import numpy as np
 
 from .errors import InputError, nearest
+from .fmi_types import decode
 from .simulation import Run
 
 
 @dataclass(frozen=True)
 class Signal:
-    """One recorded variable: time [s] and values, both of shape (rows,)."""
+    """One recorded variable: time [s] and values, both of shape (rows,).
+
+    Values have the variable's own type: floating point, whole numbers, truth values, or texts (as objects).
+    """
 
     name: str
     unit: str
@@ -23,7 +27,7 @@ class Signal:
 
     @property
     def label(self) -> str:
-        return f"{self.name} [{self.unit}]"
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
 
     def mean(self, begin: float, end: float) -> float:
         """Time average between two instants inside the run, by the trapezoidal rule; a value where they coincide."""
@@ -61,11 +65,19 @@ class Signals:
             raise InputError(f"no recorded signal '{name}'{nearest(name, self.places)}")
         group, column = self.places[name]
         component, _, variable = name.partition(".")
+        values = self.run.tables[group][:, column]
         extra = self.run.plan.layout.extras.get((component, variable))
         if extra:
-            return Signal(name, extra.unit, extra.description, self.times[group], self.run.tables[group][:, column])
-        v = self.run.plan.system.components[component].fmu.variables[variable]
-        return Signal(name, v.unit or "1", v.description or "", self.times[group], self.run.tables[group][:, column])
+            return Signal(name, extra.unit, extra.description, self.times[group], values)
+        fmu = self.run.plan.system.components[component].fmu
+        v, kind = fmu.variables[variable], fmu.type_of(variable)
+        if kind is not None:
+            values = decode(kind, values)
+        if v.type == "String" and self.run.texts is not None:
+            known = {number: self.run.texts.text(number) for number in np.unique(values).tolist()}
+            values = np.array([known[number] for number in values.tolist()], dtype=object)
+        unit = v.unit or "1" if kind is None or kind.real else ""
+        return Signal(name, unit, v.description or "", self.times[group], values)
 
     def __contains__(self, name: str) -> bool:
         return name in self.places

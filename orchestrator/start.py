@@ -7,10 +7,8 @@ the model description). Strongly connected sets of connections are the algebraic
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from graphlib import CycleError, TopologicalSorter
 
-from .dependencies import initial
 from .system import Connection, System
 
 
@@ -42,15 +40,13 @@ def start_order(system: System) -> tuple[Block, ...]:
 def _needs(system: System) -> dict[int, list[int]]:
     """For each connection, by its position, those that must come before it."""
 
-    @cache
-    def answers(name: str, output: str) -> set[str]:
-        return initial(system.components[name].fmu, output)
-
+    known = {name: component.fmu.feedthrough(initial=True) for name, component in system.components.items()}
+    answers = {c.source: known[c.source[0]][c.source[1]] for c in system.connections}
     into: dict[str, list[int]] = {}
     for k, c in enumerate(system.connections):
         into.setdefault(c.target[0], []).append(k)
     return {
-        k: [j for j in into.get(c.source[0], ()) if system.connections[j].target[1] in answers(*c.source)]
+        k: [j for j in into.get(c.source[0], ()) if system.connections[j].target[1] in answers[c.source]]
         for k, c in enumerate(system.connections)
     }
 

@@ -7,7 +7,18 @@ from typing import Annotated
 
 import typer
 
-from .options import FmusOption, OutOption, SetOption, StopOption, SystemName, app, assignments
+from .options import (
+    FmusOption,
+    MapOption,
+    OutOption,
+    PeriodOption,
+    ReplaceOption,
+    SetOption,
+    StopOption,
+    SystemName,
+    app,
+    assignments,
+)
 
 
 @app.command()
@@ -27,12 +38,16 @@ def calibrate(
 def converge(
     system: SystemName = "nominal",
     out: OutOption = Path("results"),
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
     """Rerun a system with every period halved and quartered, and show how far its summary moves."""
+    from .changes import changes_of
     from .studies.convergence import converge as study
 
-    study(system, out, fmus)
+    study(system, out, fmus, changes_of(replace, map_, period))
 
 
 @app.command()
@@ -62,6 +77,9 @@ def sweep(
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
     stop: StopOption = "",
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
     random: Annotated[
         int, typer.Option("--random", min=0, metavar="COUNT", help="Random points; --vary then gives low:high.")
     ] = 0,
@@ -76,10 +94,12 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
+    from .changes import changes_of
     from .studies.sweep import Options
     from .studies.sweep import sweep as run_sweep
 
-    options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus)
+    changes = changes_of(replace, map_, period)
+    options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes)
     run_sweep(name, out, options)
 
 

@@ -25,6 +25,9 @@ class Component:
     period: Fraction
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
+    notes: tuple[str, ...] = ()  # what the user must know of it: see `swap.py`
+    isolation: str = ""  # "process": the FMU runs in a process of its own
+    timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""
@@ -134,6 +137,6 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")
     return {
-        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}")
+        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}", fmu.type_of(scalar))
         for scalar, v in zip(scalars, values, strict=True)
     }

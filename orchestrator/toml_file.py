@@ -25,6 +25,11 @@ class TomlFile:
         except tomllib.TOMLDecodeError as error:
             raise InputError(f"{path.name} is not valid TOML: {error}") from error
 
+    @property
+    def name(self) -> str:
+        """What the system is called."""
+        return self.path.stem
+
     def at(self, needle: str, table: str = "") -> str:
         """`(nominal.toml, line 31)`: the first line that holds the needle as a word, below the heading of `table`."""
         word = re.compile(rf"(?<![\w.]){re.escape(needle)}(?!\w)")

@@ -36,8 +36,10 @@ def content_hash(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def unpack(path: Path) -> tuple[Path, str]:
+def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
     """Unpack an FMU unless its content is in the cache already; returns (folder, content hash).
+
+    `kind` is what messages call the archive: an SSP is unpacked in the same way.
 
     Raises FmuError for a missing or corrupt file, for entries that leave the folder, links and oversized archives.
     """
@@ -57,9 +59,9 @@ def unpack(path: Path) -> tuple[Path, str]:
     try:
         with zipfile.ZipFile(path) as archive:
             for entry in archive.infolist():
-                _check_entry(path, entry)
+                _check_entry(f"{kind} {path}", entry)
             if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
-                raise FmuError(f"FMU {path} would unpack to more than {LARGEST >> 30} GiB; refused")
+                raise FmuError(f"{kind} {path} would unpack to more than {LARGEST >> 30} GiB; refused")
             archive.extractall(temporary)
         try:
             temporary.rename(folder)
@@ -75,17 +77,17 @@ def unpack(path: Path) -> tuple[Path, str]:
         ValueError,
         zlib.error,
     ) as error:
-        raise FmuError(f"FMU {path} is not a readable zip archive ({error}); get or build it again") from error
+        raise FmuError(f"{kind} {path} is not a readable zip archive ({error}); get or build it again") from error
     except OSError as error:
-        raise FmuError(f"FMU {path} cannot be unpacked to {folder.parent}: {error.strerror or error}") from error
+        raise FmuError(f"{kind} {path} cannot be unpacked to {folder.parent}: {error.strerror or error}") from error
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
     return folder, digest
 
 
-def _check_entry(path: Path, entry: zipfile.ZipInfo) -> None:
+def _check_entry(archive: str, entry: zipfile.ZipInfo) -> None:
     parts = PurePosixPath(entry.filename)
     if parts.is_absolute() or ".." in parts.parts or "\\" in entry.filename or ":" in entry.filename:
-        raise FmuError(f"FMU {path}: entry '{entry.filename}' would leave the unpack folder; refused")
+        raise FmuError(f"{archive}: entry '{entry.filename}' would leave the unpack folder; refused")
     if stat.S_ISLNK(entry.external_attr >> 16):
-        raise FmuError(f"FMU {path}: entry '{entry.filename}' is a symbolic link; refused")
+        raise FmuError(f"{archive}: entry '{entry.filename}' is a symbolic link; refused")

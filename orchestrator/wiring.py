@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from .errors import InputError, nearest
+from .fmi_types import mismatch
+from .fmu import Fmu
 from .system import Bond, Component, Connection, Requirement
 from .toml_file import TomlFile
 from .transfer import TRANSFERS
@@ -16,14 +18,27 @@ from .units import conversion
 BOND_KEYS = {"name", "effort", "flow", "sign", "impulse", "displacement", "limit", "limit_relative"}
 
 
+@dataclass(frozen=True)
+class Link:
+    """A connection as a file states it. `factor` and `offset`, where given, are all that happens to the value."""
+
+    source: str
+    output: str
+    target: str
+    input_: str
+    transfer: str = ""
+    factor: float | None = None
+    offset: float = 0.0
+    where: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.source}.{self.output} -> {self.target}.{self.input_}"
+
+
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
-    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
-    if match is None:
-        raise file.fail(
-            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
-        )
-    source, output, target, input_, transfer = match.groups()
-    label, where = f"connection {source}.{output} -> {target}.{input_}", file.at(str(entry))
+    link = entry if isinstance(entry, Link) else _parsed(file, entry)
+    source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
+    label, where = f"connection {link}", link.where or file.at(str(entry))
     if transfer and transfer not in TRANSFERS:
         raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, TRANSFERS)} {where}")
     ends = []
@@ -38,23 +53,51 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
         if not scalars:
             raise InputError(
                 f"{label}: {fmu.description.modelName} has {article} '{variable}'"
-                f"{nearest(variable, fmu.base_names(causality))} {where}"
+                f"{_other_causality(fmu, variable, causality) or nearest(variable, fmu.base_names(causality))} {where}"
             )
-        for s in scalars:
-            if fmu.variables[s].type != "Real":
-                raise InputError(f"{label}: {name}.{s} is of type {fmu.variables[s].type}; Real is needed {where}")
         ends.append(scalars)
     if len(ends[0]) != len(ends[1]):
         raise InputError(f"{label}: {len(ends[0])} elements cannot drive {len(ends[1])} {where}")
     found = []
     for a, b in zip(*ends, strict=True):
+        _check_types(components, (source, a), (target, b), label, where)
         units = [components[source].fmu.variables[a].unit, components[target].fmu.variables[b].unit]
         try:
-            gain, offset = conversion(units[0], units[1], label)
+            gain, offset = conversion(units[0], units[1], label) if link.factor is None else (link.factor, link.offset)
         except InputError as error:
             raise InputError(f"{error} {where}") from None
         found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))
     return found
+
+
+def _parsed(file: TomlFile, entry: object) -> Link:
+    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
+    if match is None:
+        raise file.fail(
+            f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
+        )
+    source, output, target, input_, transfer = match.groups(default="")
+    return Link(source, output, target, input_, transfer)
+
+
+def _other_causality(fmu: Fmu, name: str, wanted: str) -> str:
+    there = fmu.expand(name)
+    found = fmu.variables[there[0]].causality if there else ""
+    return f"; its '{name}' is declared with causality {found}, where {wanted} is needed" if found else ""
+
+
+def _check_types(
+    components: dict[str, Component], source: tuple[str, str], target: tuple[str, str], label: str, where: str
+) -> None:
+    ends = [(components[name].fmu, variable) for name, variable in (source, target)]
+    (a, u), (b, v) = ends
+    reason = mismatch(a.variables[u], a.type_of(u), b.variables[v], b.type_of(v))
+    if reason:
+        types = [fmu.variables[variable].type for fmu, variable in ends]
+        raise InputError(
+            f"{label}: {'.'.join(source)} is of type {types[0]}, {'.'.join(target)} of type {types[1]}: "
+            f"{reason} {where}"
+        )
 
 
 def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:
@@ -76,7 +119,8 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
         driver[connection.target] = connection
     for component in components.values():
         for name in component.fmu.names("input"):
-            if (component.name, name) not in driver and name not in component.inputs:
+            known = component.fmu.type_of(name) is not None  # Binary and Clock inputs keep what the FMU starts with
+            if known and (component.name, name) not in driver and name not in component.inputs:
                 start = component.fmu.variables[name].start
                 base = name.split("[")[0]
                 raise file.fail(

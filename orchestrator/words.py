@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from .clock import seconds_text
+from .fmu import Fmu
 from .operations import (
     ACCUMULATE,
     CONTROL,
@@ -13,6 +16,7 @@ from .operations import (
     LEDGER,
     LINEAR,
     MIX,
+    MOVE,
     NAMES,
     PUSH,
     QUADRATIC,
@@ -35,6 +39,11 @@ class Words:
         self.plan = plan
         layout = plan.layout
         self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
+        for foreign in (layout.foreign_inputs, layout.foreign_outputs):
+            for (name, variable), slot in foreign.items():
+                fmu = plan.system.components[name].fmu
+                theirs = fmu.crossings[variable].name if variable in fmu.crossings else variable
+                self.slots[slot] = f"'{theirs}' of {fmu.path.name}"
         for words, table in (
             ("previous", layout.previous),
             ("twice previous", layout.before),
@@ -66,7 +75,7 @@ class Words:
             return f"the state of {name}" if component >= 0 else f"{a} signals"
         table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
         again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a else ""
-        return f"{name}: {sum(owner == name for owner, _ in table)} values{again}"
+        return f"{name}: {_types(self.plan.system.components[name].fmu, [v for o, v in table if o == name])}{again}"
 
     def _flow(self, row: list[int]) -> str:
         """What decides how the list goes on, and what is recorded."""
@@ -88,7 +97,7 @@ class Words:
         """Arithmetic on signals."""
         code, _tick, _component, a, b, p, q, k = row
         c, s = self.plan.coefficients, self.slots
-        if code == PUSH:
+        if code in (MOVE, PUSH):
             return f"{s[b]} = {s[a]}"
         if code == ACCUMULATE:
             return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]})"
@@ -109,3 +118,11 @@ class Words:
             return f"{s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}) + {c[k + 3]:g} ({s[a]} - 2 {s[p]} + {s[q]}){gain}"
         tail = "" if (c[k + 2], c[k + 3]) == (0.0, 0.0) else f" + {c[k + 2]:g} {s[a]} + {c[k + 3]:g} {s[p]}"
         return f"{s[b]} = {s[q]}{tail}{gain}, begin a new integral"
+
+
+def _types(fmu: Fmu, variables: list[str]) -> str:
+    """`3 values`, or where not all are floating point `2 Real, 1 Boolean`."""
+    kinds = [kind for kind in map(fmu.type_of, variables) if kind is not None]
+    if all(kind.real for kind in kinds):
+        return f"{len(variables)} values"
+    return ", ".join(f"{n} {name}" for name, n in Counter(kind.name for kind in kinds).items())

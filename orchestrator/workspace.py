@@ -9,7 +9,7 @@ import numpy as np
 
 from . import ecco, iteration
 from .adaptive import step_limits
-from .fmu import Instance
+from .instance import Instance
 from .plan import Plan
 
 
@@ -39,9 +39,7 @@ def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
         space.work = iteration.workspace(len(plan.layout.unknowns), plan.system.iteration.method == "newton")
         space.saved = np.zeros(plan.layout.size)
         for k, instance in enumerate(instances.values()):
-            space.state_calls[k] = [
-                instance.address(f) for f in ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
-            ]
+            space.state_calls[k] = [instance.address(function) for function in instance.state_functions]
     if plan.adaptive:
         tick = plan.clock.seconds(1)
         minimum, maximum = step_limits(plan.system)
@@ -57,4 +55,4 @@ def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
 
     for k, instance in enumerate(instances.values()):
         if space.states[k] and not instance.dead:
-            call_state(int(space.state_calls[k, 2]), int(instance.slave.component), space.states.ctypes.data + 8 * k)
+            call_state(int(space.state_calls[k, 2]), instance.pointer, space.states.ctypes.data + 8 * k)

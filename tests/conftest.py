@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
+from rovbrush.components.native.compile import PLATFORMS
 
 MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
 FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
@@ -37,6 +39,18 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for task in built:
             task.result()
     return folder
+
+
+@pytest.fixture(scope="session")
+def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the native FMUs, fmi2/ and fmi3/, with binaries for the platforms that have a compiler here."""
+    platforms = tuple(name for name, p in PLATFORMS.items() if any(map(shutil.which, p.compilers)))
+    if "linux64" not in platforms:
+        pytest.skip("no C compiler: native FMUs cannot be built")
+    folder = tmp_path_factory.mktemp("native_fmus")
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(lambda name: build(HERE / name, folder, 0, platforms), COMPONENTS))
+    return folder / "native"
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -11,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rovbrush.components.build import build, repack
+from rovbrush.components.archive import repack
+from rovbrush.components.build import build
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import Run, simulate
@@ -27,7 +29,7 @@ Part = tuple[str, str] | tuple[str, str, Mapping[str, Any]]  # FMU, period, para
 def build_fixture(name: str, folder: Path) -> Path:
     """A fixture as an FMU: a component folder by the project's own build, a script by plain pythonfmu."""
     if (FIXTURES / name).is_dir():
-        return build(FIXTURES / name, folder)
+        return build(FIXTURES / name, folder)[0]
     code = "import sys; from pythonfmu.builder import FmuBuilder; print(FmuBuilder.build_FMU(sys.argv[1], sys.argv[2]))"
     raw = folder / f"raw_{name}"
     raw.mkdir(parents=True)
@@ -79,7 +81,7 @@ def _toml(value: Any) -> str:
     if isinstance(value, Mapping):
         return f"{{ {', '.join(f'{key} = {_toml(v)}' for key, v in value.items())} }}"
     return (
-        f'"{value}"'
+        json.dumps(value, ensure_ascii=False)
         if isinstance(value, str)
         else f"[{', '.join(map(_toml, value))}]"
         if isinstance(value, (list, tuple))

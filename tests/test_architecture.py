@@ -97,4 +97,4 @@ def test_fmu_files_hold_names_and_no_equations(name: str) -> None:
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_every_component_has_the_same_files(name: str) -> None:
     files = {path.name for path in (ROOT / "components" / name).iterdir() if path.is_file()}
-    assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "README.md"} <= files
+    assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "behaviour.py", "README.md"} <= files

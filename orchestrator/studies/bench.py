@@ -17,13 +17,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from rich.table import Table
 
 from ..console import console
 from ..errors import RunError
-from ..fmu import Instance
+from ..fmi2_instance import Fmi2Instance
 from ..initialize import initialize
+from ..memory import Memory
 from ..operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, PUSH, RECORD, SET, STEP
 from ..plan import Plan, make_plan
 from ..reader import load_system
@@ -109,9 +109,9 @@ def rovbrush_loop(plan: Plan) -> float:
 
 def fmpy_loop(plan: Plan) -> float:
     """Seconds that a Python loop takes which does the same plan with fmpy's setReal, doStep and getReal."""
-    instances = {name: Instance(component.fmu, name) for name, component in plan.system.components.items()}
-    z = np.zeros(max(plan.layout.size, 1))
-    initialize(plan, instances, z)
+    instances = {name: Fmi2Instance(component.fmu, name) for name, component in plan.system.components.items()}
+    memory = Memory(plan)
+    initialize(plan, dict(instances), memory)
     slaves = [instance.slave for instance in instances.values()]
     ends = []
     for table in (plan.layout.inputs, plan.layout.outputs):
@@ -130,7 +130,7 @@ def fmpy_loop(plan: Plan) -> float:
             ]
         )
     (inputs, outputs), clock, k = ends, plan.clock, plan.coefficients.tolist()
-    values, recorded, rows = z.tolist(), [], plan.cycle.tolist()
+    values, recorded, rows = memory.z.tolist(), [], plan.cycle.tolist()
     begin = time.perf_counter()
     for cycle in range(clock.stop // clock.hyperperiod):
         base = cycle * clock.hyperperiod

@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from ..console import console, progress
+from ..changes import UNCHANGED, Changes
+from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..plan import make_plan
 from ..plots import new_figure
@@ -35,16 +36,17 @@ SHOWN = 30  # signals in the table and in the figure
 FACTORS = (Fraction(1), Fraction(1, 2), Fraction(1, 4))
 
 
-def converge(name: str, out: Path, fmus: Path | None) -> list[dict[str, Any]]:
+def converge(name: str, out: Path, fmus: Path | None, changes: Changes = UNCHANGED) -> list[dict[str, Any]]:
     """Run with periods times 1, 1/2 and 1/4; print and write what each mean and signal does.
 
     Returns the rows of the means. Raises RunError if one of them changes by more than BOUND, InputError for a system
     whose steps no period decides.
     """
-    base = planned(name, {}, fmus=fmus)
+    base = planned(name, {}, fmus=fmus, changes=changes)
     if base.adaptive:
         raise InputError(f"{base.system.path.name}: with algorithm 'ecco' the tolerances decide the steps, not periods")
     prepare_folder(out)
+    print_notes(base.system)
     summaries, runs = [], []
     for factor in FACTORS:
         plan = make_plan(base.system.with_periods(factor))

@@ -16,6 +16,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from ..changes import UNCHANGED, Changes
 from ..clock import duration
 from ..energy import require_energy
 from ..errors import InputError, RunError
@@ -40,12 +41,14 @@ class Job:
     figures: tuple[tuple[str, str], ...] = ()  # figures of merit beside those of the system file
     stop: str = ""
     digest: str = ""  # of the system in the process that began the sweep
+    changes: Changes = UNCHANGED
 
 
 @lru_cache(maxsize=4)
 def load(job: Job) -> Plan:
     """The plan of a job, recording only what its figures of merit need. Raises InputError, FmuError, RunError."""
-    system = load_system(job.system, Path(job.fmus) if job.fmus else None).with_values(dict(job.values), "--set")
+    system = job.changes.apply(load_system(job.system, Path(job.fmus) if job.fmus else None))
+    system = system.with_values(dict(job.values), "--set")
     if job.stop:
         system = replace(system, stop=duration(job.stop, "--stop"))
     summary = {**system.reporting["summary"], **dict(job.figures)}
@@ -71,7 +74,13 @@ def needed(system: System) -> tuple[str, ...]:
 def digest(system: System) -> str:
     """A hash of everything that decides the results: FMUs by content, values, periods, wiring, figures of merit."""
     components = {
-        name: [c.fmu.digest, str(c.period), sorted(c.parameters.items()), sorted(c.inputs.items())]
+        name: [
+            c.fmu.digest,
+            str(c.period),
+            sorted(c.parameters.items()),
+            sorted(c.inputs.items()),
+            {variable: astuple(crossing) for variable, crossing in c.fmu.crossings.items()},
+        ]
         for name, c in system.components.items()
     }
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]

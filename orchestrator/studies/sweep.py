@@ -5,14 +5,15 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.markup import escape
 from rich.table import Table as Printed
 
-from ..console import console, progress
+from ..changes import UNCHANGED, Changes
+from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..results import prepare_folder
 from ..summary import figure_units
@@ -42,6 +43,7 @@ class Options:
     workers: int = 0  # 0: one per core
     scheduler: str = ""
     fmus: Path | None = None
+    changes: Changes = UNCHANGED
 
 
 def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
@@ -60,7 +62,7 @@ def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
     job = Job(
         study.system, str(options.fmus.resolve()) if options.fmus else "",
         tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in values.items() if key not in vary),
-        tuple(study.summary.items()), options.stop or study.stop,
+        tuple(study.summary.items()), options.stop or study.stop, changes=options.changes,
     )  # fmt: skip
     system = load(job).system
     if not vary and options.vary:
@@ -69,10 +71,11 @@ def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
     units = figure_units(system)
     if not units:
         raise InputError(f"{study.name}: the system has no [summary], so that there is nothing to gather")
-    job = Job(job.system, job.fmus, job.values, job.figures, job.stop, digest(system))
+    job = replace(job, digest=digest(system))
     workers = make_workers(options, job, len(design))
     with workers:
         prepare_folder(out)
+        print_notes(system)
         points = Points(out, header(system.name, job.digest, float(system.stop), design, units))
         texts = {**{key: str(text) for key, text in system.reporting["summary"].items()}}
         figures = {key: (unit, texts.get(key, key.replace("_", " "))) for key, unit in units.items()}

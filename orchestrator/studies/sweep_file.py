@@ -48,6 +48,8 @@ def shipped_sweeps() -> list[str]:
 
 def sweep_file(name: str) -> SweepFile:
     """A shipped sweep, a sweep file by path, or a system to sweep over. Raises InputError."""
+    if name.endswith((".ssp", ".ssd")):
+        return SweepFile(Path(name).stem, str(Path(name).resolve()))
     path = Path(name) if name.endswith(".toml") else SWEEPS / f"{name}.toml"
     if not name.endswith(".toml") and not path.is_file():
         if not (SYSTEMS / f"{name}.toml").is_file():
@@ -68,7 +70,7 @@ def sweep_file(name: str) -> SweepFile:
         if not isinstance(counts[key], int) or counts[key] < 0:
             raise file.fail(f"{key} must be a whole number", key)
     return SweepFile(
-        path.stem, str(path.resolve().parent / system) if system.endswith(".toml") else system,
+        path.stem, str(path.resolve().parent / system) if system.endswith((".toml", ".ssp", ".ssd")) else system,
         str(file.entry(str, "description")), str(file.data.get("stop_time", "")), counts["random"], counts["seed"],
         file.entry(dict, "set"), file.entry(dict, "vary"),
         {key: str(text) for key, text in file.entry(dict, "summary").items()},

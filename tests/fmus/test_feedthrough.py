@@ -5,14 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator.fmu import Fmu, Instance
+from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.instances import load
+from rovbrush.orchestrator.loaded import LoadedInstance
 
 
-def started(path: Path) -> Instance:
-    instance = Instance(Fmu.open(path), "one")
-    instance.call("set up", instance.slave.setupExperiment, None, 0.0, 1.0)
-    instance.call("enter", instance.slave.enterInitializationMode)
-    instance.call("exit", instance.slave.exitInitializationMode)
+def started(path: Path) -> LoadedInstance:
+    instance = load(Fmu.open(path), "one")
+    instance.enter_initialization(1.0)
+    instance.exit_initialization()
     return instance
 
 

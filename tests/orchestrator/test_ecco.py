@@ -10,7 +10,7 @@ import pytest
 import xarray
 from helpers import Measured, column, edited, plan_of, run_of
 from quarter_car import exact
-from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.simulation import Run, simulate
@@ -109,7 +109,7 @@ def test_an_fmu_whose_steps_may_not_vary_is_refused_by_name_and_flag(tmp_path: P
     flag = "canHandleVariableCommunicationStepSize"
     stiff = edited(fmus / "wheel.fmu", tmp_path / "stiff.fmu", {}, {f'{flag}="true"': f'{flag}="false"'})
     parts = {"w": (str(stiff), "2 ms"), "c": ("chassis", "2 ms")}
-    with pytest.raises(FmuError, match=rf"'ecco' needs FMUs with {flag} = true.*false for w \(stiff\.fmu\)"):
+    with pytest.raises(InputError, match=rf"component w: algorithm 'ecco' needs steps .*stiff\.fmu.*{flag} = false"):
         plan_of(tmp_path, fmus, parts, WIRES, algorithm="ecco", bonds=[BOND])
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import Measured, column, edited, last, plan_of, run_of
-from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.simulation import Run, simulate
 from test_quarter_car import worst
@@ -132,7 +132,8 @@ def test_an_fmu_without_saved_states_is_refused_by_name_and_flag(tmp_path: Path,
          'canSerializeFMUstate="true"': 'canSerializeFMUstate="false"'},
     )  # fmt: skip
     parts = {"w": (str(wheel), "5 ms"), "c": ("chassis", "5 ms")}
-    with pytest.raises(FmuError, match=r"'iterated' needs FMUs with canGetAndSetFMUstate.*false for w \(mute\.fmu\)"):
+    message = r"component w: algorithm 'iterated' needs to restore .*mute\.fmu.*canGetAndSetFMUState = false"
+    with pytest.raises(InputError, match=message):
         plan_of(tmp_path, fmus, parts, WIRES, algorithm="iterated")
 
 

@@ -109,8 +109,13 @@ def test_a_missing_description_is_refused(fmus: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('fmiVersion="2.0"', 'fmiVersion="1.0"', ["is of FMI version 1.0; version 2.0 is needed"]),
-        ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["is of FMI version 3.0; version 2.0 is needed"]),
+        (
+            'fmiVersion="2.0"',
+            'fmiVersion="1.0"',
+            ["is of FMI version 1.0; version 2.0 or 3.0 is needed", "export it again"],
+        ),
+        ('fmiVersion="2.0"', 'fmiVersion="4.0"', ["is of FMI version 4.0; version 2.0 or 3.0 is needed"]),
+        ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["is not valid"]),
         ("</fmiModelDescription>", "", ["not well-formed"]),
         ('causality="output"', 'causality="outpt"', ["is not valid", "outpt"]),
         ('valueReference="0"', 'valueReference="minus one"', ["is not valid"]),
@@ -138,7 +143,7 @@ def test_a_missing_binary_names_the_platforms_that_are_there(fmus: Path, tmp_pat
 
 
 def test_a_broken_binary_is_an_error_with_the_component_name(fmus: Path, tmp_path: Path) -> None:
-    from rovbrush.orchestrator.fmu import Instance
+    from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
 
     own = f"binaries/{fmpy.platform}/gain{fmpy.sharedLibraryExtension}"
     fmu = Fmu.open(edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: b"no library"}))
@@ -152,7 +157,9 @@ def test_a_broken_component_source_is_an_error_with_its_reason(fmus: Path, tmp_p
     path = edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {kernel: b"import nonexistent_module_x\n"})
     # In a process of its own: the package keeps its name, and Python would find the one it has imported before.
     run = python(
-        "import sys; from rovbrush.orchestrator.fmu import *; Instance(Fmu.open(Path(sys.argv[1])), 'g')", str(path)
+        "import sys; from rovbrush.orchestrator.fmu import *; from rovbrush.orchestrator.instances import load; "
+        "load(Fmu.open(Path(sys.argv[1])), 'g')",
+        str(path),
     )
     assert run.returncode == 1
     assert "component g: bad.fmu cannot be instantiated" in run.stderr and "nonexistent_module_x" in run.stderr

@@ -1,0 +1,120 @@
+"""A component's suite: its own tests and those that every component must pass, with the interface they rely on.
+
+The entry points of the group `rovbrush.behaviours` name one suite per component.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from .behaviour import Running, Test, Unit, close, holds, read, same, where_known
+from .interface import Variable
+from .slave import ComponentSlave
+
+
+@dataclass(frozen=True)
+class Excitation:
+    """Inputs over time for tests that any component must pass: mean and amplitude per input, and parameters."""
+
+    h: float
+    steps: int
+    inputs: Mapping[str, tuple[float, float]]
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+
+    def at(self, unit: Unit, interface: tuple[Variable, ...], k: int) -> dict[str, Any]:
+        """Inputs of step k: sines of the step number whose phase differs from element to element."""
+        values: dict[str, Any] = {}
+        for number, v in enumerate(interface):
+            if v.name in self.inputs and unit.supports(v.name):
+                mean, amplitude = self.inputs[v.name]
+                phases = 0.7 * k + 1.3 * number + 2.1 * np.arange(max(v.size, 1))
+                elements = mean + amplitude * np.sin(phases)
+                values[v.name] = elements if v.size else float(elements[0])
+        return values
+
+
+@dataclass(frozen=True)
+class Suite:
+    """A component's interface and its tests; `essential` are the variables that a system cannot do without."""
+
+    name: str
+    interface: tuple[Variable, ...]
+    essential: tuple[str, ...]
+    tests: tuple[Test, ...]
+
+
+def suite(component: type[ComponentSlave], essential: str, excitation: Excitation, *modules: ModuleType) -> Suite:
+    """The tests that the modules hold, and those that every component must pass, in the order of the text."""
+    own = [f for module in modules for key, f in vars(module).items() if key.startswith("test_")]
+    interface = component.variables()
+    chosen = (*own, *tests_of_all(interface, excitation))
+    return Suite(component.component_name(), interface, tuple(essential.split()), chosen)
+
+
+def tests_of_all(interface: tuple[Variable, ...], excitation: Excitation) -> tuple[Test, ...]:
+    """The tests, for one interface and one way to excite it."""
+    outputs = [v.name for v in interface if v.causality == "output"]
+
+    def seen_by(unit: Unit) -> list[str]:
+        return [name for name in outputs if unit.supports(name)]
+
+    def first(unit: Unit) -> Running:
+        return unit.new(excitation.at(unit, interface, 0), **where_known(unit, **excitation.parameters))
+
+    def advance(unit: Unit, running: Running, begin: int, end: int) -> np.ndarray:
+        """The outputs after the steps begin .. end-1, a row each."""
+        rows = []
+        for k in range(begin, end):
+            running.set(**excitation.at(unit, interface, k))
+            running.step(excitation.h)
+            rows.append(read(running, *seen_by(unit)))
+        return np.array(rows)
+
+    half, end = excitation.steps // 2, excitation.steps
+
+    def test_outputs_stay_finite(unit: Unit) -> None:
+        """Changing inputs give finite outputs."""
+        rows = advance(unit, first(unit), 0, end)
+        broken = [k for k in range(rows.shape[1]) if not np.all(np.isfinite(rows[:, k]))]
+        holds(not broken, f"{len(broken)} of {rows.shape[1]} outputs are not finite")
+
+    def test_same_inputs_give_the_same_bits(unit: Unit) -> None:
+        """Two instances with the same inputs agree to the last bit, although they run in turns."""
+        one, other = first(unit), first(unit)
+        for begin in range(0, end, half):
+            same("outputs of the second instance", advance(unit, other, begin, begin + half),
+                 advance(unit, one, begin, begin + half))  # fmt: skip
+
+    def test_restored_state_continues_with_the_same_bits(unit: Unit) -> None:
+        """An instance whose state is saved, run on and restored repeats its steps to the last bit."""
+        running = first(unit)
+        advance(unit, running, 0, half)
+        state = running.save()
+        expected = advance(unit, running, half, end)
+        running.restore(state)
+        same("outputs after the state was restored", advance(unit, running, half, end), expected)
+
+    def test_parameters_left_alone_have_their_stated_values(unit: Unit) -> None:
+        """Setting every parameter to the value that the unit states for it changes no output."""
+        known = [v.name for v in interface if v.causality == "parameter" and unit.supports(v.name)]
+        stated = {name: unit.parameter(name) for name in known}
+        inputs = excitation.at(unit, interface, 0)
+        left, set_to = unit.new(inputs), unit.new(inputs, **stated)
+        for _ in range(5):
+            left.step(excitation.h)
+            set_to.step(excitation.h)
+        names = seen_by(unit)
+        # Written and read as text with all digits, but a unit conversion may round once.
+        close(unit, "outputs with the parameters set", read(set_to, *names), read(left, *names), 1e-12)
+
+    return (
+        test_outputs_stay_finite,
+        test_same_inputs_give_the_same_bits,
+        test_restored_state_continues_with_the_same_bits,
+        test_parameters_left_alone_have_their_stated_values,
+    )

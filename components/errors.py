@@ -1,0 +1,9 @@
+"""What can go wrong while FMUs are built; the texts are for the user."""
+
+
+class BuildError(Exception):
+    """An FMU could not be built; the text says which and why."""
+
+
+class UnknownComponentError(BuildError):
+    """There is no component of that name."""

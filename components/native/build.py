@@ -1,0 +1,77 @@
+"""A component -> native FMUs: C from its kernel, the generic FMI layer of `sources/`, compiled for every platform."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import Element, indent, tostring
+
+import fmpy
+
+from ..archive import digest, documentation, write_archive
+from ..build import carried
+from ..errors import BuildError
+from ..model_description import GUID_PLACEHOLDER, model_description
+from .compile import OPTIONS, PLATFORMS, compile_library
+from .description3 import build_description, model_description3
+from .tables import Tables
+from .translate import kernel_in_c
+
+SOURCES = Path(__file__).parent / "sources"
+HEADERS = Path(fmpy.__file__).parent / "c-code"  # the standard's own, with their licence in each
+SHARED = ("instance.c", "state.c")
+LAYERS = {"fmi2": ("fmi2.c",), "fmi3": ("fmi3.c", "fmi3_unsupported.c")}
+STANDARD = {
+    "fmi2": ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
+    "fmi3": ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
+}
+
+
+def build_one_native(component: Path, folder: Path, rows: int, platforms: tuple[str, ...]) -> list[Path]:
+    """Build `native/fmi2/<component>.fmu` and `native/fmi3/<component>.fmu` in `folder`; returns their paths.
+
+    Raises BuildError where Pyccel or a compiler is missing, or refuses.
+    """
+    for name in platforms:
+        if name not in PLATFORMS:
+            raise BuildError(f"no platform '{name}'; there are {', '.join(PLATFORMS)}")
+        PLATFORMS[name].compiler()
+    with tempfile.TemporaryDirectory() as temporary:
+        _, declared = carried(component, Path(temporary), rows)
+        source = Tables(declared).source(kernel_in_c(declared.kernel))
+        return [_build(component, declared, source, folder, version, platforms) for version in LAYERS]
+
+
+def _build(
+    component: Path, declared: type[Any], source: str, folder: Path, version: str, platforms: tuple[str, ...]
+) -> Path:
+    name = component.name
+    units = (f"{name}.c", *SHARED, *LAYERS[version])
+    files = {unit: (SOURCES / unit).read_bytes() for unit in (*SHARED, *LAYERS[version], "component.h", "instance.h")}
+    files |= {header: (HEADERS / header).read_bytes() for header in STANDARD[version]}
+    files[f"{name}.c"] = source.encode()
+    if version == "fmi3":
+        files["buildDescription.xml"] = _text(build_description(name, units, OPTIONS))
+        description = _text(model_description3(declared))
+    else:
+        description = _text(model_description(declared, units))
+    entries = {f"sources/{key}": content for key, content in files.items()}
+    entries |= {"modelDescription.xml": description, "documentation/index.html": documentation(component)}
+    token = f"{{{digest(entries | {'options': OPTIONS.encode()})}}}".encode()
+    for key in ("modelDescription.xml", f"sources/{name}.c"):
+        entries[key] = entries[key].replace(GUID_PLACEHOLDER.encode(), token)
+    for key in platforms:
+        platform = PLATFORMS[key]
+        place = platform.fmi2 if version == "fmi2" else platform.fmi3
+        with tempfile.TemporaryDirectory() as temporary:
+            for path, content in entries.items():
+                if path.startswith("sources/"):
+                    (Path(temporary) / Path(path).name).write_bytes(content)
+            entries[f"binaries/{place}/{name}{platform.ending}"] = compile_library(Path(temporary), units, platform)
+    return write_archive(entries, folder / "native" / version / f"{name}.fmu")
+
+
+def _text(element: Element) -> bytes:
+    indent(element)
+    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(element) + b"\n"

@@ -1,0 +1,70 @@
+"""A kernel as plain C: translated by Pyccel, then freed of its array library so that it stands alone and reads easily.
+
+Pyccel writes arrays as spans of a general container library. A kernel's arrays are whole and in row order, so here
+they are `double *` and `Matrix` (`sources/component.h`), and every function is `static`: the C library has functions
+called `step` and `advance` of its own.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from types import ModuleType
+
+from ..errors import BuildError
+from ..kernels import joined_source
+
+PYCCEL = "from pyccel.commands.console import pyccel; import sys; sys.exit(pyccel())"
+
+
+def kernel_in_c(kernel: ModuleType) -> str:
+    """The C text of a kernel's functions. Raises BuildError where Pyccel is missing or refuses the kernel."""
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        (work / "kernel.py").write_text(joined_source(kernel), encoding="utf-8")
+        command = [sys.executable, "-c", PYCCEL, "--language", "c", "--convert-only", "--output", folder, "kernel.py"]
+        run = subprocess.run(command, cwd=work, capture_output=True, text=True, check=False)
+        if "No module named 'pyccel'" in run.stderr:
+            raise BuildError('native FMUs need Pyccel; install it with `pip install "rovbrush[native]"`')
+        made = work / "__pyccel__" / "kernel.c"
+        if run.returncode or not made.is_file():
+            raise BuildError(f"Pyccel cannot translate {kernel.__name__}:\n{run.stdout}{run.stderr}")
+        return plain_c(made.read_text(encoding="utf-8"))
+
+
+def plain_c(text: str) -> str:
+    """Pyccel's C with plain arrays, static functions and no frames around comments."""
+    text = re.sub(r'#include "\w+\.h"\n|^/\*[._]+\*/\n', "", text, flags=re.MULTILINE)
+    text = re.sub(r"/\*[ \t]*(.*?)[ \t]*\*/", r"/* \1 */", text)
+    while "cspan_at(&" in text:
+        text = _element(text, text.index("cspan_at(&"))
+    text = re.sub(r"array_double_1d (\w+)", r"double *\1", text).replace("array_double_2d", "Matrix")
+    text = re.sub(r"INT64_C\((\d+)\)", r"\1", text)
+    text = re.sub(r"\b(double|int64_t)_(min|max)\(2, ", r"\2_\1(", text)
+    left = re.search(r"cspan\w*|array_\w+|_(min|max)\(\d|INT64_C", text)
+    if left:
+        raise BuildError(f"the translated kernel uses '{left[0]}', which has no plain form in C yet")
+    text = re.sub(r"^(?=(double|int64_t|bool|void) \w+\([^;]*\)\n\{)", "static ", text, flags=re.MULTILINE)
+    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def _element(text: str, start: int) -> str:
+    """Rewrite the array access at `start`: `(*cspan_at(&K, r, s))` is `AT(K, r, s)`, `cspan_at(&x, k)` is `&x[k]`."""
+    begin = start + len("cspan_at(&")
+    depth, at, commas = 1, begin, []
+    while depth:
+        if text[at] == "," and depth == 1:
+            commas.append(at)
+        depth += {"(": 1, ")": -1}.get(text[at], 0)
+        at += 1
+    if not 1 <= len(commas) <= 2:
+        raise BuildError(f"the translated kernel has an array access of unknown form: {text[start:at]}")
+    inside = text[begin : at - 1]
+    one = f"{text[begin : commas[0]]}[{text[commas[0] + 1 : at - 1].strip()}]"
+    access = f"AT({inside})" if len(commas) == 2 else one
+    if text[start - 2 : start] == "(*" and text[at] == ")":
+        return text[: start - 2] + access + text[at + 1 :]
+    return text[:start] + "&" + access + text[at:]

@@ -1,0 +1,78 @@
+"""What FMUs say they cannot do, held against the system before time 0: an error that names FMU, flag and remedy."""
+
+from __future__ import annotations
+
+from .clock import seconds_text
+from .errors import InputError
+from .system import Component, System
+
+
+def check_capabilities(system: System) -> None:
+    """Raise InputError for a component that cannot run as the system wants it."""
+    once: dict[str, str] = {}
+    for name, component in system.components.items():
+        fmu = component.fmu
+        if system.algorithm == "iterated":
+            require_state(component, "algorithm 'iterated'")
+        if system.algorithm == "ecco":
+            require_variable_steps(component, "algorithm 'ecco'")
+        if fmu.interface.canBeInstantiatedOnlyOncePerProcess and component.isolation != "process":
+            if fmu.digest in once:
+                raise InputError(
+                    f"components {once[fmu.digest]} and {name}: {fmu.path.name} allows one instance per process "
+                    f"(canBeInstantiatedOnlyOncePerProcess); give one of them a process of its own: "
+                    f'isolation = "process" under [components.{name}] ({system.path.name})'
+                )
+            once[fmu.digest] = name
+        _check_step(system, component)
+
+
+def _check_step(system: System, component: Component) -> None:
+    fmu, where = component.fmu, f"({system.path.name})"
+    inside, recommended = fmu.internal_step, fmu.recommended_step
+    if fmu.can_vary_step:
+        return
+    if inside is not None and (component.period / inside).denominator != 1:
+        raise InputError(
+            f"component {component.name}: {fmu.path.name} steps by {seconds_text(inside)} inside "
+            f"(canHandleVariableCommunicationStepSize = false, fixedInternalStepSize); period = "
+            f'"{seconds_text(component.period)}" is no multiple of it; take one {where}'
+        )
+    if inside is None and recommended is not None and recommended > 0 and component.period != recommended:
+        raise InputError(
+            f"component {component.name}: {fmu.path.name} has a fixed step (canHandleVariableCommunicationStepSize = "
+            f'false) of {seconds_text(recommended)}; write period = "{seconds_text(recommended)}" instead of '
+            f'"{seconds_text(component.period)}" {where}'
+        )
+
+
+def require_variable_steps(component: Component, purpose: str) -> None:
+    """Raise InputError if `purpose` needs steps of several lengths and the FMU allows one only."""
+    if not component.fmu.can_vary_step:
+        raise InputError(
+            f"component {component.name}: {purpose} needs steps of different lengths, and {component.fmu.path.name} "
+            f"does not allow them (canHandleVariableCommunicationStepSize = false); take another algorithm or FMU"
+        )
+
+
+def require_state(component: Component, purpose: str) -> None:
+    """Raise InputError if `purpose` needs to go back and the FMU cannot."""
+    if not component.fmu.can_save_state:
+        raise InputError(
+            f"component {component.name}: {purpose} needs to restore states, and {component.fmu.path.name} "
+            f"cannot save its own (canGetAndSetFMUState = false); take another algorithm or FMU"
+        )
+
+
+def remarks(component: Component) -> str:
+    """What is worth knowing of an FMU in the plan, as the tail of its line."""
+    fmu, found = component.fmu, []
+    if component.isolation:
+        found.append("in a process of its own")
+    if not fmu.can_vary_step:
+        found.append("fixed step")
+    if not fmu.can_save_state:
+        found.append("cannot save its state")
+    if fmu.recommended_step is not None and fmu.recommended_step != component.period:
+        found.append(f"made for {seconds_text(fmu.recommended_step)}")
+    return "".join(f"; {text}" for text in found)

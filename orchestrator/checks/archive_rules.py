@@ -1,0 +1,91 @@
+"""What the archive itself shows: would a rebuild give the same bytes, and is everything in it that should be?"""
+
+from __future__ import annotations
+
+import itertools
+import re
+import zipfile
+from collections import Counter
+from collections.abc import Iterator
+
+from .rows import Row, judged, listed
+from .subject import PLATFORMS, Subject, suffix
+
+STAGE = "archive"
+IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"
+
+
+def archive_rows(subject: Subject) -> Iterator[Row]:
+    """One row per rule on entries, dates, documentation, sources and binaries."""
+    with zipfile.ZipFile(subject.path) as archive:
+        entries = archive.infolist()
+    names = [entry.filename for entry in entries]
+    twice = [name for name, number in Counter(names).items() if number > 1]
+    yield judged(STAGE, "no entry twice", twice, f"{len(names)} entries", "twice", "pack it again", "error")
+    yield from _reproducible(subject, entries)
+    documented = (subject.folder / "documentation" / "index.html").is_file()
+    yield judged(
+        STAGE, "documentation is inside", [] if documented else ["no documentation/index.html"],
+        "documentation/index.html", "", "add it, with equations, units and validity", "finding",
+    )  # fmt: skip
+    yield _sources(subject)
+    yield from _binaries(subject)
+
+
+def _reproducible(subject: Subject, entries: list[zipfile.ZipInfo]) -> Iterator[Row]:
+    dates = sorted({entry.date_time for entry in entries})
+    made = subject.description.generationDateAndTime
+    bad = [f"{len(dates)} different dates of entries"] if len(dates) > 1 else []
+    bad += [f"generationDateAndTime {made}"] if made else []
+    good = "one date for all entries, no time of generation: " + "-".join(f"{part:02d}" for part in dates[0][:3])
+    mend = "write one fixed date, or a rebuild never has the same bytes"
+    yield judged(STAGE, "dates are fixed", bad, good, "", mend, "finding")
+    files = [entry.filename for entry in entries if not entry.is_dir()]
+    unsorted = [b for a, b in itertools.pairwise(files) if b < a]
+    mend = "pack the entries in sorted order"
+    yield judged(STAGE, "entries are sorted", unsorted, "by name", "out of order", mend, "finding")
+
+
+def _sources(subject: Subject) -> Row:
+    rule, folder = "sources are complete", subject.folder / "sources"
+    named = sorted(
+        {n for b in subject.description.buildConfigurations for s in b.sourceFileSets for n in s.sourceFiles}
+    )
+    if not folder.is_dir() and not named:
+        return Row(STAGE, rule, "not applicable", "no sources")
+    missing = [name for name in named if not (folder / name).is_file()]
+    if not named:
+        missing = ["a list of the source files"]
+    where = "SourceFiles of modelDescription.xml" if subject.version == 2 else "sources/buildDescription.xml"
+    mend = f"let {where} and sources/ agree"
+    return judged(STAGE, rule, missing, f"{len(named)} files to compile", "missing", mend, "error")
+
+
+def _binaries(subject: Subject) -> Iterator[Row]:
+    identifier = str(subject.interface.modelIdentifier)
+    bad = [] if re.fullmatch(IDENTIFIER, identifier) else [identifier]
+    mend = "use letters, digits and _ only"
+    yield judged(STAGE, "modelIdentifier is a C name", bad, identifier, "is none", mend, "error")
+    there = subject.binaries
+    unknown = [name for name in there if name not in PLATFORMS[subject.version]]
+    mend = f"FMI {subject.version}.0 names them {listed(PLATFORMS[subject.version][-4:])}"
+    good = listed(there) or "no binaries"
+    yield judged(STAGE, "platform folders", unknown, good, "not a name of the standard", mend, "finding")
+    known = [name for name in there if name not in unknown]
+    lacking = [f"binaries/{name}/{identifier}{suffix(name)}" for name in known
+               if f"{identifier}{suffix(name)}" not in there[name]]  # fmt: skip
+    mend = "name each library after modelIdentifier"
+    yield judged(STAGE, "binaries bear the identifier", lacking, good, "missing", mend, "error")
+
+
+def loadable_row(subject: Subject) -> Row:
+    """Whether there is a binary for this machine, and if not, what can be done."""
+    rule, platform = "binary for this machine", subject.platform
+    library = f"{subject.interface.modelIdentifier}{suffix(platform)}"
+    if library in subject.binaries.get(platform, ()):
+        return Row("dry run", rule, "pass", f"binaries/{platform}/{library}")
+    found = f"none for {platform}; there is {listed(subject.binaries) or 'none at all'}"
+    mend = f"ask for a {platform} binary, or run the check on that platform"
+    if (subject.folder / "sources").is_dir():
+        mend = f"compile its sources/ for {platform} (fmpy compile, or fmutool -compile-sources)"
+    return Row("dry run", rule, "error", found, mend)

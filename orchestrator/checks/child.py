@@ -1,0 +1,50 @@
+"""The process that an FMU under check runs in: `python -m rovbrush.orchestrator.checks.child FMU REPORT RULE...`.
+
+Appends the row of each rule to REPORT as a JSON line when the rule ends, so that whoever started the process knows
+which one a crash came from. Ends after whatever may have left the FMU in disorder: the next rule needs a new process.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from dataclasses import asdict
+from pathlib import Path
+
+from . import good_manners, misuse
+from .rows import Row
+from .subject import open_subject
+from .tried import RefusedError, Tried
+
+RULES = {**good_manners.RULES, **misuse.RULES}
+MEND = "run it in a debugger with the same calls; its log says more"
+
+
+def broken_off(name: str, found: str, mend: str) -> Row:
+    """The row of a rule that did not reach its end."""
+    order = misuse.RANGE if name in misuse.OUT_OF_RANGE else misuse.ORDER
+    stage = good_manners.STAGE if name in good_manners.RULES else order
+    return Row(stage, name.replace("_", " "), "error", found, mend)
+
+
+def main() -> None:
+    """Run the rules and end at once: some FMUs abort a process that ends the usual way."""
+    subject = open_subject(Path(sys.argv[1]))
+    with Path(sys.argv[2]).open("w", encoding="utf-8", buffering=1) as report:
+        for name in sys.argv[3:]:
+            try:
+                row = RULES[name](subject)
+            except RefusedError as error:
+                row = broken_off(name, str(error), MEND)
+            except Exception as error:  # fmpy's, when the library lacks functions or does not load
+                row = broken_off(name, f"{type(error).__name__}: {error}", MEND)
+            print(json.dumps(asdict(row)), file=report)
+            if row.verdict in ("error", "finding") or Tried.doomed:
+                break
+    sys.stdout.flush()
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    main()

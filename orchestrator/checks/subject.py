@@ -1,0 +1,118 @@
+"""The FMU under check: what its files say, of FMI 2.0 or 3.0, before anything of it is run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import fmpy
+from fmpy.model_description import ModelDescription, ModelVariable
+
+from ..description import safe_xml
+from ..errors import FmuError
+from ..unpack import unpack
+
+REALS = ("Real", "Float64", "Float32")
+STEP = 1e-3  # s, where the FMU suggests none
+# folder names of binaries, by FMI version: the one of this machine's and all that the standards name
+PLATFORMS = {
+    2: ("darwin64", "linux32", "linux64", "win32", "win64"),
+    3: ("aarch64-darwin", "aarch64-linux", "aarch64-windows", "x86-linux", "x86-windows", "x86_64-darwin",
+        "x86_64-linux", "x86_64-windows"),
+}  # fmt: skip
+SUFFIXES = {"darwin": ".dylib", "linux": ".so", "win": ".dll"}
+
+
+@dataclass(frozen=True)
+class Subject:
+    """An unpacked FMU of FMI 2.0 or 3.0 with a co-simulation interface."""
+
+    path: Path
+    folder: Path
+    version: int
+    description: ModelDescription
+
+    @cached_property
+    def variables(self) -> list[ModelVariable]:
+        """All variables but FMI 3.0's time and clocks."""
+        return [v for v in self.description.modelVariables if v.causality != "independent" and v.type != "Clock"]
+
+    def of(self, *causalities: str) -> list[ModelVariable]:
+        """The variables with one of the causalities."""
+        return [v for v in self.variables if v.causality in causalities]
+
+    @property
+    def interface(self) -> Any:
+        """The CoSimulation element; its flags have the same names for FMI 2.0 and 3.0."""
+        return self.description.coSimulation
+
+    @cached_property
+    def step(self) -> float:
+        """The communication step that the FMU suggests [s]; 1 ms where it suggests none."""
+        experiment = self.description.defaultExperiment
+        suggested = experiment.stepSize if experiment else None
+        return float(suggested or self.interface.fixedInternalStepSize or STEP)
+
+    @cached_property
+    def start_time(self) -> float:
+        """Start of the default experiment [s]."""
+        experiment = self.description.defaultExperiment
+        return float((experiment.startTime if experiment else None) or 0.0)
+
+    @cached_property
+    def binaries(self) -> dict[str, list[str]]:
+        """File names by platform folder."""
+        folders = sorted(p for p in (self.folder / "binaries").glob("*") if p.is_dir())
+        return {p.name: sorted(f.name for f in p.iterdir() if f.is_file()) for p in folders}
+
+    @property
+    def platform(self) -> str:
+        """This machine's folder name in the FMU's version of the standard."""
+        return str(fmpy.platform if self.version == 2 else fmpy.platform_tuple)
+
+
+def suffix(platform: str) -> str:
+    """The shared library suffix of a platform folder."""
+    return next((s for part, s in SUFFIXES.items() if platform.split("-")[-1].startswith(part)), "")
+
+
+def size(variable: ModelVariable) -> int:
+    """Number of elements; 1 for a scalar."""
+    return prod(variable.shape or ())
+
+
+def numbers(text: str | None) -> list[float]:
+    """The numbers in an XML attribute: none, one, or one per element of an array."""
+    return [float({"true": 1, "false": 0}.get(word, word)) for word in text.split()] if text else []
+
+
+def bounds(variable: ModelVariable) -> tuple[float | None, float | None]:
+    """min and max, the variable's own or those of its declared type."""
+    own = (variable.min, variable.max)
+    declared = (variable.declaredType.min, variable.declaredType.max) if variable.declaredType else (None, None)
+    low, high = (a if a is not None else b for a, b in zip(own, declared, strict=True))
+    return (None if low is None else float(low)), (None if high is None else float(high))
+
+
+def open_subject(path: Path) -> Subject:
+    """Unpack and read. Raises FmuError: not readable, FMI 1.0, no co-simulation; the text says how to go on."""
+    folder, _ = unpack(path)
+    xml = folder / "modelDescription.xml"
+    if not xml.is_file():
+        raise FmuError("it has no modelDescription.xml; it is not an FMU, or not a complete one")
+    build = folder / "sources" / "buildDescription.xml"
+    if build.is_file():
+        safe_xml(path, build)  # refuses document types, which fmpy would follow
+    version = safe_xml(path, xml).get("fmiVersion") or ""
+    if not version.startswith(("2.0", "3.0")):
+        raise FmuError(f"it is of FMI version {version}; export it again for FMI 2.0 or 3.0")
+    try:
+        description = fmpy.read_model_description(str(folder), validate=False)
+    except Exception as error:
+        raise FmuError(f"its modelDescription.xml cannot be understood: {error}") from error
+    if description.coSimulation is None:
+        raise FmuError("it has no co-simulation interface (model exchange only); export it for co-simulation")
+    return Subject(path, folder, int(version[0]), description)

@@ -1,0 +1,1 @@
+"""The test bench for single components: is this FMU what that component is, on its interface and in its behaviour?"""

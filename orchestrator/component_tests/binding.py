@@ -1,0 +1,105 @@
+"""Which of their variables stands for one of ours, and how its numbers convert."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from fmpy.model_description import ModelVariable
+
+from ..crossing import Crossing, crossing
+from ..errors import InputError
+from ..fmu import Fmu
+from ..mapping import VariableMapping
+from .opened import whole_variables
+from .suites import Declared
+
+REALS = ("Real", "Float64", "Float32")
+WHOLES = ("Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64")
+
+
+@dataclass(frozen=True)
+class Binding:
+    """One of our variables in their FMU: one array variable of theirs, or one scalar per element of ours."""
+
+    ours: Declared
+    theirs: tuple[ModelVariable, ...]
+    crossings: tuple[Crossing, ...]  # one per element
+
+    @property
+    def name(self) -> str:
+        """What they call it."""
+        first = self.theirs[0].name
+        return first if len(self.theirs) == 1 else f"{first} ... {self.theirs[-1].name}"
+
+    @property
+    def references(self) -> list[int]:
+        return [v.valueReference for v in self.theirs]
+
+    @property
+    def type(self) -> str:
+        return str(self.theirs[0].type)
+
+    def there(self, value: Any) -> list[Any]:
+        """Our value, element by element, as theirs in their type."""
+        elements = np.broadcast_to(np.asarray(value, dtype=float).ravel(), len(self.crossings))
+        numbers = [c.there(float(x)) for c, x in zip(self.crossings, elements, strict=True)]
+        if self.type in REALS:
+            return numbers
+        return [bool(x) for x in numbers] if self.type == "Boolean" else [round(x) for x in numbers]
+
+    def back(self, values: Sequence[Any]) -> Any:
+        """Their values as ours: a number, or an array where ours has a size."""
+        numbers = [c.back(float(x)) for c, x in zip(self.crossings, values, strict=True)]
+        if self.ours.size:
+            return np.array(numbers)
+        return round(numbers[0]) if self.ours.kind == "Integer" else numbers[0]
+
+    def starts(self) -> list[float] | None:
+        """Their start values, or None where one is not stated."""
+        found: list[float] = []
+        for v in self.theirs:
+            words = str(v.start).split() if v.start is not None else []
+            if not words:
+                return None
+            numbers = [{"true": 1.0, "false": 0.0}.get(word) for word in words]
+            found += [float(w) if x is None else x for w, x in zip(words, numbers, strict=True)]
+        return found * (len(self.crossings) if len(found) == 1 else 1)
+
+
+def elements_of(v: ModelVariable) -> int:
+    """How many numbers an FMI variable holds."""
+    return math.prod(v.shape) if v.shape else 1
+
+
+def unit_of(v: ModelVariable) -> str | None:
+    """The unit, its own or its declared type's."""
+    return v.unit or getattr(v.declaredType, "unit", None) or None
+
+
+def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
+    """Their variable for one of ours; None if they have none. Raises InputError if sizes or units do not fit."""
+    found, known = [], whole_variables(fmu)
+    for name in [ours.name, *([f"{ours.name}[{k + 1}]" for k in range(ours.size)] if ours.size else [])]:
+        entry = mapping.entry(name)
+        v = None if entry.absent else known.get(entry.name)
+        if v is not None:
+            found.append((v, entry))
+            if name == ours.name:
+                break
+    if not found:
+        return None
+    count = sum(elements_of(v) for v, _ in found)
+    if count != max(ours.size, 1):
+        raise InputError(f"it has {count} elements, {max(ours.size, 1)} are expected")
+    crossings = []
+    for v, entry in found:
+        # FMI 2.0 writes units on numbers with decimals only.
+        own_unit = unit_of(v) or (None if v.type in REALS else ours.unit)
+        if entry.unit and own_unit and entry.unit != own_unit:
+            raise InputError(f"the mapping says {entry.unit}, their FMU says {own_unit} {entry.where}")
+        crossings += [crossing(v.name, ours.unit, own_unit or entry.unit, entry.sign, ours.name)] * elements_of(v)
+    return Binding(ours, tuple(v for v, _ in found), tuple(crossings))

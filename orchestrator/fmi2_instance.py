@@ -1,0 +1,75 @@
+"""An instance of an FMI 2.0 FMU in this process."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import fmpy
+from fmpy import fmi2
+
+from .exit_guard import end_before_library_destructors
+from .fmu import Fmu
+from .instance import refused
+from .loaded import LoadedInstance
+
+
+class Fmi2Instance(LoadedInstance):
+    """Loaded and instantiated by fmpy. Raises FmuError if the FMU refuses."""
+
+    prefix = "fmi2"
+    state_functions = ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
+
+    def __init__(self, fmu: Fmu, name: str) -> None:
+        super().__init__(fmu, name)
+        self.made_by_pythonfmu = (fmu.folder / "resources" / "slavemodule.txt").is_file()
+        if self.made_by_pythonfmu:
+            end_before_library_destructors()
+        self._callbacks = self._make_callbacks()
+        try:
+            self.slave = fmi2.FMU2Slave(
+                guid=fmu.description.guid,
+                modelIdentifier=fmu.interface.modelIdentifier,
+                unzipDirectory=str(fmu.folder),
+                instanceName=name,
+            )
+            self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
+        except Exception as error:
+            raise refused(fmu, name, error, self.log_text()) from error
+
+    def _make_callbacks(self) -> Any:
+        callbacks = fmi2.fmi2CallbackFunctions()
+        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log)
+        callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
+        callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
+        # The proxy formats the printf arguments of the FMI logger. pythonfmu passes none, but bare messages as the
+        # format: an exception whose text holds %s would end the process there.
+        if not self.made_by_pythonfmu:
+            fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
+        return callbacks
+
+    def _log(self, _environment: Any, _instance: bytes, status: int, _category: bytes, message: bytes) -> None:
+        if status > 0 and message:
+            text = message.decode("utf-8", "replace").strip()
+            self.messages.append(text.replace("%%", "%") if self.made_by_pythonfmu else text)
+
+    def enter_initialization(self, stop: float) -> None:
+        self.call("set up the experiment", self.slave.setupExperiment, None, 0.0, stop)
+        self.call("enter initialization", self.slave.enterInitializationMode)
+
+    def exit_initialization(self) -> None:
+        self.call("leave initialization", self.slave.exitInitializationMode)
+
+    def deserialize(self, content: bytes) -> int:
+        return int(self.call("read a state", self.slave.deSerializeFMUstate, content).value)
+
+    def why_discarded(self) -> str:
+        try:
+            if self.slave.getBooleanStatus(fmi2.fmi2Terminated):
+                return "; it asks to end the simulation"
+            return f"; it reached t = {self.slave.getRealStatus(fmi2.fmi2LastSuccessfulTime):.9g} s"
+        except Exception:
+            return ""  # many FMUs do not answer
+
+    def free(self) -> None:
+        self.slave.fmi2FreeInstance(self.slave.component)

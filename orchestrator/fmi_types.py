@@ -1,0 +1,108 @@
+"""The variable types of FMI 2.0 and 3.0: their families, sizes and ranges, and which output may drive which input.
+
+In the run's vector a floating-point signal is a double; every other one is a 64-bit whole number in the same eight
+bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the number of a text (`texts.py`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from fmpy.model_description import ModelVariable
+
+FLOAT, WHOLE, BOOLEAN, TEXT = range(4)  # how the loop turns a raw value into a cell of the vector, and back
+
+
+@dataclass(frozen=True)
+class FmiType:
+    """One type of a variable: `size` in bytes as the FMI functions take it; text is passed as a pointer."""
+
+    name: str
+    code: int
+    size: int
+    dtype: np.dtype[np.generic]
+
+    @property
+    def real(self) -> bool:
+        """Floating point: may be extrapolated and averaged, has a unit, must be finite. Everything else is held."""
+        return self.code == FLOAT
+
+    @property
+    def signed(self) -> bool:
+        return self.dtype.kind == "i"
+
+    @property
+    def range(self) -> tuple[int, int]:
+        """Smallest and largest value of a whole number."""
+        info = np.iinfo(str(self.dtype))
+        return int(info.min), int(info.max)
+
+
+def _type(name: str, code: int, size: int, dtype: str) -> FmiType:
+    return FmiType(name, code, size, np.dtype(dtype))
+
+
+_FMI2 = (
+    _type("Real", FLOAT, 8, "f8"),
+    _type("Integer", WHOLE, 4, "i4"),
+    _type("Enumeration", WHOLE, 4, "i4"),
+    _type("Boolean", BOOLEAN, 4, "?"),
+    _type("String", TEXT, 8, "O"),
+)
+_FMI3 = (
+    _type("Float64", FLOAT, 8, "f8"),
+    _type("Float32", FLOAT, 4, "f4"),
+    *(_type(f"Int{8 * size}", WHOLE, size, f"i{size}") for size in (1, 2, 4, 8)),
+    *(_type(f"UInt{8 * size}", WHOLE, size, f"u{size}") for size in (1, 2, 4, 8)),
+    _type("Enumeration", WHOLE, 8, "i8"),
+    _type("Boolean", BOOLEAN, 1, "?"),
+    _type("String", TEXT, 8, "O"),
+)
+TYPES = {2: {t.name: t for t in _FMI2}, 3: {t.name: t for t in _FMI3}}
+GROUPED = {name: k for k, name in enumerate(dict.fromkeys(t.name for t in (*_FMI2, *_FMI3)))}  # order in a layout
+
+
+def function_type(version: int, name: str) -> str:
+    """The name by which FMI functions know a type: in `fmi2SetInteger` an Enumeration is an Integer."""
+    if name == "Enumeration":
+        return "Integer" if version == 2 else "Int64"
+    return name
+
+
+def mismatch(source: ModelVariable, a: FmiType | None, target: ModelVariable, b: FmiType | None) -> str:
+    """Why an output of one type cannot drive an input of another; empty where it can."""
+    for variable, known in ((source, a), (target, b)):
+        if known is None:
+            return f"signals of type {variable.type} cannot be connected"
+    assert a is not None and b is not None
+    if "Enumeration" in (a.name, b.name):
+        if a.name != b.name:
+            return "an Enumeration goes with an Enumeration only"
+        items = [
+            [(item.name, item.value) for item in v.declaredType.items] if v.declaredType else None
+            for v in (source, target)
+        ]
+        return "" if items[0] == items[1] or None in items else "the items of the two enumerations differ"
+    if a.code != b.code:
+        return "there is no conversion between them"
+    if a.code == WHOLE and not (b.range[0] <= a.range[0] and a.range[1] <= b.range[1]):
+        return f"{b.name} holds {b.range[0]} to {b.range[1]} only"
+    return ""
+
+
+def encode(kind: FmiType, value: float | int | bool) -> float:
+    """A number as the double whose eight bytes are its cell in the run's vector."""
+    if kind.real:
+        return float(value)
+    whole = int(value)
+    dtype = np.uint64 if whole >= 2**63 else np.int64
+    return float(np.array(whole, dtype=dtype).view(np.float64))
+
+
+def decode(kind: FmiType, cells: np.ndarray) -> np.ndarray:
+    """Cells of the run's vector, any shape, as numbers of the type; texts stay numbers of texts."""
+    if kind.real:
+        return cells if kind.size == 8 else cells.astype(kind.dtype)
+    whole = cells.view(np.uint64 if kind.dtype == np.uint64 else np.int64)
+    return whole if kind.code == TEXT else whole.astype(kind.dtype)

@@ -1,0 +1,92 @@
+"""The memory of a run: its vector of cells, the raw values that FMUs want otherwise, and the texts."""
+
+from __future__ import annotations
+
+from itertools import groupby
+
+import numpy as np
+
+from .calls import STEP_FLAGS
+from .exchange import IN_PLACE
+from .fmi_types import TEXT, FmiType, decode, encode, function_type
+from .instance import Instance, Value
+from .plan import Plan
+from .texts import Texts
+
+Key = tuple[str, str]
+Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+
+
+class Memory:
+    """Cells `z` of all signals, and the tables by which `execute.run` exchanges them with the FMUs."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.z = np.zeros(max(plan.layout.size, 1))
+        self.whole = self.z.view(np.int64)
+        self.texts = Texts()
+        self.raw = np.zeros(0, dtype=np.uint8)
+        self.keep: list[np.ndarray] = []  # value references, alive as long as their addresses are in use
+
+    def kind(self, key: Key) -> FmiType:
+        """The type of a signal that has a cell."""
+        kind = self.plan.system.components[key[0]].fmu.type_of(key[1])
+        assert kind is not None
+        return kind
+
+    def put(self, key: Key, slot: int, value: Value) -> None:
+        """A value into its cell."""
+        kind = self.kind(key)
+        self.whole[slot] = self.texts.number(str(value)) if kind.code == TEXT else 0
+        if kind.code != TEXT:
+            assert not isinstance(value, str)
+            self.z[slot] = encode(kind, value)
+
+    def value(self, key: Key, slot: int) -> Value:
+        """The value in a cell."""
+        kind = self.kind(key)
+        found: Value = decode(kind, self.z[slot : slot + 1])[0].item()
+        return self.texts.text(int(found)) if kind.code == TEXT else found
+
+    def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
+        """`components` (n, 9) and `blocks` (k, 10) for `execute.run`, see exchange.py, and its typed arrays."""
+        components: list[list[int]] = []
+        blocks: list[list[int]] = []
+        raw = 0
+        for name, instance in instances.items():
+            flags, raw = raw, raw + STEP_FLAGS
+            row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), 0, flags]
+            for table, verb in zip(self.plan.layout.exchanged(name), ("Set", "Get"), strict=True):
+                row.append(len(blocks))
+                slots = [(slot, (name, variable)) for variable, slot in table.items()]
+                for kind, found in groupby(slots, key=lambda entry: self.kind(entry[1])):
+                    block, used = self._block(instance, kind, verb, list(found), raw)
+                    blocks.append(block)
+                    raw += used
+                row.append(len(blocks))
+            components.append(row)
+        self.raw = np.zeros(max(raw, 1), dtype=np.uint8)
+        base = self.raw.ctypes.data
+        for row in components:
+            row[3] = base + row[4]
+        for block in blocks:
+            block[3] += base if block[6] != IN_PLACE else self.z.ctypes.data
+        typed = (self.whole, self.raw, self.raw.view(np.float32), self.texts.pool, self.texts.index)
+        return np.array(components, dtype=np.int64), np.array(blocks, dtype=np.int64).reshape(-1, 10), typed
+
+    def _block(
+        self, instance: Instance, kind: FmiType, verb: str, slots: list[tuple[int, Key]], raw: int
+    ) -> tuple[list[int], int]:
+        """A row of `blocks`, its VALUES still from 0, and how many raw bytes it takes."""
+        fmu = instance.fmu
+        places = [fmu.places[variable] for _, (_, variable) in slots]
+        references = np.array([place.reference for place in places if place.index == 0], dtype=np.uint32)
+        self.keep.append(references)
+        function = f"{instance.prefix}{verb}{function_type(fmu.version, kind.name)}"
+        first, size = slots[0][0], len(slots)
+        in_place = kind.real and kind.size == 8
+        used = 0 if in_place else -(-size * kind.size // 16) * 16
+        return [
+            instance.address(function), references.ctypes.data, len(references), 8 * first if in_place else raw,
+            size, first, IN_PLACE if in_place else raw, kind.code, kind.size, int(kind.signed),
+        ], used  # fmt: skip

@@ -1,0 +1,131 @@
+"""What a system loses when somebody else's FMU lacks variables of the component that it stands for.
+
+Only what the mapping file declares missing is left out, and every loss is told. What cannot be left out, an output
+that drives something, is an error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from .errors import InputError, nearest
+from .fmu import Fmu
+from .mapping import VariableMapping
+from .system import Component, Connection, System, Value
+
+
+@dataclass(frozen=True)
+class Missing:
+    """The variables of component `name` that the foreign FMU lacks, declared in the mapping file or not."""
+
+    name: str
+    label: str  # file name of the foreign FMU
+    mapping: VariableMapping
+    variables: list[str]
+    fmu: Fmu
+
+    def has(self, signal: str) -> bool:
+        """Is `component.variable` one of them?"""
+        owner, _, variable = signal.partition(".")
+        return owner == self.name and variable in self.variables
+
+    def need(self, variable: str, what: str, causality: str, can_go: bool = True) -> None:
+        """Raise InputError unless `variable` may be left out: `what` says what the system needs it for."""
+        if can_go and self.mapping.states(variable):
+            return
+        base = variable.partition("[")[0]
+        where = f"{self.mapping.file}, [variables]" if self.mapping.path else "a mapping file (--map), [variables]"
+        remedy = f'{base} = "their name"' + (f', or {base} = "" to do without' if can_go else "")
+        raise InputError(
+            f"{self.label} has no {causality} '{variable}', {what}{nearest(variable, self.fmu.names(causality))}; "
+            f"write in {where}: {remedy}"
+        )
+
+
+@dataclass(frozen=True)
+class Left:
+    """A system without what depends on missing variables, and the values that the component still gets."""
+
+    system: System
+    parameters: Mapping[str, Value]
+    inputs: Mapping[str, Value]
+    notes: tuple[str, ...]
+
+
+def leave_out(system: System, before: Component, missing: Missing) -> Left:
+    """Take away what needs the missing variables. Raises InputError for what the mapping does not declare missing."""
+    name, notes = missing.name, []
+    kept = {}
+    for table, causality in (("parameters", "parameter"), ("inputs", "input")):
+        values: Mapping[str, Value] = getattr(before, table)
+        lost = [v for v in values if v in missing.variables]
+        for variable in lost:
+            missing.need(variable, f"which the system sets to {values[variable]}", causality)
+        if lost:
+            texts = ", ".join(f"{v} = {values[v]}" for v in lost)
+            notes.append(f"{missing.label} has no such {causality}, its value is not used: {texts}")
+        kept[table] = {v: value for v, value in values.items() if v not in lost}
+    connections = tuple(c for c in system.connections if not _cut(c, missing, notes))
+    for bond in system.bonds:
+        for end in (*bond.effort, *bond.flow):
+            if missing.has(end):
+                missing.need(end.partition(".")[2], f"which the power bond {bond.name} needs", "output", can_go=False)
+    for requirement in system.requirements:
+        if missing.has(".".join(requirement.value)):
+            missing.need(requirement.value[1], "which a requirement at time 0 needs", "output", can_go=False)
+    reporting = _reporting(system.reporting, missing, notes)
+    unused = [v for v in missing.variables if before.fmu.variables[v].causality == "output"]
+    if unused:
+        notes.append(f"{missing.label} has no such output, it is not recorded: {', '.join(unused)}")
+    left = replace(system, connections=connections, reporting=reporting)
+    return Left(left, kept["parameters"], kept["inputs"], tuple(f"{name}: {note}" for note in notes))
+
+
+def _cut(connection: Connection, missing: Missing, notes: list[str]) -> bool:
+    """Must this connection go? Only one into an input that the mapping declares missing may."""
+    if missing.has(".".join(connection.source)):
+        missing.need(connection.source[1], f"which drives {'.'.join(connection.target)}", "output", can_go=False)
+    if not missing.has(".".join(connection.target)):
+        return False
+    missing.need(connection.target[1], f"which {'.'.join(connection.source)} drives", "input")
+    notes.append(f"{missing.label} has no such input, the connection {connection.label} is left out")
+    return True
+
+
+def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str]) -> dict[str, Any]:
+    """The reporting without the entries that name a missing output."""
+
+    def lost(names: list[str], what: str) -> bool:
+        gone = [n for n in names if missing.has(n)]
+        for signal in gone:
+            missing.need(signal.partition(".")[2], f"which {what} shows", "output")
+        if gone:
+            notes.append(f"{what} is left out, for want of {', '.join(gone)}")
+        return bool(gone)
+
+    summary = {}
+    for key, text in reporting["summary"].items():
+        angle = [text["angle"]] if key == "window" and "angle" in text else []
+        if lost(angle if key == "window" else str(text).split()[1:], f"summary {key}"):
+            if key == "window":
+                summary[key] = {k: v for k, v in text.items() if k != "angle"}
+            continue
+        summary[key] = text
+    gone = reporting["summary"].keys() - summary.keys()
+    compare = [c for c in reporting["compare"] if c["value"] not in gone]
+    balance = reporting["balance"]
+    if lost([signal for names in balance.values() for signal in names], "the energy balance"):
+        balance = {}
+    figures = []
+    for figure in reporting["figures"]:
+        signals = list(figure.get("signals", ()))
+        if figure.get("component") == missing.name:
+            signals = [f"{missing.name}.{v}" for v in missing.variables if v.startswith("lambda_r[")]
+        shown = [s for s in signals if not lost([s], f"figure {figure.get('file', '')}: {s}")]
+        if shown == signals:
+            figures.append(figure)
+        elif shown and "signals" in figure:
+            figures.append({**figure, "signals": shown})
+    return {**reporting, "summary": summary, "compare": compare, "balance": balance, "figures": figures}

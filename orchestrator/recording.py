@@ -1,0 +1,105 @@
+"""Reads what `boundary` writes, or anybody's files in the layout of the FMI cross-check."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .errors import InputError, nearest
+
+REQUIRED = ("StartTime", "StopTime", "StepSize", "RelTol")
+
+
+@dataclass(frozen=True)
+class Start:
+    """A row of NAME_parameters.csv: a parameter or an input as it is set before time 0; of an output only the unit."""
+
+    causality: str
+    value: str
+    unit: str | None
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Times [s], inputs held from one time to the next, outputs at the times; all columns (rows,)."""
+
+    name: str
+    path: Path  # of the inputs
+    times: np.ndarray
+    inputs: dict[str, np.ndarray]
+    outputs: dict[str, np.ndarray]
+    options: dict[str, float]
+    starts: dict[str, Start]
+
+
+def read_recording(folder: Path, name: str = "") -> Recording:
+    """The recording `name` of a folder, or its only one. Raises InputError for what is missing or does not fit."""
+    names = sorted(path.name.removesuffix("_ref.csv") for path in folder.glob("*_ref.csv"))
+    if not names:
+        raise InputError(
+            f"{folder} holds no recording (NAME_ref.csv); make one with `rovbrush run SYSTEM --record-boundary NAME`"
+        )
+    if not name and len(names) > 1:
+        raise InputError(f"{folder} holds several recordings: {', '.join(names)}; choose one with --name")
+    name = name or names[0]
+    if name not in names:
+        raise InputError(f"{folder} holds no recording '{name}'{nearest(name, names)}")
+    path = folder / f"{name}_in.csv"
+    times, outputs = _series(folder / f"{name}_ref.csv")
+    at, inputs = _series(path) if path.is_file() else (times, {})
+    if len(times) < 2:
+        raise InputError(f"{name}_ref.csv holds {len(times)} instants; two are needed for a step")
+    if not np.array_equal(at, times):
+        raise InputError(f"{path.name} and {name}_ref.csv hold different times; the inputs are needed at each of them")
+    return Recording(name, path, times, inputs, outputs, _options(folder / f"{name}_ref.opt"), _starts(folder, name))
+
+
+def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    head, *rows = _rows(path) or [[""]]
+    if head[0].strip().lower() != "time":
+        raise InputError(f"{path.name}: the first column must be time, it is '{head[0]}'")
+    names = [cell.strip() for cell in head]
+    if len(set(names)) < len(names):
+        raise InputError(f"{path.name}: a column appears twice")
+    for line, row in enumerate(rows, 2):
+        if len(row) != len(head):
+            raise InputError(f"{path.name}, line {line}: {len(row)} cells under {len(head)} columns")
+    try:
+        table = np.array([[float(cell) for cell in row] for row in rows]).reshape(-1, len(head))
+    except ValueError as error:
+        raise InputError(f"{path.name}: {error}") from None
+    if not np.all(np.diff(table[:, 0]) > 0):
+        raise InputError(f"{path.name}: the times do not rise from row to row")
+    return table[:, 0], {column: table[:, k] for k, column in enumerate(names) if k}
+
+
+def _rows(path: Path) -> list[list[str]]:
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            return [row for row in csv.reader(file) if row]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path} cannot be read: {error}") from error
+
+
+def _options(path: Path) -> dict[str, float]:
+    try:
+        options = {key.strip(): float(value) for key, value in _rows(path)}
+    except ValueError:
+        raise InputError(f"{path.name}: write one `key, number` a line, {', '.join(REQUIRED)} among them") from None
+    for key in REQUIRED:
+        if key not in options:
+            raise InputError(f"{path.name}: {key} is missing{nearest(key, options)}")
+    return options
+
+
+def _starts(folder: Path, name: str) -> dict[str, Start]:
+    path = folder / f"{name}_parameters.csv"
+    if not path.is_file():
+        return {}
+    head, *rows = _rows(path) or [[]]
+    if head != ["name", "causality", "value", "unit"] or any(len(row) != 4 for row in rows):
+        raise InputError(f"{path.name}: the columns must be name, causality, value, unit")
+    return {variable: Start(causality, value, unit or None) for variable, causality, value, unit in rows}

@@ -1,0 +1,172 @@
+"""Drives one FMU with recorded inputs and compares its outputs with the recorded ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from fmpy.model_description import ModelVariable
+from rich.markup import escape
+from rich.table import Table
+
+from .console import console, progress
+from .crossing import REALS, Crossing
+from .errors import InputError, RunError, nearest
+from .fmu import parse_value
+from .lone_fmu import LoneFmu, Port
+from .mapping import VariableMapping, load_mapping
+from .recording import Recording, read_recording
+from .swap import crossing_between, own_values
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One output: the largest error, when [s], the largest recorded magnitude, and what follows."""
+
+    output: str
+    unit: str
+    error: float
+    at: float
+    scale: float
+    differing: int  # instants at which the two are not equal
+    bound: float
+
+    @property
+    def text(self) -> str:
+        return "equal" if not self.differing else "within" if self.error <= self.bound else "outside"
+
+
+def replay(
+    fmu: Path, folder: Path, name: str = "", mapping: Path | None = None, rtol: float | None = None, atol: float = 0.0
+) -> list[Verdict]:
+    """Replay, print a table, and return its rows. An output is within where |error| <= atol + rtol * its magnitude.
+
+    `rtol`: None for the RelTol of the recording. Raises InputError for files and names that do not fit, FmuError if
+    the FMU refuses, RunError if an output is outside.
+    """
+    recording = read_recording(folder, name)
+    verdicts, notes = compare(fmu, recording, load_mapping(mapping) if mapping else VariableMapping(), rtol, atol)
+    _show(fmu, recording, verdicts, notes)
+    outside = [v.output for v in verdicts if v.text == "outside"]
+    if outside:
+        raise RunError(
+            f"outside the tolerance: {', '.join(outside)}; see when, and whether parameters, units, signs and the "
+            "FMU's own step are those of the recording; other tolerances: --rtol, --atol"
+        )
+    return verdicts
+
+
+def compare(
+    path: Path, recording: Recording, mapping: VariableMapping, rtol: float | None, atol: float
+) -> tuple[list[Verdict], list[str]]:
+    """Drive the FMU through the recording; a verdict per output, and what was left out."""
+    fmu = LoneFmu(path)
+    try:
+        crossings, notes = _crossings(fmu, recording, mapping)
+        with progress(float(recording.times[-1]), f"replaying {recording.name}") as report:
+            found = _drive(fmu, recording, mapping, crossings, report)
+    finally:
+        fmu.close()
+    relative = recording.options["RelTol"] if rtol is None else rtol
+    verdicts = []
+    for output, values in found.items():
+        reference = recording.outputs[output]
+        error = np.abs(values - reference)
+        error[~np.isfinite(error)] = np.inf
+        k, scale = int(np.argmax(error)), float(np.max(np.abs(reference)))
+        start = recording.starts.get(output)
+        verdicts.append(
+            Verdict(
+                output, (start.unit if start else None) or "", float(error[k]), float(recording.times[k]), scale,
+                int(np.sum(error != 0)), atol + relative * scale,
+            )
+        )  # fmt: skip
+    return verdicts, notes
+
+
+def _crossings(fmu: LoneFmu, recording: Recording, mapping: VariableMapping) -> tuple[dict[str, Crossing], list[str]]:
+    """Their variable for every recorded one that they have. What they lack must be declared so."""
+    roles = dict.fromkeys(recording.inputs, "input") | dict.fromkeys(recording.outputs, "output")
+    roles |= {name: start.causality for name, start in recording.starts.items()}
+    label = fmu.path.name
+    left_out = [name for name, entry in mapping.entries.items() if entry.absent]  # a recording may lack them too
+    mapping.check([*roles, *left_out], fmu.variables, recording.name, label)
+    crossings: dict[str, Crossing] = {}
+    lacking: dict[str, list[str]] = {}
+    notes = []
+    for ours, role in roles.items():
+        theirs = fmu.variables.get(mapping.entry(ours).name)
+        if theirs is not None:
+            unit = recording.starts[ours].unit if ours in recording.starts else None
+            known = ModelVariable(name=ours, causality=role, unit=unit, type=theirs.type)
+            crossings[ours] = crossing_between(recording.name, known, theirs, mapping, label)
+        elif mapping.states(ours):
+            notes.append(f"{label} has no {role} for {ours}, as {mapping.file} says; left out")
+        else:
+            lacking.setdefault(role, []).append(ours)
+    for role, names in lacking.items():
+        theirs_all = [n for n, v in fmu.variables.items() if v.causality == role]
+        raise InputError(
+            f"{label} has no {role} {', '.join(repr(n) for n in names)}{nearest(names[0], theirs_all)}; give a mapping "
+            f'file with --map: [variables] {names[0]} = "their name", or {names[0]} = "" to do without'
+        )
+    return crossings, notes
+
+
+def _drive(
+    fmu: LoneFmu, recording: Recording, mapping: VariableMapping, crossings: Mapping[str, Crossing],
+    report: Callable[[float], None],
+) -> dict[str, np.ndarray]:  # fmt: skip
+    """Initialize as recorded, step through the times, collect the outputs: (rows,) each, in our units."""
+    times, step = recording.times.tolist(), recording.options["StepSize"]
+    inputs = [v for v in recording.inputs if v in crossings]
+    outputs = [v for v in recording.outputs if v in crossings]
+    for name in (*inputs, *outputs):
+        if fmu.variables[crossings[name].name].type not in REALS:
+            raise InputError(f"{fmu.path.name}: '{crossings[name].name}' is no real number; only such are recorded")
+    own = own_values(fmu.variables, mapping, {c.name for c in crossings.values()}, fmu.path.name)
+    starts = {name: start.value for name, start in recording.starts.items() if start.causality != "output"}
+    starts = {**{name: repr(float(recording.inputs[name][0])) for name in inputs}, **starts}
+    begin = {
+        crossings[name].name: _there(fmu, crossings[name], value) for name, value in starts.items() if name in crossings
+    }
+    begin |= {name: parse_value(fmu.variables[name], value, name) for name, value in own.items()}
+    fmu.set(begin)
+    fmu.initialize(recording.options["StopTime"])
+    given, taken = (Port(fmu, [crossings[name].name for name in names]) for names in (inputs, outputs))
+    there, back = [crossings[name].there for name in inputs], [crossings[name].back for name in outputs]
+    given.put([begin[crossings[name].name] for name in inputs])
+    rows = [[f(value) for f, value in zip(back, taken.take(), strict=True)]]
+    fmu.begin()
+    columns = [recording.inputs[name].tolist() for name in inputs]
+    for k in range(len(times) - 1):
+        given.put([f(column[k]) for f, column in zip(there, columns, strict=True)])
+        gap = times[k + 1] - times[k]
+        fmu.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, times[k]) else gap)
+        rows.append([f(value) for f, value in zip(back, taken.take(), strict=True)])
+        if k % 1000 == 0:
+            report(times[k])
+    return dict(zip(outputs, np.array(rows).T.reshape(len(outputs), -1), strict=True))
+
+
+def _there(fmu: LoneFmu, cross: Crossing, text: str) -> object:
+    variable = fmu.variables[cross.name]
+    value = float(text) if variable.type in REALS and not cross.exact else text
+    return parse_value(variable, cross.there(value) if isinstance(value, float) else value, cross.name)
+
+
+def _show(fmu: Path, recording: Recording, verdicts: list[Verdict], notes: list[str]) -> None:
+    for note in notes:
+        console.print(note, markup=False)
+    steps = len(recording.times) - 1
+    table = Table(title=f"{fmu.name} against the recording of {recording.name}, {steps} steps", title_justify="left")
+    for heading in ("output", "largest error", "at [s]", "of magnitude", "bound", "differing", "verdict"):
+        table.add_column(heading, justify="left" if heading in ("output", "verdict") else "right")
+    for v in verdicts:
+        table.add_row(
+            escape(f"{v.output} [{v.unit or '?'}]"), f"{v.error:.3g}", f"{v.at:.6g}", f"{v.scale:.4g}",
+            f"{v.bound:.3g}", f"{v.differing} of {steps + 1}", v.text,
+        )  # fmt: skip
+    console.print(table)

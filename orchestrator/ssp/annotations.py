@@ -1,0 +1,97 @@
+"""What SSP has no words for travels as annotations of our own: the keys of a system file, as JSON.
+
+Other tools pass them over. Of a system: algorithm, order, bonds, balance, what is recorded, required and reported;
+of a component: its period; of a connection: its transfer.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from lxml import etree
+
+from ..clock import seconds_text
+from ..system import Bond, Component, Connection, Requirement, System
+from .document import NAMESPACES, Document, find
+
+TYPE = "rovbrush.simulation"  # the type of our annotations
+NAMESPACE = "urn:rovbrush:simulation:1"
+
+
+def system_keys(system: System) -> dict[str, Any]:
+    """The top-level keys of a system file that SSP cannot say."""
+    in_ssp = ("name", "path", "description", "stop", "components", "connections")
+    return {
+        **_stated(system, (*in_ssp, "bonds", "requirements", "reporting")),
+        "bonds": [_bond(bond) for bond in system.bonds],
+        "require": [_requirement(requirement) for requirement in system.requirements],
+        **{key: table for key, table in system.reporting.items() if table},
+    }
+
+
+def component_keys(component: Component) -> dict[str, Any]:
+    return _stated(component, ("name", "fmu", "parameters", "inputs", "notes"))
+
+
+def connection_keys(connection: Connection) -> dict[str, Any]:
+    return _stated(connection, ("source", "target", "gain", "offset", "where"))
+
+
+def _bond(bond: Bond) -> dict[str, Any]:
+    ends = {"effort": bond.effort[1], "flow": bond.flow[1] or bond.flow[0]}
+    return ends | _stated(bond, ("effort", "flow"))
+
+
+def _requirement(requirement: Requirement) -> dict[str, Any]:
+    keys = _stated(requirement, ("value",))
+    return {"value": ".".join(requirement.value)} | {k: v for k, v in keys.items() if v not in (math.inf, -math.inf)}
+
+
+def _stated(item: Any, elsewhere: tuple[str, ...] = ()) -> dict[str, Any]:
+    """Fields of a dataclass that are not at their defaults, as a system file has them: under their own names."""
+    keys = {}
+    for field in dataclasses.fields(item):
+        value = getattr(item, field.name)
+        default = field.default if field.default_factory is dataclasses.MISSING else field.default_factory()
+        if field.name not in elsewhere and value != default:
+            keys[field.name] = seconds_text(value) if isinstance(value, Fraction) else value
+            if dataclasses.is_dataclass(value):
+                keys[field.name] = _stated(value)
+    return keys
+
+
+def annotate(parent: Any, keys: Mapping[str, Any]) -> None:
+    """Append our annotation to an element; nothing where there is nothing to say."""
+    if not keys:
+        return
+    element = etree.SubElement(annotation(parent, TYPE), f"{{{NAMESPACE}}}Keys", nsmap={"rovbrush": NAMESPACE})
+    element.text = json.dumps(keys, allow_nan=False)
+
+
+def annotation(parent: Any, type_: str) -> Any:
+    """A new <Annotation> of an element, behind those that it has."""
+    ssd, ssc = (f"{{{NAMESPACES[prefix]}}}" for prefix in ("ssd", "ssc"))
+    annotations = parent.find(f"{ssd}Annotations")
+    if annotations is None:
+        annotations = etree.SubElement(parent, f"{ssd}Annotations")
+    return etree.SubElement(annotations, f"{ssc}Annotation", type=type_)
+
+
+def annotated(document: Document, element: Any, allowed: tuple[str, ...] = ()) -> dict[str, Any]:
+    """Our keys on an element, {} where there are none. `allowed`: all that may be there. Raises InputError."""
+    found: dict[str, Any] = {}
+    for entry in find(element, "ssd:Annotations/ssc:Annotation"):
+        if entry.get("type") == TYPE:
+            try:
+                keys = json.loads(entry[0].text)
+            except (ValueError, TypeError, IndexError, RecursionError) as error:
+                raise document.fail(f"the {TYPE} annotation is no JSON: {error}", entry) from None
+            if not isinstance(keys, dict) or (allowed and not keys.keys() <= set(allowed)):
+                raise document.fail(f"the {TYPE} annotation may hold {', '.join(allowed) or 'a table'} only", entry)
+            found |= keys
+    return found

@@ -1,0 +1,100 @@
+"""Every component's own behaviour tests, on its kernel and on each of its FMUs, and on a motor that a stranger made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from helpers import Measured, build_fixture
+from kernel_unit import KernelUnit
+from rovbrush.components.build import COMPONENTS, HERE, sources
+from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
+from rovbrush.orchestrator.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
+
+FOREIGN_MAP = """
+[variables]
+V_in = { name = "supply", unit = "V" }
+T_brush = { name = "load", sign = -1, unit = "N.m" }
+i = { name = "amps", unit = "A" }
+omega_b = { name = "speed", unit = "rpm" }
+R = "Ra"
+L_a = "La"
+K_t = "kt"
+K_e = "ke"
+B_m = "b"
+J_m = "Jrotor"
+J_b = "Jload"
+gear_ratio_per_stage = "ratio"
+"""
+OWN = ("python", "fmi2", "fmi3")
+TESTS = [(name, test) for name in COMPONENTS for test in suite_of(name).tests]
+IDS = [f"{name}-{test.__name__.removeprefix('test_')}" for name, test in TESTS]
+BENCHES: dict[tuple[str, str], Bench] = {}
+
+
+@pytest.fixture
+def bench_of(request: pytest.FixtureRequest) -> Callable[[str, str], Bench]:
+    """The bench for a component in one of its forms, made once; no solver tolerance is granted to our own."""
+
+    def bench(name: str, kind: str) -> Bench:
+        if (name, kind) not in BENCHES:
+            folder: Path = (
+                request.getfixturevalue("fmus") if kind == "python" else request.getfixturevalue("native") / kind
+            )
+            BENCHES[name, kind] = make_bench(folder / f"{name}.fmu", name, None, tolerance=0.0)
+        return BENCHES[name, kind]
+
+    return bench
+
+
+@pytest.fixture(scope="session")
+def foreign(tmp_path_factory: pytest.TempPathFactory) -> Bench:
+    """A motor with other names, one direction turned round, revolutions per minute and no account of energy."""
+    folder = tmp_path_factory.mktemp("foreign")
+    (folder / "map.toml").write_text(FOREIGN_MAP)
+    return make_bench(build_fixture("foreign_motor", folder), "dc_motor", folder / "map.toml", TOLERANCE)
+
+
+@pytest.mark.parametrize(("name", "test"), TESTS, ids=IDS)
+def test_kernel_behaves(name: str, test: Callable[[Any], None], measured: Measured) -> None:
+    unit = KernelUnit(name)
+    test(unit)
+    for what, deviation, bound in unit.observed:
+        measured(f"{name}: {what}, relative to its size, of {bound:.0e}", deviation, f"{bound:.1e}")
+
+
+@pytest.mark.parametrize("kind", OWN)
+@pytest.mark.parametrize(("name", "test"), TESTS, ids=IDS)
+def test_fmu_behaves(name: str, test: Callable[[Any], None], kind: str, bench_of: Callable[[str, str], Bench]) -> None:
+    attempt(test, bench_of(name, kind).unit)
+
+
+@pytest.mark.parametrize("kind", OWN)
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_interface_of_the_fmu_is_the_declared_one(name: str, kind: str, bench_of: Callable[[str, str], Bench]) -> None:
+    comparison = bench_of(name, kind).comparison
+    assert [row for row in comparison.rows if row.finding != "fits"] == []
+    assert set(comparison.bindings) == {v.name for v in suite_of(name).interface}
+
+
+@pytest.mark.parametrize("test", suite_of("dc_motor").tests, ids=lambda test: test.__name__.removeprefix("test_"))
+def test_foreign_motor_behaves(test: Callable[[Any], None], foreign: Bench) -> None:
+    try:
+        attempt(test, foreign.unit)
+    except NotApplicableError as reason:
+        pytest.skip(f"not applicable: {reason}")
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_every_claim_is_said_in_a_sentence(name: str) -> None:
+    suite = suite_of(name)
+    assert all(test.__doc__ and test.__doc__.strip().endswith(".") for test in suite.tests)
+    assert len({test.__name__ for test in suite.tests}) == len(suite.tests)
+    assert set(suite.essential) <= {v.name for v in suite.interface}
+
+
+@pytest.mark.parametrize("name", COMPONENTS)
+def test_fmus_do_not_carry_the_tests(name: str) -> None:
+    assert not [path for path in sources(HERE / name) if "behaviour" in path]

@@ -1,0 +1,351 @@
+"""SSPs of other tools become the checked systems that TOML gives, or one error that says what is wrong and where."""
+
+from __future__ import annotations
+
+import math
+import zipfile
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from helpers import last, read_system
+from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.reader import load_system
+from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.system import System
+from ssp_files import (
+    XMLNS,
+    bindings,
+    component,
+    connection,
+    connectors,
+    document,
+    inline,
+    real,
+    system,
+    value_set,
+    write_ssp_file,
+)
+
+Read = Callable[..., System]
+GAINS = component("a", "gain") + component("b", "gain")
+CHAIN = system(GAINS, connection("a.y", "b.u"))
+
+
+@pytest.fixture
+def read(tmp_path: Path, fmus: Path) -> Read:
+    """Write an SSP by hand and read it."""
+
+    def reader(text: str, files: Mapping[str, str] | None = None, step: str = "", stop: str = "") -> System:
+        path = write_ssp_file(tmp_path / "case.ssp", fmus, text, ("gain", "integrator"), files)
+        return load_system(str(path), fmus, step, stop)
+
+    return reader
+
+
+def only(found: System) -> tuple[tuple[str, str], tuple[str, str], float, float]:
+    """The one connection of a system."""
+    (c,) = found.connections
+    return c.source, c.target, c.gain, c.offset
+
+
+def test_a_strangers_ssp_is_the_system_that_toml_gives(read: Read, tmp_path: Path, fmus: Path) -> None:
+    found = read(document(CHAIN))
+    step = f"{float(found.components['a'].period)!r} s"
+    toml = read_system(
+        tmp_path, fmus, {"a": ("gain", step, {"=u": 0.0}), "b": ("gain", step)}, ["a.y -> b.u"], stop="0.1 s"
+    )
+    assert found.components.keys() == toml.components.keys()
+    for name, expected in toml.components.items():
+        assert found.components[name].fmu.digest == expected.fmu.digest
+        assert (found.components[name].period, found.components[name].inputs) == (expected.period, expected.inputs)
+    assert only(found) == only(toml)
+    assert (found.stop, found.name) == (Fraction(1, 10), "stranger")
+
+
+def test_the_period_is_the_option_else_the_step_size_of_the_fmu(read: Read) -> None:
+    assert read(document(CHAIN)).components["a"].period == Fraction(1, 1000)
+    assert read(document(CHAIN), step="5 ms").components["a"].period == Fraction(1, 200)
+
+
+def test_without_any_period_the_error_names_the_component_and_the_option(tmp_path: Path, fmus: Path) -> None:
+    top = system(component("bare", "plain"))
+    path = write_ssp_file(tmp_path / "case.ssp", fmus, document(top), ("plain",))
+    with pytest.raises(
+        InputError, match=r"component 'bare' has no period.*--step.*case\.ssp/SystemStructure\.ssd, line"
+    ):
+        load_system(str(path))
+
+
+def test_the_stop_time_is_the_option_else_that_of_the_file_else_an_error(read: Read) -> None:
+    assert read(document(CHAIN), stop="2 s").stop == 2
+    with pytest.raises(InputError, match=r"case\.ssp states no stop time; give one with --stop"):
+        read(document(CHAIN, experiment=""))
+
+
+def test_a_linear_transformation_is_the_gain_and_offset_of_the_connection(read: Read) -> None:
+    linear = '<ssc:LinearTransformation factor="2.5" offset="-1"/>'
+    assert only(read(document(system(GAINS, connection("a.y", "b.u", linear)))))[2:] == (2.5, -1.0)
+
+
+def test_start_and_end_of_a_connection_do_not_state_its_direction(read: Read) -> None:
+    assert only(read(document(system(GAINS, connection("b.u", "a.y"))))) == (("a", "y"), ("b", "u"), 1.0, 0.0)
+
+
+def test_values_go_through_the_connectors_of_nested_systems_and_all_transformations_apply(read: Read) -> None:
+    inner = system(
+        component("b", "gain"),
+        connection("in", "b.u", '<ssc:LinearTransformation factor="3"/>') + connection("b.y", "out"),
+        head=connectors(**{"in": "input", "out": "output"}),
+        name="inner",
+    )
+    wires = connection("a.y", "inner.in", '<ssc:LinearTransformation factor="2" offset="1"/>')
+    wires += connection("inner.out", "c.u")
+    found = read(document(system(component("a", "gain") + inner + component("c", "gain"), wires)))
+    by_target = {c.target: c for c in found.connections}
+    assert set(found.components) == {"a", "inner_b", "c"}
+    into = by_target["inner_b", "u"]
+    assert (into.source, into.gain, into.offset) == (("a", "y"), 6.0, 3.0)  # 3 (2 x + 1)
+    assert by_target["c", "u"].source == ("inner_b", "y")
+
+
+def test_units_of_system_connectors_convert_on_the_way(read: Read) -> None:
+    """gain.y and gain.u are in 1; a system connector in percent takes 100 times the value and gives it back."""
+    inner = system(
+        component("b", "gain"), connection("in", "b.u"), head=connectors(**{"in": "input|percent"}), name="inner"
+    )
+    _, _, gain, offset = only(read(document(system(component("a", "gain") + inner, connection("a.y", "inner.in")))))
+    assert math.isclose(gain, 1.0, rel_tol=1e-15) and offset == 0.0
+    doubled = '<ssc:LinearTransformation offset="50"/>'  # 50 percent more, in the connector's own unit
+    found = read(document(system(component("a", "gain") + inner, connection("a.y", "inner.in", doubled))))
+    assert math.isclose(only(found)[3], 0.5, rel_tol=1e-15)
+
+
+def test_a_unit_is_taken_by_the_definition_of_the_file_where_its_name_says_nothing(read: Read) -> None:
+    """`kilopound` of 4448.2216152605 N, for gain.offset in N."""
+    units = '<ssc:Unit name="kilopound"><ssc:BaseUnit kg="1" m="1" s="-2" factor="4448.2216152605"/></ssc:Unit>'
+    top = system(component("a", "gain", bindings(inline(real("offset", "2", "kilopound")))))
+    assert read(document(top, units)).components["a"].parameters == {"offset": pytest.approx(8896.443230521, rel=1e-15)}
+
+
+def test_suppressed_unit_conversion_leaves_the_transformation_alone(read: Read) -> None:
+    inner = system(
+        component("b", "gain"),
+        connection("in", "b.u", more='suppressUnitConversion="true"'),
+        head=connectors(**{"in": "input|percent"}),
+        name="inner",
+    )
+    wire = connection("a.y", "inner.in", more='suppressUnitConversion="true"')
+    assert only(read(document(system(component("a", "gain") + inner, wire))))[2:] == (1.0, 0.0)
+
+
+def test_parameters_of_every_type_are_set_from_a_parameter_set(read: Read) -> None:
+    values = real("k", "0.30000000000000004") + real("offset", "2", "kN") + real("weights[2]", "7")
+    values += '<ssv:Parameter name="count"><ssv:Integer value="5"/></ssv:Parameter>'
+    values += '<ssv:Parameter name="on"><ssv:Boolean value="false"/></ssv:Parameter>' + real("u", "4")
+    top = system(component("a", "gain", bindings('<ssd:ParameterBinding source="resources/a.ssv"/>')))
+    found = read(document(top), {"resources/a.ssv": value_set(values)}).components["a"]
+    assert found.parameters == {"k": 0.1 + 0.2, "offset": 2000.0, "weights[2]": 7.0, "count": 5, "on": False}
+    assert found.inputs == {"u": 4.0}
+
+
+def test_an_array_of_ssp_2_sets_every_element(read: Read) -> None:
+    values = value_set(real("weights", "0.5 0.25"), XMLNS, "2.0")
+    top = system(component("a", "gain", bindings('<ssd:ParameterBinding source="resources/a.ssv"/>')))
+    found = read(document(top, version="2.0"), {"resources/a.ssv": values})
+    assert found.components["a"].parameters == {"weights[1]": 0.5, "weights[2]": 0.25}
+
+
+def test_outer_bindings_go_before_inner_ones_and_later_before_earlier_ones(read: Read) -> None:
+    inner = system(
+        component("b", "gain", bindings(inline(real("k", "1")))), head=bindings(inline(real("b.k", "2"))), name="inner"
+    )
+    outer = bindings(inline(real("k", "3"), prefix="inner.b."), inline(real("inner.b.k", "4")))
+    assert read(document(system(inner, head=outer))).components["inner_b"].parameters == {"k": 4.0}
+    assert read(document(system(inner))).components["inner_b"].parameters == {"k": 2.0}
+
+
+def test_a_parameter_mapping_renames_transforms_and_drops_what_it_does_not_mention(read: Read) -> None:
+    mapping = (
+        '<ssm:MappingEntry source="stiffness" target="k"><ssc:LinearTransformation factor="10" offset="1"/>'
+        "</ssm:MappingEntry>"
+        '<ssm:MappingEntry source="mode" target="count"><ssc:IntegerMappingTransformation>'
+        '<ssc:MapEntry source="0" target="4"/></ssc:IntegerMappingTransformation></ssm:MappingEntry>'
+    )
+    values = real("stiffness", "2") + real("offset", "9")
+    values += '<ssv:Parameter name="mode"><ssv:Integer value="0"/></ssv:Parameter>'
+    top = system(component("a", "gain", bindings(inline(values, mapping))))
+    assert read(document(top)).components["a"].parameters == {"k": 21.0, "count": 4}
+
+
+def test_parameters_of_a_system_reach_the_components_behind_its_connectors(read: Read) -> None:
+    head = connectors(stiffness="parameter", drive="input") + bindings(
+        inline(real("stiffness", "5") + real("drive", "2"))
+    )
+    wires = connection("stiffness", "a.k") + connection("drive", "a.u", '<ssc:LinearTransformation factor="3"/>')
+    found = read(document(system(component("a", "gain"), wires, head=head))).components["a"]
+    assert (found.parameters, found.inputs) == ({"k": 5.0}, {"u": 6.0})
+
+
+def test_a_name_that_no_variable_has_is_passed_over_but_a_misspelt_one_is_an_error(read: Read) -> None:
+    top = system(component("a", "gain", bindings(inline(real("of_another_system", "1")))))
+    assert read(document(top)).components["a"].parameters == {}
+    top = system(component("a", "gain", bindings(inline(real("ofset", "1")))))
+    with pytest.raises(
+        InputError, match=r"parameter 'ofset': 'a' has none; did you mean 'offset'\? \(case\.ssp/.*line"
+    ):
+        read(document(top))
+
+
+def test_an_ssd_beside_its_fmus_is_read_too(tmp_path: Path, fmus: Path) -> None:
+    (tmp_path / "resources").mkdir()
+    (tmp_path / "resources" / "gain.fmu").write_bytes((fmus / "gain.fmu").read_bytes())
+    (tmp_path / "plant.ssd").write_text(document(CHAIN))
+    assert set(load_system(str(tmp_path / "plant.ssd")).components) == {"a", "b"}
+
+
+def test_a_strangers_ssp_runs(read: Read) -> None:
+    """x' = 2 from a gain of 0 with offset 2: x(0.1) = 0.2, up to the rounding of 100 sums."""
+    gain = component("a", "gain", bindings(inline(real("k", "0") + real("offset", "2"))))
+    found = read(document(system(gain + component("x", "integrator"), connection("a.y", "x.u"))))
+    assert last(simulate(make_plan(found)), "x.x") == pytest.approx(0.2, rel=1e-13)
+
+
+DRIVEN = component("a", "gain") + component("b", "gain", bindings(inline(real("u", "1"))))
+BOOLEAN = "<ssc:BooleanMappingTransformation><ssc:MapEntry source='true' target='false'/>"
+BOOLEAN += "</ssc:BooleanMappingTransformation>"
+DICTIONARY = '<ssd:SignalDictionaries><ssd:SignalDictionary name="bus" source="bus.ssb"/></ssd:SignalDictionaries>'
+WRONG = {
+    "signal dictionary": (system(GAINS, tail=DICTIONARY), r"<SignalDictionaries> in <System> is not supported"),
+    "signal dictionary reference": (
+        system('<ssd:SignalDictionaryReference name="bus" dictionary="d"/>'),
+        r"<SignalDictionaryReference> 'bus' in <Elements> is not supported",
+    ),
+    "boolean mapping": (
+        system(GAINS, connection("a.y", "b.u", BOOLEAN)),
+        r"<BooleanMappingTransformation> in <Connection> is not supported",
+    ),
+    "nested package": (
+        system(component("a", "gain", type="application/x-ssp-package")),
+        r"component 'a' is of type application/x-ssp-package; only FMUs",
+    ),
+    "model exchange": (system(component("a", "gain", implementation="ModelExchange")), r"ModelExchange is not supp"),
+    "remote FMU": (
+        system('<ssd:Component name="a" source="https://example.org/a.fmu"/>'),
+        r"component 'a': source 'https://example.org/a.fmu' is not inside the SSP; nothing is fetched",
+    ),
+    "FMU outside": (
+        system('<ssd:Component name="a" source="../../secret.fmu"/>'), r"'../../secret.fmu' leaves the folder"
+    ),
+    "missing FMU": (system(component("a", "lost")), r"no file 'resources/lost.fmu' in case.ssp"),
+    "fragment": (system('<ssd:Component name="a" source="#other"/>'), r"source '#other' refers to a part of a file"),
+    "unknown connector": (system(GAINS, connection("a.z", "b.u")), r"'a' has no connector 'z'"),
+    "unknown element": (system(GAINS, connection("c.y", "b.u")), r"there is no element 'c'"),
+    "output to output": (system(GAINS, connection("a.y", "b.y")), r"output and output cannot be connected here"),
+    "driven twice": (
+        system(GAINS, connection("a.y", "b.u") + connection("b.y", "b.u")), r"the second connection to the same"
+    ),
+    "kind of a connector": (
+        system(component("a", "gain", connectors(u="output"))),
+        r"connector 'u' of 'a' is of kind output, the FMU's variable of causality input",
+    ),
+    "connector of nothing": (system(component("a", "gain", connectors(q="input"))), r"the FMU has no such variable"),
+    "inout": (system(component("a", "gain", connectors(u="inout"))), r"of kind inout, which is not supported"),
+    "units that do not fit": (
+        system(component("a", "gain", bindings(inline(real("offset", "1", "m"))))), r"offset.*units do not fit: m"
+    ),
+    "value out of range": (
+        system(component("a", "gain", bindings(inline(real("k", "1e9"))))),
+        r"a\.k = 1e\+09 is out of range.*",
+    ),
+    "value of a driven input": (
+        system(DRIVEN, connection("a.y", "b.u")),
+        r"input b\.u is driven by a\.y -> b\.u and has a value too",
+    ),
+    "other parameter source": (
+        system(component("a", "gain", bindings('<ssd:ParameterBinding type="text/csv" source="a.csv"/>'))),
+        r"a parameter source of type text/csv is not supported",
+    ),
+    "two components of one name": (
+        system(component("a b", "gain") + component("a_b", "gain")), r"two components of case.ssp would be called 'a_b'"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_not_supported_or_wrong_is_one_error_that_says_what_and_where(case: str, read: Read) -> None:
+    top, message = WRONG[case]
+    with pytest.raises(InputError, match=message) as raised:
+        read(document(top))
+    assert "case.ssp" in str(raised.value)
+
+
+def test_ssp_2_elements_that_are_not_supported_are_errors_too(read: Read) -> None:
+    wire = connection("a.y", "b.u", more='startIndices="1"')
+    with pytest.raises(InputError, match=r"<Connection>: the attribute startIndices is not supported .*line"):
+        read(document(system(GAINS, wire), version="2.0"))
+    with pytest.raises(InputError, match=r"<Sorcery> in <System> is not supported"):
+        read(document(system(GAINS, tail="<ssd:Sorcery/>"), version="2.0"))
+
+
+LINEAR = system(GAINS, connection("a.y", "b.u", '<ssc:LinearTransformation factor="2"/>'))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('factor="2"', 'factor="two"', r"<LinearTransformation>: factor = 'two' is no finite number .*line"),
+        ('factor="2"', 'factor="NaN"', r"<LinearTransformation>: factor = 'NaN' is no finite number"),
+        (' startConnector="y"', "", r"<Connection>: the attribute startConnector is missing"),
+        ('stopTime="0.1"', 'stopTime="later"', r"stopTime = 'later' is no finite number"),
+        ('name="a" source', "source", r"<Component>: the attribute name is missing"),
+    ],
+)
+def test_what_no_schema_checks_in_ssp_2_is_checked_all_the_same(old: str, new: str, message: str, read: Read) -> None:
+    text = document(LINEAR, version="2.0")
+    assert old in text
+    with pytest.raises(InputError, match=message):
+        read(text.replace(old, new))
+
+
+def test_a_description_without_a_system_is_an_error(read: Read) -> None:
+    with pytest.raises(InputError, match=r"<SystemStructureDescription> has no <System>"):
+        read(document("", version="2.0"))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("<ssd:System", r"SystemStructure\.ssd is not well-formed XML"),
+        (
+            document(CHAIN).replace("<ssd:System ", "<ssd:Sistem ").replace("</ssd:System>", "</ssd:Sistem>"),
+            "no valid SSP",
+        ),
+        (document(CHAIN, version="3.0"), r"SSP version 3\.0 is not known; 1\.0 and 2\.0 are"),
+        (document(CHAIN, experiment='startTime="5" stopTime="6"'), r"a start time of 5 s is not supported"),
+        (
+            document(CHAIN).replace("?>\n", '?>\n<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]>'),
+            r"document type declaration, which can open files; refused",
+        ),
+    ],
+)
+def test_a_structure_description_that_is_no_ssp_is_refused(text: str, message: str, read: Read) -> None:
+    with pytest.raises(InputError, match=message):
+        read(text)
+
+
+def test_an_archive_without_a_structure_or_with_an_unsafe_entry_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "case.ssp"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("readme.txt", "")
+    with pytest.raises(InputError, match=r"case\.ssp has no SystemStructure\.ssd"):
+        load_system(str(path))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("../outside", "")
+    with pytest.raises(FmuError, match=r"SSP .*entry '\.\./outside' would leave the unpack folder"):
+        load_system(str(path))
+    path.write_bytes(b"no zip")
+    with pytest.raises(FmuError, match=r"SSP .* is not a readable zip archive"):
+        load_system(str(path))

@@ -1,0 +1,166 @@
+"""Every type of FMI 2.0 and 3.0 goes from an output through the loop into an input to the last bit, and to disk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray
+from helpers import plan_of, run_of
+from native_build import built, needs_gcc
+from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.results import write_results
+from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.texts import Texts
+
+pytestmark = needs_gcc
+FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}
+FREE3: dict[str, Any] = {
+    "=Float64_in": 0.1, "=Float32_in": 0.1, "=Int8_in": -128, "=UInt8_in": 255, "=Int16_in": -32768,
+    "=UInt16_in": 65535, "=Int32_in": -(2**31), "=UInt32_in": 2**32 - 1, "=Int64_in": -(2**53) - 1,
+    "=UInt64_in": 2**63 - 1, "=Boolean_in": True, "=Enumeration_in": 2**53 + 1, "=String_in": "text",
+    "=a_in": [0.5, 1, 2, 3, 4, 5, 6, 7], "=t_in": ["a", "b"],
+}  # fmt: skip
+WIRES2 = [f"a.{v}_out -> b.{v}_in" for v in ("n", "mode", "on", "s")] + ["a.y -> b.u"]
+WIRES3 = [f"a.{v[1:-3]}_out -> b.{v[1:]}" for v in FREE3]
+
+
+@pytest.fixture(scope="module")
+def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return built(tmp_path_factory.mktemp("native"))
+
+
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_every_type_of_fmi2_arrives_as_it_was_sent(interpreted: bool, native: Path, tmp_path: Path) -> None:
+    parts = {"a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough2", "2 ms")}
+    signals = Signals(run_of(tmp_path, native, parts, WIRES2, stop="6 ms", interpreted=interpreted))
+    for name, dtype, value in (
+        ("y", "f8", 1.5), ("n_out", "i4", -7), ("mode_out", "i4", 2), ("on_out", "?", True),
+        ("s_out", "O", 'hüll, "on"'),
+    ):  # fmt: skip
+        found = signals[f"b.{name}"].values
+        assert found.dtype == np.dtype(dtype) and found.tolist()[-1] == value, name
+
+
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_every_type_of_fmi3_arrives_as_it_was_sent(interpreted: bool, native: Path, tmp_path: Path) -> None:
+    parts = {"a": ("feedthrough3", "1 ms", FREE3), "b": ("feedthrough3", "1 ms")}
+    signals = Signals(run_of(tmp_path, native, parts, WIRES3, stop="3 ms", interpreted=interpreted))
+    for key, value in FREE3.items():
+        name = key[1:-3] + "_out"
+        if isinstance(value, list):
+            found = [signals[f"b.{name}[{k + 1}]"].values.tolist()[-1] for k in range(len(value))]
+            assert found == value, name
+        else:
+            expected = float(np.float32(value)) if name == "Float32_out" else value
+            assert signals[f"b.{name}"].values.tolist()[-1] == expected, name
+    kinds = {n: signals[f"b.{n}_out"].values.dtype for n in ("Float32", "Int8", "UInt16", "Int64", "UInt64", "Boolean")}
+    assert {n: str(d) for n, d in kinds.items()} == {
+        "Float32": "float32", "Int8": "int8", "UInt16": "uint16", "Int64": "int64", "UInt64": "uint64",
+        "Boolean": "bool",
+    }  # fmt: skip
+
+
+def test_fmi2_and_fmi3_components_exchange_what_fits(native: Path, tmp_path: Path) -> None:
+    wires = [
+        "a.y -> b.Float32_in", "b.Float32_out -> c.u", "a.n_out -> b.Int64_in", "a.on_out -> b.Boolean_in",
+        "b.Boolean_out -> c.on_in", "b.Int16_out -> c.n_in", "a.s_out -> b.String_in", "b.String_out -> c.s_in",
+    ]  # fmt: skip
+    taken = {wire.split("-> b.")[1] for wire in wires if "-> b." in wire}
+    rest = {k: v for k, v in FREE3.items() if k[1:] not in taken}
+    parts = {
+        "a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough3", "1 ms", rest),
+        "c": ("feedthrough2", "1 ms", {"=mode_in": 1}),
+    }  # fmt: skip
+    signals = Signals(run_of(tmp_path, native, parts, wires, stop="4 ms"))
+    found = [signals[f"c.{name}"].values.tolist()[-1] for name in ("y", "n_out", "on_out", "s_out")]
+    assert found == [1.5, -32768, True, 'hüll, "on"']
+    assert signals["b.Int64_out"].values.tolist()[-1] == -7
+
+
+def test_elements_of_an_array_without_a_driver_keep_their_start_values(native: Path, tmp_path: Path) -> None:
+    rest = {k: v for k, v in FREE3.items() if k != "=a_in"} | {f"='a_in[{k}]'": 10.0 * k for k in (1, 2, 3, 5, 6, 7, 8)}
+    parts = {"a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough3", "1 ms", rest)}
+    signals = Signals(run_of(tmp_path, native, parts, ["a.y -> b.a_in[4]"], stop="3 ms"))
+    found = [signals[f"b.a_out[{k}]"].values[-1] for k in range(1, 9)]
+    assert found == [10.0, 20.0, 30.0, 1.5, 50.0, 60.0, 70.0, 80.0]
+
+
+def test_a_matrix_parameter_is_set_element_by_element(native: Path, tmp_path: Path) -> None:
+    system = plan_of(tmp_path, native, {"b": ("feedthrough3", "1 ms", {**FREE3, "M": [7, 0, 0, 2]})}, stop="2 ms")
+    assert Signals(simulate(system))["b.trace"].values[-1] == 9.0
+
+
+@pytest.mark.parametrize(
+    ("wire", "words"),
+    [
+        ("a.y -> b.n_in", "a.y is of type Real, b.n_in of type Integer: there is no conversion"),
+        ("a.on_out -> b.n_in", "of type Boolean, b.n_in of type Integer"),
+        ("a.n_out -> b.mode_in", "an Enumeration goes with an Enumeration only"),
+        ("a.s_out -> b.u", "of type String, b.u of type Real"),
+        ("a.n_out -> c.Int16_in", "Int16 holds -32768 to 32767 only"),
+        ("a.n_out -> c.UInt64_in", "UInt64 holds 0 to 18446744073709551615 only"),
+        ("a.mode_out -> c.Enumeration_in", "the items of the two enumerations differ"),
+        ("c.blob_out -> c.blob", "signals of type Binary cannot be connected"),
+        ("a.n_out -> b.n_in (linear)", "a Integer is held, 'linear' has no meaning"),
+    ],
+)
+def test_types_that_do_not_match_are_refused_by_name(wire: str, words: str, native: Path, tmp_path: Path) -> None:
+    target = wire.split("-> ")[1].split()[0]
+    parts = {
+        name: (fmu, "1 ms", {k: v for k, v in free.items() if f"{name}.{k[1:]}" != target})
+        for name, fmu, free in (
+            ("a", "feedthrough2", FREE2),
+            ("b", "feedthrough2", FREE2),
+            ("c", "feedthrough3", FREE3),
+        )
+    }
+    with pytest.raises(InputError) as error:
+        plan_of(tmp_path, native, parts, [wire])
+    assert words in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"=Int8_in": 128}, "b.Int8_in = 128 is out of range: -128 to 127 are allowed"),
+        ({"=UInt64_in": -1}, "is out of range: 0 to 18446744073709551615"),
+        ({"=Int32_in": 1.5}, "is not a whole number"),
+        ({"=Boolean_in": "perhaps"}, "is not true or false"),
+    ],
+)
+def test_start_values_must_fit_their_type(values: dict[str, Any], words: str, native: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError) as error:
+        plan_of(tmp_path, native, {"b": ("feedthrough3", "1 ms", {**FREE3, **values})})
+    assert words in str(error.value)
+
+
+def test_held_types_are_never_averaged_and_the_plan_says_so(native: Path, tmp_path: Path) -> None:
+    parts = {"a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough2", "5 ms")}
+    text = explain(plan_of(tmp_path, native, parts, WIRES2, stop="10 ms"))
+    assert "a Integer is held" in text and "a Boolean is held" in text and "a String is held" in text
+    assert "move        b.n_in = a.n_out" in text
+    assert "1 Real, 1 Integer, 1 Enumeration, 1 Boolean, 1 String" in text
+
+
+def test_results_on_disk_keep_types_and_texts(native: Path, tmp_path: Path) -> None:
+    run = run_of(tmp_path, native, {"a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough3", "1 ms", FREE3)})
+    write_results(run, tmp_path, {})
+    with xarray.open_dataset(tmp_path / "result.nc", group="every_1_ms") as data:
+        assert data["a.s_out"].values[-1] == 'hüll, "on"'
+        assert data["a.on_out"].dtype == bool and bool(data["a.on_out"][-1])
+        assert data["b.Int64_out"].dtype == np.int64 and int(data["b.Int64_out"][-1]) == -(2**53) - 1
+        assert "units" not in data["a.n_out"].attrs
+    header, last = [(tmp_path / "result.csv").read_text(encoding="utf-8").splitlines()[k] for k in (0, -1)]
+    assert "a.n_out" in header.split(",") and '"hüll, ""on"""' in last and "true" in last.split(",")
+
+
+def test_texts_have_one_number_each_and_a_full_pool_is_reported() -> None:
+    texts = Texts(count=3, size=16)
+    assert [texts.number(t) for t in ("", "one", "two", "one", "three", "")] == [0, 1, 2, 1, -1, 0]
+    assert texts.text(2) == "two"
+    assert Texts(count=8, size=6).number("longer") == -1
