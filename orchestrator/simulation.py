@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import ecco, execute
+from .compiled import compiled_run
 from .errors import RunError
 from .failure import failure_of
 from .initialize import Started, initialize
@@ -96,7 +97,7 @@ class _Loop:
 
     def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
         clock, plan = self.plan.clock, self.plan
-        function = execute.run if interpreted else execute.compiled_run()
+        function = execute.run if interpreted else compiled_run()
         ticks = 0 if plan.adaptive else clock.hyperperiod
         cycles = clock.stop if plan.adaptive else clock.stop // clock.hyperperiod  # every period divides the stop
         code, wall, reached, began, failure = execute.DONE, 0.0, 0.0, 0.0, ""
