@@ -132,3 +132,12 @@ def test_only_hold_has_a_meaning_for_them(name: str, transfer: str, typed: Path,
     parts = {"a": ("feedthrough2", "2 ms", FREE2), "b": ("feedthrough2", "2 ms", others)}
     with pytest.raises(InputError, match=rf"is held, '{transfer}' has no meaning for it; take 'hold' \(case\.toml"):
         plan_of(tmp_path, typed, parts, [f"a.{name}_out -> b.{name}_in ({transfer})"])
+
+
+@needs_gcc
+def test_a_power_bond_needs_floating_point_signals(typed: Path, tmp_path: Path) -> None:
+    rest = {key: value for key, value in FREE2.items() if key != "=n_in"}
+    parts = {"a": ("feedthrough2", "2 ms", rest), "b": ("feedthrough2", "2 ms", rest)}
+    bond = [{"effort": "b.n_in", "flow": "a.n_in"}]
+    with pytest.raises(InputError, match=r"bond b\.n_in: a\.n_out is no floating-point signal and carries no power"):
+        plan_of(tmp_path, typed, parts, ["a.n_out -> b.n_in", "b.n_out -> a.n_in"], bonds=bond)
