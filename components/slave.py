@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 import inspect
-import struct
 import traceback
 from collections.abc import Callable
 from types import ModuleType
@@ -24,6 +23,7 @@ from .interface import Array, Variable, parameter_variables
 from .kernels import compiled, precompile
 from .model_description import model_description
 from .options import ROWS
+from .state import State, from_bytes, to_bytes
 
 PHASES = ("instantiated", "initializing", "running", "terminated")
 NEW, INITIALIZING, RUNNING, TERMINATED = range(4)  # the life of an instance; reset makes a new one
@@ -85,6 +85,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         self.modelName = self.component_name()
         self.store: dict[str, np.ndarray] = {}
         self.ready = False
+        self.stale = False  # inputs were set since the outputs were computed
         self.phase = NEW
 
     def to_xml(self, model_options: dict[str, str] | None = None) -> Element:
@@ -96,6 +97,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     def get_real(self, vrs: list[int]) -> list[float]:
         if not self.ready:
             self.guarded(self.refresh)
+        elif self.stale:
+            self.guarded(self.answer)
         cells = self.cells
         return [cells[vr] for vr in vrs]
 
@@ -103,7 +106,9 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         cells = self.cells
         if self.phase < RUNNING:
             self.ready = False
-        elif not all(vr in self.settable for vr in vrs):
+        elif all(vr in self.settable for vr in vrs):
+            self.stale = True
+        else:
             self.guarded(self.out_of_turn, "set what is not an input")
         for vr, value in zip(vrs, values, strict=True):
             cells[vr] = value
@@ -142,8 +147,19 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 function(*arguments)
         self.show_rows()
         self.step_function, self.arguments, self.dynamic = self.bind("step")
+        if hasattr(self.functions, "outputs"):
+            self.outputs_bound = self.bind("outputs")
         precompile(self.step_function, self.arguments)
         self.ready = True
+
+    def answer(self) -> None:
+        """Outputs for inputs that were set between two steps: direct feedthrough."""
+        if hasattr(self.functions, "outputs"):
+            function, arguments, dynamic = self.outputs_bound
+            for position, vr in dynamic:
+                arguments[position] = self.cells[vr]
+            function(*arguments)
+        self.stale = False
 
     def show_rows(self) -> None:
         """Copy the rows of arrays that this FMU shows to its outputs; rows that the array does not have stay 0."""
@@ -211,6 +227,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             for position, vr in self.dynamic:
                 arguments[position] = cells[vr]
             self.step_function(*arguments)
+            cells[-2] = current_time + step_size
+            self.stale = False
             if ROWS:
                 self.show_rows()
             return True
@@ -232,40 +250,30 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         text = f"{self.instance_name}: {where} failed\n{traceback.format_exc()}"
         self.log(text.replace("%", "%%"), Fmi2Status.error)
 
-    # --- complete state: all values and all arrays that carry anything from one call to the next ---
+    # --- complete state: see state.py ---
 
-    def _get_fmu_state(self) -> dict[str, Any]:
+    def _get_fmu_state(self) -> State:
+        if self.stale:
+            self.guarded(self.answer)
         kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.ready}
-        return {"values": self.values.copy(), "arrays": kept, "flags": (self.ready, self.phase)}
+        return State(self.values.copy(), kept, self.ready, self.phase)
 
-    def _set_fmu_state(self, state: dict[str, Any]) -> None:
-        self.values[:] = state["values"]
-        self.ready, self.phase = state["flags"]
+    def _set_fmu_state(self, state: State) -> None:
+        parameters = slice(self.settable.start)
+        bound = self.ready and np.array_equal(self.values[parameters], state.values[parameters])
+        self.values[:] = state.values
+        self.ready, self.phase, self.stale = state.ready, state.phase, False
         if self.ready:
-            self.refresh()  # allocates for the saved parameters and binds them
-            for name, array in state["arrays"].items():
+            if not bound:
+                self.refresh()  # allocates for the saved parameters and binds them
+            for name, array in state.arrays.items():
                 self.store[name][...] = array.reshape(self.store[name].shape)
-            self.values[:] = state["values"]
+            self.values[:] = state.values
 
     @staticmethod
-    def _fmu_state_to_bytes(state: dict[str, Any]) -> bytes:
-        arrays = [state["values"], *state["arrays"].values()]
-        names = ["values", *state["arrays"]]
-        parts = [struct.pack("<?BI", *state["flags"], len(arrays))]
-        for name, array in zip(names, arrays, strict=True):
-            key = name.encode()
-            parts += [struct.pack("<IQ", len(key), array.size), key, array.astype("<f8").tobytes()]
-        return b"".join(parts)
+    def _fmu_state_to_bytes(state: State) -> bytes:
+        return to_bytes(state)
 
     @staticmethod
-    def _fmu_state_from_bytes(state: bytes) -> dict[str, Any]:
-        ready, phase, count = struct.unpack_from("<?BI", state)
-        at = struct.calcsize("<?BI")
-        arrays = {}
-        for _ in range(count):
-            n_key, n_values = struct.unpack_from("<IQ", state, at)
-            at += struct.calcsize("<IQ")
-            key = state[at : at + n_key].decode()
-            arrays[key] = np.frombuffer(state, "<f8", n_values, at + n_key).copy()
-            at += n_key + 8 * n_values
-        return {"values": arrays.pop("values"), "arrays": arrays, "flags": (ready, phase)}
+    def _fmu_state_from_bytes(state: bytes) -> State:
+        return from_bytes(state)

@@ -67,6 +67,16 @@ def do_step3(function: int, component: int, time: float, step: float, flags: int
     return int(_do_step3(int(function))(int(component), time, step, True, *ends))
 
 
+@cache
+def _state(address: int) -> Any:
+    return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(address)
+
+
+def call_state(function: int, component: int, state: int) -> int:
+    """Set an FMU's state (FMI 2 or 3) to the one given, or get or free one at the address given; the status."""
+    return int(_state(int(function))(int(component), int(state)))
+
+
 def byte_at(address: int) -> int:
     """The byte at an address, 0 to 255."""
     return ctypes.c_ubyte.from_address(int(address)).value
@@ -121,6 +131,18 @@ def _do_step3_native(typing: Any, function: Any, component: Any, time: Any, step
 
 
 @intrinsic
+def _call_state_native(typing: Any, function: Any, component: Any, state: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.int64)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(_INT32, [cgutils.voidptr_t, cgutils.voidptr_t])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        return builder.call(target, [_pointer(builder, args[1]), _pointer(builder, args[2])])
+
+    return signature, codegen
+
+
+@intrinsic
 def _byte_at_native(typing: Any, address: Any) -> Any:
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return builder.zext(builder.load(_pointer(builder, args[0])), _INT64)
@@ -168,3 +190,8 @@ def _do_step3_overload(function, component, time, step, flags):  # type: ignore[
 @overload(byte_at)
 def _byte_at_overload(address):  # type: ignore[no-untyped-def]
     return lambda address: _byte_at_native(address)  # type: ignore[call-arg]
+
+
+@overload(call_state)
+def _call_state_overload(function, component, state):  # type: ignore[no-untyped-def]
+    return lambda function, component, state: _call_state_native(function, component, state)  # type: ignore[call-arg]

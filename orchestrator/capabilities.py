@@ -12,6 +12,10 @@ def check_capabilities(system: System) -> None:
     once: dict[str, str] = {}
     for name, component in system.components.items():
         fmu = component.fmu
+        if system.algorithm == "iterated":
+            require_state(component, "algorithm 'iterated'")
+        if system.algorithm == "ecco":
+            require_variable_steps(component, "algorithm 'ecco'")
         if fmu.interface.canBeInstantiatedOnlyOncePerProcess and component.isolation != "process":
             if fmu.digest in once:
                 raise InputError(
@@ -47,7 +51,7 @@ def require_variable_steps(component: Component, purpose: str) -> None:
     if not component.fmu.can_vary_step:
         raise InputError(
             f"component {component.name}: {purpose} needs steps of different lengths, and {component.fmu.path.name} "
-            f"does not allow them (canHandleVariableCommunicationStepSize = false)"
+            f"does not allow them (canHandleVariableCommunicationStepSize = false); take another algorithm or FMU"
         )
 
 
@@ -56,7 +60,7 @@ def require_state(component: Component, purpose: str) -> None:
     if not component.fmu.can_save_state:
         raise InputError(
             f"component {component.name}: {purpose} needs to restore states, and {component.fmu.path.name} "
-            f"cannot save its own (canGetAndSetFMUState = false)"
+            f"cannot save its own (canGetAndSetFMUState = false); take another algorithm or FMU"
         )
 
 

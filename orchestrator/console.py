@@ -97,3 +97,5 @@ def print_summary(summary: Mapping[str, Any]) -> None:
             console.print(f"  {key:<28} {value:.6g}")
         elif isinstance(value, (int, str)):
             console.print(f"  {key:<28} {value}")
+    for loop, residual in summary.get("initial_loops", {}).items():
+        console.print(f"  at time 0, {loop}: residual {residual:.3g}")

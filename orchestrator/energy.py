@@ -15,7 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .signals import Signal, Signals
+from .books import slug
+from .errors import RunError
+from .signals import Signals
+from .simulation import Run
 from .system import Bond
 
 
@@ -26,6 +29,7 @@ class Ledger:
     name: str
     effort_side: float
     flow_side: float
+    carried: float  # the largest magnitude of either so far: energy may come back
 
     @property
     def made(self) -> float:
@@ -33,22 +37,39 @@ class Ledger:
 
     @property
     def relative(self) -> float:
-        """|made| over the larger of the two energies; 0 for a bond that carries nothing."""
-        carried = max(abs(self.effort_side), abs(self.flow_side))
-        return abs(self.made) / carried if carried else 0.0
-
-
-def work(held: Signal, own: Signal, sign: float) -> np.ndarray:
-    """Cumulative work of a held input times an output of the same component (trapezoidal in the output), (rows,)."""
-    step = sign * held.values[1:] * 0.5 * (own.values[1:] + own.values[:-1]) * np.diff(own.time)
-    return np.concatenate([[0.0], np.cumsum(step)])
+        """|made| over what the bond carried; 0 for a bond that carries nothing."""
+        return abs(self.made) / self.carried if self.carried else 0.0
 
 
 def ledger(signals: Signals, bond: Bond) -> Ledger:
-    """The books of one bond. Its four signals must be recorded."""
-    effort = float(work(signals[bond.flow[1]], signals[bond.effort[0]], bond.sign)[-1]) if bond.flow[1] else 0.0
-    flow = work(signals[bond.effort[1]], signals[bond.flow[0]], bond.sign)
-    return Ledger(bond.name, effort, float(flow[-1]))
+    """The books of one bond at the end of a run; the coupling's own signals are always recorded."""
+    name = slug(bond)
+    effort, flow = (signals[f"coupling.{name}_{side}_side"].values for side in ("effort", "flow"))
+    carried = max(float(np.max(np.abs(side))) for side in (effort, flow))
+    return Ledger(bond.name, float(effort[-1]), float(flow[-1]), carried)
+
+
+def over_limits(ledgers: Iterable[Ledger], bonds: Iterable[Bond]) -> list[str]:
+    """What to tell of bonds at which the coupling made or lost more than the system file allows."""
+    found = []
+    for entry, bond in zip(ledgers, bonds, strict=True):
+        if abs(entry.made) > bond.limit:
+            found.append(f"power bond {bond.name}: the coupling made {entry.made:.4g} J, allowed are {bond.limit:g} J")
+        elif entry.relative > bond.limit_relative:
+            found.append(
+                f"power bond {bond.name}: the coupling made {entry.relative:.3g} of the energy that the bond carried "
+                f"({entry.made:.4g} J), allowed is {bond.limit_relative:g}"
+            )
+    return found
+
+
+def require_energy(run: Run) -> Run:
+    """The run itself, or RunError if the coupling made or lost more than the bonds of the system allow."""
+    signals, bonds = Signals(run), run.plan.system.bonds
+    excess = over_limits([ledger(signals, bond) for bond in bonds], bonds)
+    if excess:
+        raise RunError("; ".join(excess) + "; take smaller periods, another transfer or another algorithm")
+    return run
 
 
 @dataclass(frozen=True)

@@ -1,17 +1,18 @@
-"""Runs a plan. `run` is one source with two lives: compiled by Numba for speed, plain Python as its interpreter.
+"""Runs a plan. `run` is one source with two lives: compiled for speed (`compiled.py`), plain Python as its interpreter.
 
 It calls the FMI functions by address (`exchange.py`, `calls.py`), allocates nothing and touches no Python object.
 """
 
 from __future__ import annotations
 
-from functools import cache
 from math import isfinite
-from typing import Any
 
 import numpy as np
 
-from .calls import do_step, exchange, exchange3
+from . import ecco
+from .calls import call_state, do_step, exchange, exchange3
+from .ecco import control as choose_step
+from .ecco import gauge
 from .exchange import (
     AT,
     CODE,
@@ -35,10 +36,34 @@ from .exchange import (
     unpack,
 )  # fmt: skip
 from .fmi_types import FLOAT
-from .operations import ACCUMULATE, COPY, GET, LINEAR, MEAN, MOVE, PUSH, RECORD, SET, STEP
+from .iteration import AGAIN, CONVERGED, iterate
+from .operations import (
+    ACCUMULATE,
+    CONTROL,
+    COPY,
+    GAUGE,
+    GET,
+    ITERATE,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    MIX,
+    MOVE,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    REPEAT,
+    RESTORE,
+    REWIND,
+    SAVE,
+    SET,
+    STEP,
+    WORK,
+)  # fmt: skip
 
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE = range(4)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
+GET_STATE, SET_STATE, FREE_STATE = range(3)  # columns of `state_calls`
 
 
 def run(
@@ -46,20 +71,26 @@ def run(
     z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, pool: np.ndarray, index: np.ndarray,
     slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray,
     control: np.ndarray,
+    clock: np.ndarray, work: np.ndarray, saved: np.ndarray, states: np.ndarray, state_calls: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
-    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS or NOT_FINITE.
+    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
 
     operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
     exchange.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (5): a stop request from outside, and where and why the run ended.
+    control (5): a stop request from outside, and where and why the run ended; clock (5): see ecco.NOW..., with steps
+    that vary (cycle_ticks is 0 then), otherwise zeros; work: state of the iteration or of the step controller; saved:
+    signals at the beginning of a macro step; states (n): FMU states; state_calls (n, 3): addresses of the
+    functions that get, set and free one.
     """
     for cycle in range(first_cycle, first_cycle + cycles):
-        base = cycle * cycle_ticks
+        base = cycle * cycle_ticks + clock[ecco.NOW]
         last_tick = -1
-        for m in range(operations.shape[0]):
+        m = -1
+        while m + 1 < operations.shape[0]:
+            m += 1
             code, tick, c = operations[m, 0], operations[m, 1], operations[m, 2]
             a, b, p = operations[m, 3], operations[m, 4], operations[m, 5]
             q, k = operations[m, 6], operations[m, 7]
@@ -71,7 +102,7 @@ def run(
             if code == STEP:
                 start = base + b
                 time = (start * numerator) / denominator
-                length = (a * numerator) / denominator
+                length = ((a + clock[ecco.STEP]) * numerator) / denominator
                 if components[c, FMI] == 2:
                     status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length)
                 else:
@@ -122,17 +153,58 @@ def run(
                 for j in range(columns):
                     buffer[cell + j] = z[slots[first + j]]
                 rows[a] += 1
+            elif code == WORK:
+                h = coefficients[k + 2]
+                if h == 0.0:
+                    h = (clock[ecco.STEP] * numerator) / denominator
+                z[b] += z[q] * (coefficients[k] * z[p] + coefficients[k + 1] * z[a]) * h
+            elif code == LEDGER:
+                total = z[a] - z[p]
+                z[b] = total - z[q]
+                z[q] = total
+            elif code == QUADRATIC:
+                slope, curvature = z[a] - z[p], z[a] - 2.0 * z[p] + z[q]
+                value = z[a] + coefficients[k + 2] * slope + coefficients[k + 3] * curvature
+                z[b] = coefficients[k] * value + coefficients[k + 1]
+            elif code == MIX:
+                value = coefficients[k] * z[b] + coefficients[k + 1] * z[a]
+                z[b] = value + coefficients[k + 2] * z[p] + coefficients[k + 3]
+            elif code in (SAVE, RESTORE) and c < 0:
+                for j in range(a):
+                    if code == SAVE:
+                        saved[j] = z[j]
+                    else:
+                        z[j] = saved[j]
+            elif code in (SAVE, RESTORE):
+                cell, status = states.ctypes.data + 8 * c, 0
+                if code == RESTORE:
+                    status = call_state(state_calls[c, SET_STATE], components[c, INSTANCE], states[c])
+                else:
+                    if states[c] != 0:
+                        status = call_state(state_calls[c, FREE_STATE], components[c, INSTANCE], cell)
+                        states[c] = 0
+                    if status <= 1:
+                        status = call_state(state_calls[c, GET_STATE], components[c, INSTANCE], cell)
+                if status > 1:
+                    control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
+                    return BAD_STATUS
+            elif code == REWIND:
+                rows[a] -= b
+            elif code == ITERATE:
+                verdict = iterate(z, b, p, q, coefficients, k, work)
+                if verdict == CONVERGED:
+                    m = a - 1
+                elif verdict != AGAIN:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return NOT_CONVERGED
+            elif code == REPEAT:
+                m = a - 1
+            elif code == GAUGE:
+                gauge(z, a, b, p, q, (clock[ecco.STEP] * numerator) / denominator, coefficients, k, work)
+            elif code == CONTROL:
+                z[a + 1] = (clock[ecco.STEP] * numerator) / denominator
+                z[a + 2] = choose_step(clock, coefficients, k, work)
+                z[a] = clock[ecco.NOW]
+        if cycle_ticks == 0 and clock[ecco.STEP] == 0:
+            return DONE
     return DONE
-
-
-@cache
-def compiled_run() -> Any:
-    """`run` under Numba. Its compiled form holds no address, so one cached compilation serves every system."""
-    import numba
-
-    compiled = numba.njit(cache=True, error_model="numpy")(run)
-    table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
-    texts = (raw, cells)
-    signals = (numbers, cells, raw, numba.float32[::1], *texts)
-    compiled.compile((table, numbers, table, table, *signals, cells, table, numbers, cells, cells, *(numba.int64,) * 5))
-    return compiled

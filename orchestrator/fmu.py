@@ -123,6 +123,11 @@ class Fmu:
         """The type of a scalar; None for one that cannot be exchanged (Binary, Clock)."""
         return TYPES[self.version].get(self.variables[name].type)
 
+    def is_real(self, name: str) -> bool:
+        """Whether a scalar is floating point; every other signal is held."""
+        kind = self.type_of(name)
+        return kind is not None and kind.real
+
     def names(self, *causalities: str) -> list[str]:
         """Names of the scalars with one of the causalities, in the order of the description."""
         return [name for name, v in self.variables.items() if v.causality in causalities]
@@ -174,7 +179,8 @@ class Fmu:
     def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
         """For each output the inputs on which it depends at once; all of them where the description does not say.
 
-        `initial`: the dependencies during initialization instead of those while stepping.
+        `initial`: the dependencies during initialization instead of those while stepping; an output with an exact
+        start value has none then.
         """
         if self.presented:
             known = self.own.feedthrough(initial)
@@ -190,7 +196,10 @@ class Fmu:
             if u.dependencies is not None
         }
         owners = {name: v for v, elements in self._elements.items() for name in elements}
-        return {name: given.get(owners[name], inputs) for name in self.names("output")}
+        fixed = {name for name, v in self.variables.items() if initial and v.initial == "exact"}
+        return {
+            name: given.get(owners[name], frozenset() if name in fixed else inputs) for name in self.names("output")
+        }
 
 
 def parse_value(

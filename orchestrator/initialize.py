@@ -3,21 +3,33 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .errors import FmuError, InputError
-from .instance import Instance
+from .instance import Instance, Value
+from .layout import Key
 from .memory import Memory
 from .plan import Plan
+from .system import Connection
+
+TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 
 
-def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> int:
-    """Set parameters and inputs, propagate outputs to inputs until nothing changes, and leave initialization mode.
+@dataclass
+class Started:
+    """How time 0 was found: the sweeps over all connections, and the residual of every algebraic loop."""
 
-    Fills the cells of `memory` at time 0 and returns the number of sweeps. Raises FmuError if an FMU refuses, gives a
-    value that is not finite, or if the outputs and inputs at time 0 depend on each other in a loop that sweeping does
-    not settle; InputError if what the system requires of time 0 is not so.
+    sweeps: int = 0
+    loops: dict[str, float] = field(default_factory=dict)
+
+
+def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> Started:
+    """Set parameters and inputs, propagate outputs to inputs, solve algebraic loops, leave initialization mode.
+
+    Fills the cells of `memory` at time 0. Raises FmuError if an FMU refuses, gives a value that is not finite, or if a
+    loop has no solution; InputError if what the system requires of time 0 is not so.
     """
     system, z = plan.system, memory.z
     for name, component in system.components.items():
@@ -26,34 +38,7 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> in
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
         component = system.components[name]
         memory.put((name, variable), slot, component.inputs.get(variable, component.fmu.start(variable)))
-    known: set[tuple[str, str]] = set()  # outputs read so far; until then an input keeps its start value
-    sweeps = len(system.components) + 2
-    for sweep in range(1, sweeps + 1):
-        before = z.copy()  # compared as whole numbers: cells of other types can look like NaN
-        for name in plan.order:
-            for connection in system.connections:
-                if connection.target[0] == name and connection.source in known:
-                    value = memory.value(connection.source, plan.layout.outputs[connection.source])
-                    if memory.kind(connection.source).real:
-                        value = connection.gain * float(value) + connection.offset
-                    memory.put(connection.target, plan.layout.inputs[connection.target], value)
-                    instances[name].set(connection.target[1], value)
-            for (owner, variable), slot in plan.layout.outputs.items():
-                if owner == name:
-                    memory.put((owner, variable), slot, instances[name].get(variable))
-                    known.add((owner, variable))
-                    if memory.kind((owner, variable)).real and not math.isfinite(z[slot]):
-                        raise FmuError(
-                            f"component {name}: output {variable} is {z[slot]} at time 0{instances[name].log_text()}"
-                        )
-        if sweep > 1 and np.array_equal(before.view(np.int64), memory.whole):
-            break
-    else:
-        loop = sorted({".".join(key) for key, slot in plan.layout.inputs.items() if before[slot] != z[slot]})
-        raise FmuError(
-            f"initialization: the inputs {', '.join(loop)} and the outputs that drive them "
-            f"form an algebraic loop that {sweeps} sweeps do not settle; break it with a state or a start value"
-        )
+    started = _Propagation(plan, instances, memory).settle()
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])
         if not r.minimum <= value <= r.maximum:
@@ -64,6 +49,85 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> in
             )
     for instance in instances.values():
         instance.exit_initialization()
-    for key, slot in plan.layout.previous.items():
-        z[slot] = z[plan.layout.outputs[key]]
-    return sweep
+    for table in (plan.layout.previous, plan.layout.before, plan.layout.begins):
+        for key, slot in table.items():
+            z[slot] = z[plan.layout.outputs[key]]
+    return started
+
+
+class _Propagation:
+    """Values along the connections, block by block."""
+
+    def __init__(self, plan: Plan, instances: dict[str, Instance], memory: Memory) -> None:
+        self.plan, self.instances, self.memory = plan, instances, memory
+        self.started = Started()
+
+    def settle(self) -> Started:
+        """Propagate, and again until nothing changes: what FMUs state of their dependencies may be incomplete."""
+        limit = len(self.plan.system.components) + 2
+        for sweep in range(1, limit + 1):
+            before = self.memory.whole.copy()
+            for block in self.plan.start:
+                for c in block.connections:
+                    if not block.loop or not self._real(c):
+                        self._set(c, self._received(c))
+                unknowns = [c for c in block.connections if block.loop and self._real(c)]
+                if unknowns:
+                    self._solve(block.label, unknowns)
+            for key, slot in self.plan.layout.outputs.items():
+                self.memory.put(key, slot, self._get(key))
+            self.started.sweeps = sweep
+            if (sweep > 1 and np.array_equal(before, self.memory.whole)) or not self.plan.start:
+                return self.started
+        cells = self.plan.layout.inputs.items()
+        moved = sorted({".".join(key) for key, slot in cells if before[slot] != self.memory.whole[slot]})
+        raise FmuError(
+            f"initialization: the inputs {', '.join(moved)} keep changing though the model descriptions state no "
+            f"dependency (InitialUnknowns) that would make them a loop; break the loop with a state or a start value"
+        )
+
+    def _real(self, c: Connection) -> bool:
+        return self.memory.kind(c.source).real
+
+    def _get(self, key: Key) -> Value:
+        value: Value = self.instances[key[0]].get(key[1])
+        if self.memory.kind(key).real and not math.isfinite(float(value)):
+            raise FmuError(
+                f"component {key[0]}: output {key[1]} is {value} at time 0{self.instances[key[0]].log_text()}"
+            )
+        return value
+
+    def _received(self, c: Connection) -> Value:
+        """What the source of a connection sends."""
+        value = self._get(c.source)
+        return c.gain * float(value) + c.offset if self._real(c) else value
+
+    def _set(self, c: Connection, value: Value) -> None:
+        self.memory.put(c.target, self.plan.layout.inputs[c.target], value)
+        self.instances[c.target[0]].set(c.target[1], value)
+
+    def _solve(self, label: str, unknowns: list[Connection]) -> None:
+        """Find the inputs of a loop that their sources give back; those that are held take what they are sent."""
+        from scipy.optimize import root
+
+        def residual(inputs: np.ndarray) -> np.ndarray:
+            for c, value in zip(unknowns, inputs.tolist(), strict=True):
+                self._set(c, value)
+            given: np.ndarray = np.array([float(self._received(c)) for c in unknowns]) - inputs
+            return given
+
+        def size(inputs: np.ndarray) -> float:
+            return float(np.max(np.abs(residual(inputs)) / np.maximum(np.abs(inputs), 1.0)))
+
+        guess = self.memory.z[[self.plan.layout.inputs[c.target] for c in unknowns]]  # start values in the first sweep
+        found = size(guess)
+        if found > TOLERANCE:
+            solution = root(residual, guess, method="hybr", options={"xtol": 1e-14}).x
+            found = size(solution)
+        if not found <= TOLERANCE:
+            raise FmuError(
+                f"initialization: the algebraic {label} has no solution that can be found from the start values: "
+                f"residual {found:.3g}, relative to the inputs, allowed {TOLERANCE:g}; break it with a state, or give "
+                f"the FMUs start values near the solution"
+            )
+        self.started.loops[label] = found

@@ -4,14 +4,26 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
+from typing import NamedTuple
 
 import numpy as np
 
 from .clock import Clock
 from .fmi_types import GROUPED
 from .fmu import Fmu
-from .system import Connection, System
-from .transfer import Choice
+from .system import Bond, Connection, System
+from .transfer import HISTORY, Choice
+
+Key = tuple[str, str]  # component, variable
+
+
+class Extra(NamedTuple):
+    """A signal that the coupling itself makes: its slot, unit, meaning, and the period [ticks] of its table."""
+
+    slot: int
+    unit: str
+    description: str
+    period: int
 
 
 @dataclass
@@ -19,18 +31,39 @@ class Layout:
     """Where every number lives in the run's one vector of doubles."""
 
     size: int = 0
-    outputs: dict[tuple[str, str], int] = field(default_factory=dict)
-    inputs: dict[tuple[str, str], int] = field(default_factory=dict)
-    previous: dict[tuple[str, str], int] = field(default_factory=dict)  # an output one period ago
-    integrals: dict[tuple[str, str], int] = field(default_factory=dict)  # by the input that takes the mean
+    outputs: dict[Key, int] = field(default_factory=dict)
+    inputs: dict[Key, int] = field(default_factory=dict)
     # Inputs and outputs of a foreign FMU as it has them, where some differ from ours in unit or direction.
-    foreign_inputs: dict[tuple[str, str], int] = field(default_factory=dict)
-    foreign_outputs: dict[tuple[str, str], int] = field(default_factory=dict)
+    foreign_inputs: dict[Key, int] = field(default_factory=dict)
+    foreign_outputs: dict[Key, int] = field(default_factory=dict)
+    previous: dict[Key, int] = field(default_factory=dict)  # an output one period ago
+    before: dict[Key, int] = field(default_factory=dict)  # an output two periods ago
+    begins: dict[Key, int] = field(default_factory=dict)  # an output read again at the beginning of the step
+    integrals: dict[Key, int] = field(default_factory=dict)  # by the input that takes the mean
+    unknowns: dict[tuple[Key, int], int] = field(default_factory=dict)  # of an iteration: input, step in the cycle
+    images: dict[tuple[Key, int], int] = field(default_factory=dict)  # what a pass makes of the unknowns
+    extras: dict[Key, Extra] = field(default_factory=dict)  # recorded whatever the system file says
+    named: dict[int, str] = field(default_factory=dict)  # any other slot, in words
 
-    def add(self, table: dict[tuple[str, str], int], key: tuple[str, str]) -> None:
+    def add(self, table: dict[Key, int], key: Key) -> None:
         if key not in table:
-            table[key] = self.size
-            self.size += 1
+            table[key] = self.slot()
+
+    def slot(self, words: str = "") -> int:
+        """One more slot."""
+        self.size += 1
+        if words:
+            self.named[self.size - 1] = words
+        return self.size - 1
+
+    def extra(self, name: str, unit: str, description: str, period: int) -> int:
+        """One more recorded signal, `coupling.name`."""
+        self.extras["coupling", name] = Extra(self.slot(), unit, description, period)
+        return self.extras["coupling", name].slot
+
+    def start(self, key: Key) -> int:
+        """The slot of an output's value at the beginning of the step that was done last."""
+        return self.begins.get(key, self.previous[key])
 
     def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
         """Slots of the inputs and outputs that a component is given and gives, by variable."""
@@ -45,17 +78,17 @@ class Group:
 
     period: int
     components: tuple[str, ...]
-    columns: tuple[tuple[str, str], ...]  # (component, variable)
+    columns: tuple[Key, ...]
     slots: np.ndarray
 
 
-def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
+def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict[str, str]) -> Layout:
     """Outputs and inputs of a component are contiguous, grouped by type, in the order of its description.
 
     Of an FMI 3 array all elements have a cell where one has: they are set and got together.
     """
     layout = Layout()
-    used = {c.source for c in system.connections}
+    used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
     for name, component in system.components.items():
         for variable in _by_type(component.fmu, "output"):
@@ -65,9 +98,17 @@ def make_layout(system: System, choices: dict[Connection, Choice]) -> Layout:
         for variable in _by_type(component.fmu, "input"):
             if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
+    histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
+    histories += [(c.source, 1) for c in choices if c.source[0] in _leading(choices)]
+    for key, samples in [*histories, *((key, 1) for bond in system.bonds for key in _owns(bond))]:
+        if samples > 0:
+            layout.add(layout.previous, key)
+        if samples > 1:
+            layout.add(layout.before, key)
+    for key in layout.previous:
+        if key[0] in rereads:
+            layout.add(layout.begins, key)
     for connection, choice in choices.items():
-        if choice.transfer in ("linear", "mean"):
-            layout.add(layout.previous, connection.source)
         if choice.transfer == "mean":
             layout.add(layout.integrals, connection.target)
     for name, component in system.components.items():
@@ -86,13 +127,24 @@ def _by_type(fmu: Fmu, causality: str) -> list[str]:
     return [name for kind, name in sorted(((k, n) for k, n in typed if k), key=lambda entry: GROUPED[entry[0].name])]
 
 
-def _recorded(system: System, key: tuple[str, str]) -> bool:
+def _leading(choices: dict[Connection, Choice]) -> set[str]:
+    """Components that step first: of their other outputs the value at the beginning of their step is needed too."""
+    return {c.source[0] for c, choice in choices.items() if choice.transfer == "interpolate"}
+
+
+def _owns(bond: Bond) -> list[Key]:
+    """The outputs whose work a bond counts."""
+    names = [bond.impulse or bond.effort[0], bond.displacement or bond.flow[0], bond.effort[0], bond.flow[0]]
+    return [(name.partition(".")[0], name.partition(".")[2]) for name in dict.fromkeys(names)]
+
+
+def _recorded(system: System, key: Key) -> bool:
     return any(fnmatchcase(".".join(key), pattern.replace("[", "[[]")) for pattern in system.record)
 
 
 def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:
     groups = []
-    for period in sorted(set(clock.periods.values())):
+    for period in sorted({*clock.periods.values(), *(extra.period for extra in layout.extras.values())}):
         members = tuple(name for name in system.components if clock.periods[name] == period)
         slots = {
             key: slot
@@ -100,6 +152,9 @@ def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ..
             for key, slot in table.items()
             if key[0] in members and _recorded(system, key)
         }
-        columns = tuple(sorted(slots, key=lambda key: (members.index(key[0]), slots[key])))
-        groups.append(Group(period, members, columns, np.array([slots[key] for key in columns], dtype=np.int64)))
+        columns = sorted(slots, key=lambda key: (members.index(key[0]), slots[key]))
+        made = {key: extra.slot for key, extra in layout.extras.items() if extra.period == period}
+        slots, columns = slots | made, [*columns, *made]
+        owners = (*members, *dict.fromkeys(key[0] for key in made))
+        groups.append(Group(period, owners, tuple(columns), np.array([slots[key] for key in columns], dtype=np.int64)))
     return tuple(groups)

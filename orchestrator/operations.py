@@ -3,5 +3,9 @@
 from __future__ import annotations
 
 COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
-NAMES = ("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move")
+QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(10, 21)
+NAMES = (
+    *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
+    *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
+)
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

@@ -10,6 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from .algorithms import ALGORITHMS, ecco_of, iteration_of
 from .clock import duration
 from .errors import InputError, nearest
 from .fmu import Fmu
@@ -21,11 +22,10 @@ from .wiring import bond_of, check_drivers, connections_of, requirement_of
 SYSTEMS = Path(__file__).parent / "systems"
 KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
-    *("record", "require", "summary", "balance", "compare", "figures"),
+    *("iteration", "ecco", "record", "require", "summary", "balance", "compare", "figures"),
 }
 COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout", "units"}
 ISOLATION = ("none", "process")
-ALGORITHMS = ("gauss-seidel", "jacobi")
 
 
 def shipped_systems() -> list[str]:
@@ -80,6 +80,7 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
             **{key: file.entry(dict, key) for key in ("summary", "balance")},
             **{key: file.entries(dict, key) for key in ("compare", "figures")},
         },
+        iteration=iteration_of(file), ecco=ecco_of(file),
     )  # fmt: skip
     return _with_parameter_file(file, system)
 

@@ -72,13 +72,16 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
             units = {"units": signal.unit} if signal.unit else {}
             variables[name] = ("time", signal.values, {**units, "long_name": signal.description})
         time = ("time", signals.times[g], {"units": "s", "long_name": "time"})
-        attributes = {"period": seconds_text(run.plan.clock.seconds(group.period)), "complete": int(not run.failure)}
+        period = "varies" if run.plan.adaptive else seconds_text(run.plan.clock.seconds(group.period))
+        attributes = {"period": period, "complete": int(not run.failure)}
         found[group_name(run.plan, g)] = xarray.Dataset(variables, {"time": time}, attributes)
     return found
 
 
 def group_name(plan: Plan, group: int) -> str:
     """Name of a rate's table in the results file."""
+    if plan.adaptive:
+        return "varying_steps"
     return "every_" + seconds_text(plan.clock.seconds(plan.groups[group].period)).replace(" ", "_").replace(
         "/", "_per_"
     )
@@ -111,11 +114,10 @@ def write_csv(run: Run, path: Path) -> None:
     """A row per instant at which anything is recorded, a column `name [unit]` per signal; other cells are empty."""
     signals = Signals(run)
     plan = run.plan
-    ticks = [group.period * np.arange(len(table)) for group, table in zip(plan.groups, run.tables, strict=True)]
-    instants = np.unique(np.concatenate(ticks))
+    instants = np.unique(np.concatenate(run.ticks))
     header, columns = ["time [s]"], [[repr(plan.clock.time(tick)) for tick in instants.tolist()]]
     for g, group in enumerate(plan.groups):
-        rows = np.searchsorted(instants, ticks[g]).tolist()
+        rows = np.searchsorted(instants, run.ticks[g]).tolist()
         for name in (".".join(key) for key in group.columns):
             signal = signals[name]
             header.append(signal.label)

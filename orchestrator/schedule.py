@@ -5,8 +5,9 @@ can receive the mean of what fast ones did over the same interval. Gauss-Seidel 
 from the latest values; Jacobi forms it at the beginning of the step, from values of that instant (means excepted:
 they need the whole interval).
 
-A component all of whose connected inputs are sampled (a discrete controller) is the exception: its step from t to t + H
-is done at t, with the values of that instant, and its outputs are in force from then on.
+Two kinds of components are the exception, their step from t to t + H is done at t: one all of whose connected inputs
+are sampled (a discrete controller), whose outputs are in force from then on; and one whose outputs are interpolated,
+so that those who receive them know both ends.
 """
 
 from __future__ import annotations
@@ -15,154 +16,214 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .clock import Clock, seconds_text
+from .clock import seconds_text
 from .crossing import Crossing
+from .design import Constants, Design
 from .errors import InputError
-from .layout import Group, Layout
-from .operations import ACCUMULATE, COLUMNS, COPY, GET, LINEAR, MEAN, MOVE, PUSH, RECORD, SET, STEP
-from .system import Connection, System
-from .transfer import Choice, linear_ratio, mean_tail
+from .layout import Key
+from .operations import (
+    ACCUMULATE,
+    COLUMNS,
+    COPY,
+    GET,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    MOVE,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    SET,
+    STEP,
+    WORK,
+)  # fmt: skip
+from .system import Connection
+from .transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio
 
 LARGEST = 5_000_000  # operations; 320 MB
+Row = tuple[int, ...]
 
 
 class Schedule:
     """Collects the operations of one hyperperiod and their coefficients."""
 
-    def __init__(
-        self,
-        system: System,
-        clock: Clock,
-        order: tuple[str, ...],
-        choices: dict[Connection, Choice],
-        layout: Layout,
-        groups: tuple[Group, ...],
-        samplers: tuple[str, ...],
-    ) -> None:
-        self.system, self.clock, self.order = system, clock, order
-        self.choices, self.layout, self.groups, self.samplers = choices, layout, groups, samplers
-        self.index = {name: k for k, name in enumerate(system.components)}
-        self.coefficients: list[float] = [0.0]
-        self.known: dict[tuple[float, ...], int] = {}
+    def __init__(self, design: Design) -> None:
+        self.design, self.system, self.clock, self.layout = design, design.system, design.clock, design.layout
+        self.index = {name: k for k, name in enumerate(self.system.components)}
+        self.constants = Constants([0.0], {})
+        self.ran: set[str] = set()  # components that step first and have done so at the present instant
 
     def build(self) -> np.ndarray:
         """The operations of one hyperperiod, (m, 8). Raises InputError if there would be too many."""
         total = sum(
             self.clock.hyperperiod // self.clock.periods[name] * (4 + len(self.system.connections))
-            for name in self.order
+            for name in self.design.order
         )
         if total > LARGEST:
             raise InputError(
                 f"the periods repeat only every {seconds_text(self.clock.seconds(self.clock.hyperperiod))}: "
                 f"more than {LARGEST} operations; choose periods with a common multiple"
             )
-        instants = sorted(
-            {
-                k * self.clock.periods[name]
-                for name in self.order
-                for k in range(1, self.clock.hyperperiod // self.clock.periods[name] + 1)
-            }
-        )
-        rows = list(self._begin(0))
-        for tick in instants:
-            rows += self._finish(tick)
+        return np.array(list(self.rows()), dtype=np.int64).reshape(-1, len(COLUMNS))
+
+    def rows(self) -> Iterator[Row]:
+        """The operations in their order."""
+        yield from self.begin(0)
+        for tick in self.instants():
+            yield from self.finish(tick)
             if tick < self.clock.hyperperiod:
-                rows += self._begin(tick)
-        return np.array(rows, dtype=np.int64).reshape(-1, len(COLUMNS))
+                yield from self.begin(tick)
 
-    def _due(self, tick: int) -> list[str]:
-        return [name for name in self.order if tick % self.clock.periods[name] == 0]
+    def instants(self) -> list[int]:
+        """The instants of one hyperperiod at which any step ends, rising."""
+        ends = {
+            k * self.clock.periods[name]
+            for name in self.design.order
+            for k in range(1, self.clock.hyperperiod // self.clock.periods[name] + 1)
+        }
+        return sorted(ends)
 
-    def _finish(self, tick: int) -> Iterator[tuple[int, ...]]:
+    def due(self, tick: int) -> list[str]:
+        return [name for name in self.design.order if tick % self.clock.periods[name] == 0]
+
+    def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, and what is recorded of this instant."""
-        due = [name for name in self._due(tick) if name not in self.samplers]
-        for name in due:
-            yield from self._step(tick, name, due)
-        for k, group in enumerate(self.groups):
+        due = [name for name in self.due(tick) if name not in self.design.early]
+        for k, name in enumerate(due):
+            yield from self._step(tick, name, due[:k])
+        yield from self.record(tick)
+
+    def record(self, tick: int) -> Iterator[Row]:
+        """The books and tables of this instant."""
+        for book in self.design.books:
+            if tick % book.period == 0:
+                yield (LEDGER, tick, -1, book.flow_side, book.made, book.effort_side, book.total, 0)
+        for k, group in enumerate(self.design.groups):
             if tick % group.period == 0 and len(group.slots):
                 yield (RECORD, tick, -1, k, 0, 0, 0, 0)
 
-    def _begin(self, tick: int) -> Iterator[tuple[int, ...]]:
-        """What samples at this instant, and with Jacobi the inputs of the steps that begin now."""
-        due = self._due(tick)
+    def begin(self, tick: int) -> Iterator[Row]:
+        """What steps at this instant, and with Jacobi the inputs of the steps that begin now."""
+        due = self.due(tick)
+        self.ran = set()
+        for early in (self.design.samplers, self.design.leaders):
+            for name in due:
+                if name in early:
+                    for connection in self.design.into(name):
+                        yield self._form(connection, tick, self._seen_early(connection.source[0], tick), tick)
+                    yield from self.advance(tick, name, tick)
+                    self.ran.add(name)
         for name in due:
-            if name in self.samplers:
-                for connection in self._into(name):
-                    yield self._form(connection, tick, tick, tick)
-                yield from self._advance(tick, name, tick)
-        for name in due:
-            if self.system.algorithm == "jacobi" and name not in self.samplers:
-                for connection in self._into(name):
-                    if self.choices[connection].transfer != "mean":
-                        yield self._form(connection, tick, tick, tick)
+            if self.system.algorithm != "gauss-seidel" and name not in self.design.early:
+                for c in self.design.into(name):
+                    if self.design.choices[c].transfer != "mean":
+                        yield self._form(c, tick, self._seen_early(c.source[0], tick), tick)
 
-    def _step(self, tick: int, name: str, due: list[str]) -> Iterator[tuple[int, ...]]:
-        """Form the inputs that are formed now and do the step that ends now."""
+    def _seen_early(self, source: str, tick: int) -> int:
+        """The last sample of a source, as known while steps begin at `tick`."""
+        period = self.clock.periods[source]
+        if source in self.design.leaders:
+            return (tick // period + 1) * period if source in self.ran else -(-tick // period) * period
+        return tick // period * period
+
+    def _step(self, tick: int, name: str, done: list[str]) -> Iterator[Row]:
+        """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
         period = self.clock.periods[name]
-        for connection in self._into(name):
-            if self.system.algorithm == "gauss-seidel" or self.choices[connection].transfer == "mean":
-                source = connection.source[0]
-                done = (
-                    tick
-                    if source in due and due.index(source) < due.index(name)
-                    else (tick - 1) // self.clock.periods[source] * self.clock.periods[source]
-                )
-                yield self._form(connection, tick, done, tick - period)
-        yield from self._advance(tick, name, tick - period)
+        for c in self.design.into(name):
+            if self.system.algorithm == "gauss-seidel" or self.design.choices[c].transfer == "mean":
+                h = self.clock.periods[c.source[0]]
+                if c.source[0] in self.design.leaders:
+                    sample = -(-tick // h) * h
+                else:
+                    sample = tick if c.source[0] in done else (tick - 1) // h * h
+                yield self._form(c, tick, sample, tick - period)
+        yield from self.advance(tick, name, tick - period)
 
-    def _advance(self, tick: int, name: str, start: int) -> Iterator[tuple[int, ...]]:
+    def advance(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """Set inputs, step from `start` over one period, get outputs."""
-        component, period = self.index[name], self.clock.periods[name]
-        if self._into(name):
-            for (owner, variable), slot in self.layout.foreign_inputs.items():
-                if owner == name:
-                    crossing, ours = self._crossing(name, variable), self.layout.inputs[name, variable]
-                    there = self._constant(crossing.gain, crossing.offset)
-                    yield (COPY, tick, component, ours, slot, 0, 0, there)
+        component, period, layout = self.index[name], self.clock.periods[name], self.layout
+        if self.design.into(name):
+            for key, slot in layout.foreign_inputs.items():
+                if key[0] == name:
+                    crossing = self._crossing(key)
+                    yield self.held(key, tick, layout.inputs[key], slot, crossing.gain, crossing.offset)
             yield (SET, tick, component, 0, 0, 0, 0, 0)
-        yield (STEP, tick, component, period, start, 0, 0, 0)
-        outputs = [(key, slot) for key, slot in self.layout.previous.items() if key[0] == name]
-        for key, slot in outputs:
-            yield (PUSH, tick, component, self.layout.outputs[key], slot, 0, 0, 0)
-        if any(key[0] == name for key in self.layout.outputs):
-            yield (GET, tick, component, 0, 0, 0, 0, 0)
-            for (owner, variable), slot in self.layout.foreign_outputs.items():
-                if owner == name:
-                    crossing, ours = self._crossing(name, variable), self.layout.outputs[name, variable]
-                    back = self._constant(crossing.back_gain, crossing.back_offset)
-                    yield (COPY, tick, component, slot, ours, 0, 0, back)
-        for connection, choice in self.choices.items():
+        pushes = [(layout.previous[key], slot) for key, slot in layout.before.items() if key[0] == name]
+        pushes += [(layout.outputs[key], slot) for key, slot in layout.previous.items() if key[0] == name]
+        rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
+        if name in self.design.rereads:
+            yield from rows
+            yield from self._get(tick, name, 1)
+            for key, slot in layout.begins.items():
+                if key[0] == name:
+                    yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
+            rows = []
+        yield self.stepping(tick, component, period, start)
+        yield from rows
+        if any(key[0] == name for key in layout.outputs):
+            yield from self._get(tick, name, 0)
+        for connection, choice in self.design.choices.items():
             if choice.transfer == "mean" and connection.source[0] == name:
-                weight = self._constant(period / (2 * self.clock.periods[connection.target[0]]))
-                a, p = self.layout.outputs[connection.source], self.layout.previous[connection.source]
-                yield (ACCUMULATE, tick, component, a, self.layout.integrals[connection.target], p, 0, weight)
+                weight = self.constants.at(period / (2 * self.clock.periods[connection.target[0]]))
+                a, p = layout.outputs[connection.source], layout.start(connection.source)
+                yield (ACCUMULATE, tick, component, a, layout.integrals[connection.target], p, 0, weight)
+        yield from self.works(tick, name)
 
-    def _crossing(self, name: str, variable: str) -> Crossing:
-        return self.system.components[name].fmu.crossings.get(variable, Crossing(variable))
+    def _get(self, tick: int, name: str, begin: int) -> Iterator[Row]:
+        """Get a component's outputs, and turn those of a foreign FMU into ours; `begin`: as its step begins."""
+        yield (GET, tick, self.index[name], begin, 0, 0, 0, 0)
+        for key, slot in self.layout.foreign_outputs.items():
+            if key[0] == name:
+                crossing = self._crossing(key)
+                yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)
 
-    def _into(self, name: str) -> list[Connection]:
-        return [c for c in self.system.connections if c.target[0] == name]
+    def _crossing(self, key: Key) -> Crossing:
+        return self.system.components[key[0]].fmu.crossings.get(key[1], Crossing(key[1]))
 
-    def _form(self, c: Connection, tick: int, sample: int, start: int) -> tuple[int, ...]:
+    def held(self, key: Key, tick: int, a: int, b: int, gain: float, offset: float) -> Row:
+        """Give slot b the value of slot a, which is of the type of `key`."""
+        component = self.index[key[0]]
+        if self.system.components[key[0]].fmu.is_real(key[1]):
+            return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
+        return (MOVE, tick, component, a, b, 0, 0, 0)
+
+    def stepping(self, tick: int, component: int, period: int, start: int) -> Row:
+        """The step itself."""
+        return (STEP, tick, component, period, start, 0, 0, 0)
+
+    def works(self, tick: int, name: str) -> Iterator[Row]:
+        """The work of the step that was just done, at every bond of the component."""
+        for book in self.design.books:
+            for side in book.sides:
+                if side.component == name:
+                    weights = (-side.sign, side.sign, 1.0)
+                    if not side.counter:
+                        weights = (side.sign / 2, side.sign / 2, self.duration(name))
+                    a = self.layout.outputs[side.own]
+                    p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
+                    yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
+
+    def duration(self, name: str) -> float:
+        """Length of a component's step [s]."""
+        return float(self.clock.seconds(self.clock.periods[name]))
+
+    def _form(self, c: Connection, tick: int, sample: int, start: int) -> Row:
         """Form an input for the step that begins at `start`, from a source last sampled at `sample`."""
-        transfer = self.choices[c].transfer
-        a, b, target = self.layout.outputs[c.source], self.layout.inputs[c.target], self.index[c.target[0]]
-        source_period, target_period = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
-        kind = self.system.components[c.source[0]].fmu.type_of(c.source[1])
-        if kind is not None and not kind.real:
-            return (MOVE, tick, target, a, b, 0, 0, 0)
-        if transfer == "hold":
-            return (COPY, tick, target, a, b, 0, 0, self._constant(c.gain, c.offset))
-        sample = sample // source_period * source_period
-        p = self.layout.previous[c.source]
-        if transfer == "linear":
-            ratio = linear_ratio(sample, source_period, start, target_period)
-            return (LINEAR, tick, target, a, b, p, 0, self._constant(c.gain, c.offset, ratio))
-        tail = mean_tail(sample, source_period, start + target_period, target_period)
-        return (MEAN, tick, target, a, b, p, self.layout.integrals[c.target], self._constant(c.gain, c.offset, *tail))
-
-    def _constant(self, *values: float) -> int:
-        if values not in self.known:
-            self.known[values] = len(self.coefficients)
-            self.coefficients.extend(values)
-        return self.known[values]
+        transfer, layout = self.design.choices[c].transfer, self.layout
+        a, b, target = layout.outputs[c.source], layout.inputs[c.target], self.index[c.target[0]]
+        h, H = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
+        ahead = c.source[0] in self.design.leaders and sample - h <= start < sample  # the source has stepped already
+        if transfer == "hold" and not ahead:
+            return self.held(c.target, tick, a, b, c.gain, c.offset)
+        p = layout.previous[c.source]
+        if not self.system.components[c.source[0]].fmu.is_real(c.source[1]):
+            return self.held(c.target, tick, p, b, c.gain, c.offset)
+        if transfer == "quadratic":
+            weights = quadratic_weights(sample, h, start, H)
+            k = self.constants.at(c.gain, c.offset, *weights)
+            return (QUADRATIC, tick, target, a, b, p, layout.before[c.source], k)
+        if transfer == "mean":
+            k = self.constants.at(c.gain, c.offset, *mean_tail(sample, h, start + H, H))
+            return (MEAN, tick, target, a, b, layout.start(c.source), layout.integrals[c.target], k)
+        ratio = value_ratio(sample, h, start) if transfer == "hold" else linear_ratio(sample, h, start, H)
+        return (LINEAR, tick, target, a, b, p, 0, self.constants.at(c.gain, c.offset, ratio))

@@ -53,8 +53,8 @@ class Signals:
 
     def time(self, group: int) -> np.ndarray:
         """The instants of a group [s], each exact to the last bit."""
-        clock, period = self.run.plan.clock, self.run.plan.groups[group].period
-        return np.array([clock.time(row * period) for row in range(len(self.run.tables[group]))])
+        clock = self.run.plan.clock
+        return np.array([clock.time(tick) for tick in self.run.ticks[group].tolist()])
 
     @cached_property
     def times(self) -> list[np.ndarray]:
@@ -65,9 +65,12 @@ class Signals:
             raise InputError(f"no recorded signal '{name}'{nearest(name, self.places)}")
         group, column = self.places[name]
         component, _, variable = name.partition(".")
+        values = self.run.tables[group][:, column]
+        extra = self.run.plan.layout.extras.get((component, variable))
+        if extra:
+            return Signal(name, extra.unit, extra.description, self.times[group], values)
         fmu = self.run.plan.system.components[component].fmu
         v, kind = fmu.variables[variable], fmu.type_of(variable)
-        values = self.run.tables[group][:, column]
         if kind is not None:
             values = decode(kind, values)
         if v.type == "String" and self.run.texts is not None:

@@ -12,21 +12,20 @@ from typing import Any
 
 import numpy as np
 
-from . import exchange, execute
+from . import ecco, execute
+from .compiled import compiled_run
 from .errors import RunError
-from .initialize import initialize
-from .instance import STATUS, Instance
+from .failure import failure_of
+from .initialize import Started, initialize
+from .instance import Instance
 from .instances import start
 from .memory import Memory
 from .plan import Plan
 from .process import seconds_since_start
 from .texts import Texts
+from .workspace import free_states, make_workspace
 
-REPORTED = {
-    exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",
-    exchange.EARLY: " returned early (earlyReturn), which it was not allowed to,",
-    exchange.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
-}
+CHUNK = 4096  # rows that a table of unknown length begins with
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 
 
@@ -36,11 +35,12 @@ class Run:
 
     plan: Plan
     tables: list[np.ndarray]  # per group: (rows, columns), row 0 at time 0
+    ticks: list[np.ndarray]  # per group: (rows,), the instants
     failure: str = ""
     end: float = 0.0  # s
     wall: float = 0.0  # s, in the loop
     start: float = 0.0  # s, from the start of the process to the end of the first block of steps
-    sweeps: int = 0
+    started: Started = field(default_factory=Started)
     texts: Texts | None = None  # those whose numbers the tables hold
     calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
 
@@ -59,7 +59,7 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
             for name, component in plan.system.components.items():
                 instances[name] = start(component)
             memory = Memory(plan)
-            sweeps = initialize(plan, instances, memory)
+            started = initialize(plan, instances, memory)
             calculated = {
                 f"{name}.{variable}": instance.get(variable)
                 for name, instance in instances.items()
@@ -67,7 +67,7 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
                 if instance.fmu.type_of(variable) is not None
             }
             run = _Loop(plan, instances, memory, control).go(interpreted, progress)
-        run.sweeps, run.calculated = sweeps, calculated
+        run.started, run.calculated = started, calculated
         return run
     finally:
         for instance in instances.values():
@@ -81,8 +81,9 @@ class _Loop:
         self.plan, self.instances, self.memory, self.control = plan, instances, memory, control
         self.z = memory.z
         self.components, self.blocks, self.typed = memory.tables(instances)
-        self.rows_wanted = [plan.clock.stop // group.period + 1 for group in plan.groups]
-        sizes = [rows * len(group.slots) for rows, group in zip(self.rows_wanted, plan.groups, strict=True)]
+        self.space = make_workspace(plan, instances)
+        rows_wanted = [CHUNK if plan.adaptive else plan.clock.stop // group.period + 1 for group in plan.groups]
+        sizes = [rows * len(group.slots) for rows, group in zip(rows_wanted, plan.groups, strict=True)]
         firsts = np.cumsum([0, *(len(group.slots) for group in plan.groups)])
         cells = np.cumsum([0, *sizes])
         self.groups = np.array(
@@ -96,17 +97,20 @@ class _Loop:
 
     def go(self, interpreted: bool, progress: Callable[[float], None] | None) -> Run:
         clock, plan = self.plan.clock, self.plan
-        function = execute.run if interpreted else execute.compiled_run()
-        cycles = clock.stop // clock.hyperperiod  # every period divides the stop
+        function = execute.run if interpreted else compiled_run()
+        ticks = 0 if plan.adaptive else clock.hyperperiod
+        cycles = clock.stop if plan.adaptive else clock.stop // clock.hyperperiod  # every period divides the stop
         code, wall, reached, began, failure = execute.DONE, 0.0, 0.0, 0.0, ""
         first, block = 0, 1
-        while first < cycles and code == execute.DONE:
+        while first < cycles and code == execute.DONE and (not plan.adaptive or self.space.clock[ecco.STEP] > 0):
             size = min(block, cycles - first)
+            if plan.adaptive:
+                self._make_room(size)
             begin = time.perf_counter()
             code = function(
                 plan.cycle, plan.coefficients, self.components, self.blocks, self.z, *self.typed, self.slots,
-                self.groups, self.buffer, self.rows, self.control, first, size, clock.hyperperiod, clock.numerator,
-                clock.denominator,
+                self.groups, self.buffer, self.rows, self.control, *self.space.arrays, first, size, ticks,
+                clock.numerator, clock.denominator,
             )  # fmt: skip
             spent = time.perf_counter() - begin
             wall += spent
@@ -114,56 +118,31 @@ class _Loop:
             first += size
             block = max(1, min(2 * block, int(size * BLOCK / max(spent, 1e-6))))
             if code == execute.DONE:
-                reached = clock.time(first * clock.hyperperiod)
+                reached = clock.time(int(self.space.clock[ecco.NOW]) or first * ticks)
                 if progress:
                     progress(reached)
         if code != execute.DONE:
-            reached, failure = self._failure(code)
+            reached, failure = failure_of(plan, self.instances, code, self.control, self.z, self.space)
+            if plan.system.algorithm == "iterated":  # what a pass recorded that was not the last
+                whole = int(self.control[execute.AT_CYCLE]) * clock.hyperperiod
+                self.rows[: len(plan.groups)] = [whole // group.period + 1 for group in plan.groups]
+        free_states(self.space, self.instances)
         tables = [
             self.buffer[start : start + rows * columns].reshape(rows, columns)
             for (_, columns, start), rows in zip(self.groups.tolist(), self.rows.tolist(), strict=True)
         ]
-        return Run(plan, tables, failure, reached, wall, began, texts=self.memory.texts)
+        grids = [group.period * np.arange(len(table)) for group, table in zip(plan.groups, tables, strict=True)]
+        if plan.adaptive:
+            column = plan.groups[0].columns.index(("coupling", "tick"))
+            grids = [tables[0][:, column].astype(np.int64)]
+        return Run(plan, tables, grids, failure, reached, wall, began, texts=self.memory.texts)
 
-    def _failure(self, code: int) -> tuple[float, str]:
-        """The time until which every component is complete, and what happened."""
-        clock, operations = self.plan.clock, self.plan.cycle
-        row = operations[self.control[execute.AT_OPERATION]]
-        begin = int(self.control[execute.AT_CYCLE]) * clock.hyperperiod
-        name = list(self.plan.system.components)[row[2]]
-        ahead = clock.periods[name] if row[2] >= 0 and name in self.plan.samplers else 0
-        at = clock.time(begin + int(row[1]) + ahead)
-        ticks = operations[:, 1]
-        end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
-        if code == execute.INTERRUPTED:
-            return end, f"interrupted by the user at t = {end:.9g} s"
-        return end, f"component {name}{self._what(name, code)} in the step to t = {at:.9g} s" + self._hint(name, code)
-
-    def _what(self, name: str, code: int) -> str:
-        """What a component did."""
-        status, instance = int(self.control[execute.STATUS]), self.instances[name]
-        slot = int(self.control[execute.SLOT])
-        if code == execute.NOT_FINITE:
-            return f": output {self._output(name, slot)} became {self.z[slot]}"
-        if instance.fault:
-            return f": {instance.fault}"
-        if status == exchange.NO_ROOM:
-            output = self._output(name, slot)
-            return f": there is no room for another text of output {output}; do not record or connect it,"
-        if status in REPORTED:
-            return REPORTED[status]
-        instance.dead = status == 4
-        return f" returned {instance.prefix}{STATUS[status]}"
-
-    def _hint(self, name: str, code: int) -> str:
-        instance = self.instances[name]
-        if code == execute.NOT_FINITE:
-            return f"; see its inputs and parameters{instance.log_text()}"
-        discarded = code == execute.BAD_STATUS and self.control[execute.STATUS] == 2
-        return (instance.why_discarded() if discarded else "") + instance.log_text()
-
-    def _output(self, name: str, slot: int) -> str:
-        return next(variable for variable, s in self.plan.layout.exchanged(name)[1].items() if s == slot)
+    def _make_room(self, rows: int) -> None:
+        """Let the one table of a run with varying steps hold this many more rows."""
+        columns = int(self.groups[0, 1])
+        missing = (int(self.rows[0]) + rows) * columns - len(self.buffer)
+        if missing > 0:
+            self.buffer = np.concatenate([self.buffer, np.zeros(max(missing, len(self.buffer)))])
 
 
 @contextmanager

@@ -21,7 +21,8 @@ from typing import Any
 
 import numpy as np
 
-from .energy import balance, ledger
+from .books import coupling_unit
+from .energy import balance, ledger, over_limits
 from .errors import InputError, nearest
 from .process import peak_memory
 from .signals import Signal, Signals
@@ -94,11 +95,14 @@ def summarize(run: Run) -> dict[str, Any]:
         result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)
     ledgers = [ledger(signals, bond) for bond in run.plan.system.bonds]
     if ledgers:
-        carried = max(max(abs(x.effort_side), abs(x.flow_side)) for x in ledgers)
+        carried = max(x.carried for x in ledgers)
         result["coupling_energy_relative"] = max(abs(x.made) for x in ledgers) / carried if carried else 0.0
         result["coupling_energy"] = {
-            x.name: {"effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made} for x in ledgers
-        }
+            x.name: {
+                "effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made,
+                "within": not over_limits([x], [bond]),
+            } for x, bond in zip(ledgers, run.plan.system.bonds, strict=True)
+        }  # fmt: skip
     entry = run.plan.system.reporting["balance"]
     if entry:
         books = balance(signals, entry, ledgers)
@@ -108,10 +112,31 @@ def summarize(run: Run) -> dict[str, Any]:
         }
     result["window_s"] = [begin, end]
     result["window_turns"] = turns
-    clock = run.plan.clock
-    result["macro_steps"] = round(run.end / clock.time(min(clock.periods.values())))
+    result |= coupling(run, signals)
     result |= {"simulated_s": run.end, "wall_s": run.wall, "real_time_factor": run.end / run.wall if run.wall else 0.0}
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
+
+
+def coupling(run: Run, signals: Signals) -> dict[str, Any]:
+    """How many macro steps the run took, and how the algorithm did: iterations, residuals, loops at time 0."""
+    clock, system = run.plan.clock, run.plan.system
+    steps = round(run.end / clock.time(min(clock.periods.values())))
+    found: dict[str, Any] = {"macro_steps": len(run.ticks[0]) - 1 if run.plan.adaptive else steps}
+    if system.algorithm == "iterated":
+        count, residual = (signals[f"coupling.{name}"].values for name in ("iterations", "residual"))
+        found["iteration"] = {
+            "method": system.iteration.method, "tolerance": system.iteration.tolerance,
+            "iterations": int(np.sum(count)), "iterations_max": int(np.max(count)),
+            "residual_max": float(np.max(residual)),
+        }  # fmt: skip
+        found["iterations_max"] = found["iteration"]["iterations_max"]
+    if run.plan.adaptive:
+        step = signals["coupling.step"].values[1:]
+        found |= {"step_min_s": float(np.min(step, initial=math.inf)), "step_max_s": float(np.max(step, initial=0.0))}
+    if run.started.loops:
+        found["initial_loops"] = run.started.loops
+        found["initial_loop_residual"] = max(run.started.loops.values())
+    return found
 
 
 def figure_units(system: System) -> dict[str, str]:
@@ -121,7 +146,10 @@ def figure_units(system: System) -> dict[str, str]:
         if key != "window":
             operation, name = str(text).split()[:2]
             component, _, variable = name.partition(".")
-            unit = system.components[component].fmu.variables[variable].unit or "1"
+            if component in system.components:
+                unit = system.components[component].fmu.variables[variable].unit or "1"
+            else:
+                unit = coupling_unit(variable)
             units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
     return units | ({"coupling_energy_relative": "1"} if system.bonds else {})
 
@@ -155,8 +183,18 @@ def strongest_frequency(signal: Signal, begin: float, end: float) -> float:
     values = signal.values[(signal.time >= begin) & (signal.time < end)]
     if len(values) < 4:
         return 0.0
+    steps = np.diff(signal.time)
+    if np.ptp(steps) > 1e-9 * np.mean(steps):  # the spectrum needs equal steps
+        even = np.linspace(begin, end, len(values), endpoint=False)
+        values = np.interp(even, signal.time, signal.values)
+        return float(np.fft.rfftfreq(len(values), even[1] - even[0])[_strongest(values)])
+    return float(np.fft.rfftfreq(len(values), signal.time[1] - signal.time[0])[_strongest(values)])
+
+
+def _strongest(values: np.ndarray) -> int:
+    """Position of the highest line of the spectrum, the mean taken away."""
     spectrum = np.abs(np.fft.rfft(values - values.mean()))
-    return float(np.fft.rfftfreq(len(values), signal.time[1] - signal.time[0])[np.argmax(spectrum)])
+    return int(np.argmax(spectrum))
 
 
 def comparison(run: Run, summary: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from .algorithms import Ecco, Iteration
 from .errors import InputError, nearest
 from .fmu import Fmu, parse_value
 
@@ -58,6 +60,10 @@ class Bond:
     effort: tuple[str, str]  # output and input, as "component.variable"
     flow: tuple[str, str]  # the input is empty where the other side is not told of the flow
     sign: float
+    impulse: str = ""  # an output that counts the time integral of the effort exactly
+    displacement: str = ""  # and of the flow
+    limit: float = math.inf  # J that the coupling may make or lose over the run
+    limit_relative: float = math.inf  # of the energy that the bond carries
 
 
 @dataclass(frozen=True)
@@ -86,6 +92,8 @@ class System:
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
+    iteration: Iteration = field(default_factory=Iteration)
+    ecco: Ecco = field(default_factory=Ecco)
 
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.

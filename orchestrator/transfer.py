@@ -1,13 +1,17 @@
 """Rate transitions: how the samples of an output become the input that is held over a step.
 
 Notation: the target steps from t to t + H; the source was sampled at its own instants, s the last of them, h its
-period, f its value there and f' the value one period before. Errors are those of the held input against the true
-signal over the target's step.
+period, f its value there, f' and f'' the values one and two periods before. Errors are those of the held input against
+the mean of the true signal over the target's step.
 
-    hold     f                                          O(h + H): the latest value
-    linear   f + (f - f') (t + H/2 - s)/h               O(H^2): extrapolated to the middle of the step
-    mean     (1/H) integral of f from t to t + H        the average of a faster source, trapezoidal rule; what one
-             average extrapolates beyond s is taken back from the next, so no impulse is made or lost
+    hold         f                                       O(h + H): the latest value
+    linear       f + (f - f') (t + H/2 - s)/h            O((h + H)^2): extrapolated to the middle of the step
+    quadratic    mean over the step of the parabola through f, f', f''
+                                                         O((h + H)^3)
+    interpolate  the line through f' and f at t + H/2, where the source stepped first: s is not before the step's end
+                                                         O(h^2 + H^2), and nothing is extrapolated
+    mean         (1/H) integral of f from t to t + H     O(h^2): the average of a faster source, trapezoidal rule; what
+                 one average extrapolates beyond s is taken back from the next, so no impulse is made or lost
 """
 
 from __future__ import annotations
@@ -15,7 +19,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-TRANSFERS = ("hold", "linear", "mean")
+TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
+HISTORY = {
+    "hold": 0,
+    "linear": 1,
+    "quadratic": 2,
+    "interpolate": 1,
+    "mean": 1,
+    "iterated": 1,
+}  # earlier samples that a transfer needs
+CHANGING = ("linear", "quadratic", "interpolate")  # transfers that change the input between samples of its source
 
 
 @dataclass(frozen=True)
@@ -57,3 +70,16 @@ def mean_tail(sample: int, source_period: int, end: int, target_period: int) -> 
     gap, h = end - sample, source_period
     slope = Fraction(gap * gap, 2 * h)
     return float((gap + slope) / target_period), float(-slope / target_period)
+
+
+def quadratic_weights(sample: int, source_period: int, start: int, target_period: int) -> tuple[float, float]:
+    """Weights of f - f' and f - 2 f' + f'' in the mean over the step of the parabola through the three samples."""
+    x0, x1 = (Fraction(t - sample, source_period) for t in (start, start + target_period))
+    slope = (x0 + x1) / 2
+    square = (x0 * x0 + x0 * x1 + x1 * x1) / 3  # the mean of x^2
+    return float(slope), float((square + slope) / 2)
+
+
+def value_ratio(sample: int, source_period: int, at: int) -> float:
+    """(at - s)/h: weight of f - f' in the value on the line at one instant."""
+    return float(Fraction(at - sample, source_period))

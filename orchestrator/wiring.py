@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from .errors import InputError, nearest
@@ -14,6 +14,8 @@ from .system import Bond, Component, Connection, Requirement
 from .toml_file import TomlFile
 from .transfer import TRANSFERS
 from .units import conversion
+
+BOND_KEYS = {"name", "effort", "flow", "sign", "impulse", "displacement", "limit", "limit_relative"}
 
 
 @dataclass(frozen=True)
@@ -137,16 +139,23 @@ def bond_of(
     """
     by_target = {".".join(c.target): c for c in connections}
     ends = []
+    name = str(entry.get("name", entry.get("effort")))
+    for key in entry.keys() - BOND_KEYS:
+        raise file.fail(f"bond {name}: unknown key '{key}'{nearest(key, BOND_KEYS)}", key, "bonds")
     if entry.get("sign", 1.0) not in (1.0, -1.0):
-        raise file.fail(
-            f"bond {entry.get('name', entry.get('effort'))}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds"
-        )
-    sign, name = float(entry.get("sign", 1.0)), str(entry.get("name", entry.get("effort")))
+        raise file.fail(f"bond {name}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds")
+    sign = float(entry.get("sign", 1.0))
+    limits: dict[str, Any] = {
+        key: _limit(file, name, key, entry) for key in ("limit", "limit_relative") if key in entry
+    }
     owner, _, variable = str(entry.get("flow")).partition(".")
     if entry.get("effort") in by_target and owner in components and variable in components[owner].fmu.names("output"):
         effort = by_target[entry["effort"]]
         if effort.target[0] == owner:
-            return Bond(name, (".".join(effort.source), ".".join(effort.target)), (f"{owner}.{variable}", ""), sign)
+            pair = (".".join(effort.source), ".".join(effort.target))
+            return _with_counters(
+                file, components, entry, Bond(name, pair, (f"{owner}.{variable}", ""), sign, **limits)
+            )
     for key in ("effort", "flow"):
         if entry.get(key) not in by_target:
             raise file.fail(
@@ -161,7 +170,38 @@ def bond_of(
             str(entry["effort"]),
         )
     pairs = [(".".join(c.source), ".".join(c.target)) for c in ends]
-    return Bond(name, pairs[0], pairs[1], sign)
+    return _with_counters(file, components, entry, Bond(name, pairs[0], pairs[1], sign, **limits))
+
+
+def _limit(file: TomlFile, name: str, key: str, entry: dict[str, Any]) -> float:
+    value = entry[key]
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not value >= 0.0:
+        unit = " of J" if key == "limit" else ""
+        raise file.fail(f"bond {name}: {key} = {value!r} must be a number{unit}, 0 or more", key, "bonds")
+    return float(value)
+
+
+def _with_counters(file: TomlFile, components: dict[str, Component], entry: dict[str, Any], bond: Bond) -> Bond:
+    """`impulse` and `displacement`: outputs of the sources of effort and flow that count their time integrals."""
+    for key, source in (("impulse", bond.effort[0]), ("displacement", bond.flow[0])):
+        if key not in entry:
+            continue
+        owner, _, variable = str(entry[key]).partition(".")
+        outputs = [f"{owner}.{v}" for v in components[owner].fmu.names("output")] if owner in components else []
+        if owner != source.partition(".")[0] or f"{owner}.{variable}" not in outputs:
+            known = components[source.partition(".")[0]].fmu.names("output")
+            raise file.fail(
+                f"bond {bond.name}: {key} = {entry[key]!r} is no output of {source.partition('.')[0]}, "
+                f"which gives {source}{nearest(variable, known)}",
+                str(entry[key]),
+            )
+        found: dict[str, Any] = {key: f"{owner}.{variable}"}
+        bond = replace(bond, **found)
+    for name in filter(None, (*bond.effort, *bond.flow, bond.impulse, bond.displacement)):
+        owner, _, variable = name.partition(".")
+        if not components[owner].fmu.is_real(variable):
+            raise file.fail(f"bond {bond.name}: {name} is no floating-point signal and carries no power", "bonds")
+    return bond
 
 
 def requirement_of(file: TomlFile, components: dict[str, Component], entry: dict[str, Any]) -> Requirement:

@@ -78,6 +78,8 @@ def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop
 def _toml(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(f'{key} = {_toml(v)}' for key, v in value.items())} }}"
     return (
         json.dumps(value, ensure_ascii=False)
         if isinstance(value, str)
@@ -109,9 +111,9 @@ def run_of(folder: Path, fmus: Path, *args: Any, interpreted: bool = False, **ke
 def column(run: Run, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Times and values of `component.variable`."""
     key = tuple(name.split(".", 1))
-    for group, table in zip(run.plan.groups, run.tables, strict=True):
+    for group, table, ticks in zip(run.plan.groups, run.tables, run.ticks, strict=True):
         if key in group.columns:
-            times = np.array([run.plan.clock.time(k * group.period) for k in range(len(table))])
+            times = np.array([run.plan.clock.time(tick) for tick in ticks.tolist()])
             return times, table[:, group.columns.index(key)]
     raise KeyError(name)
 

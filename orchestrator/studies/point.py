@@ -18,6 +18,7 @@ from typing import Any
 
 from ..changes import UNCHANGED, Changes
 from ..clock import duration
+from ..energy import require_energy
 from ..errors import InputError, RunError
 from ..plan import Plan, make_plan
 from ..process import peak_memory
@@ -67,7 +68,7 @@ def needed(system: System) -> tuple[str, ...]:
     summary = dict(system.reporting["summary"])
     angle = summary.pop("window", {}).get("angle")
     names = {name for text in summary.values() for name in str(text).split()[1:]} | ({angle} if angle else set())
-    return tuple(sorted(names.union(*(set(bond.effort) | set(bond.flow) for bond in system.bonds))))
+    return tuple(sorted(names))
 
 
 def digest(system: System) -> str:
@@ -83,9 +84,10 @@ def digest(system: System) -> str:
         for name, c in system.components.items()
     }
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
-    bonds = [[b.name, b.effort, b.flow, b.sign] for b in system.bonds]
-    content = [components, wiring, bonds, system.algorithm, system.order, str(system.stop), system.reporting["summary"]]
-    return hashlib.sha256(json.dumps(content).encode()).hexdigest()
+    coupling = [system.algorithm, system.order, astuple(system.iteration), astuple(system.ecco)]
+    bonds = [astuple(bond) for bond in system.bonds]
+    content = [components, wiring, bonds, coupling, str(system.stop), system.reporting["summary"]]
+    return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()
 
 
 def run_point(job: Job, values: dict[str, Any]) -> Record:
@@ -95,9 +97,8 @@ def run_point(job: Job, values: dict[str, Any]) -> Record:
         cpu, wall = time.process_time(), time.perf_counter()
         try:
             plan = load(job)
-            summary = summarize(
-                require_complete(simulate(replace(plan, system=plan.system.with_values(values, "--vary"))))
-            )
+            run = require_complete(simulate(replace(plan, system=plan.system.with_values(values, "--vary"))))
+            summary = summarize(require_energy(run))
             figures = {name: float(summary[name]) for name in figure_units(plan.system)}
             record["figures"] = {name: value if math.isfinite(value) else None for name, value in figures.items()}
         except Exception as error:

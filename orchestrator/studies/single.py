@@ -10,6 +10,7 @@ from ..boundary import write_boundary
 from ..changes import UNCHANGED, Changes
 from ..clock import duration
 from ..console import console, print_comparison, print_notes, print_summary, progress
+from ..energy import require_energy
 from ..errors import InputError, RunError, nearest
 from ..plan import Plan, make_plan
 from ..reader import load_system
@@ -40,6 +41,8 @@ def planned(
     if stop:
         system = replace(system, stop=duration(stop, "--stop"))
     plan = make_plan(system)
+    if boundaries and plan.adaptive:
+        raise InputError(f"--record-boundary needs steps of one length; with algorithm 'ecco' they vary ({name})")
     check_reporting({".".join(key) for group in plan.groups for key in group.columns}, system)
     return plan
 
@@ -75,6 +78,7 @@ def run_system(
     console.print(f"wrote {', '.join(path.name for path in paths)} to {out}")
     if run.failure:
         raise RunError(f"{run.failure}\nwhat was computed until then is in {out}, marked incomplete")
+    require_energy(run)
     outside = [row["label"] for row in rows if row["within"] is False]
     if check and outside:
         raise RunError(f"outside their bounds: {', '.join(outside)}")

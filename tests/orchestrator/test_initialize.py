@@ -1,4 +1,4 @@
-"""Time 0: values propagate along the connections, loops are refused, and inputs are never set to made-up numbers."""
+"""Time 0: values propagate along the connections, loops are solved, and inputs are never set to made-up numbers."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.simulation import simulate
 
 
@@ -25,14 +26,39 @@ def test_a_loop_through_a_state_settles(tmp_path: Path, fmus: Path) -> None:
     assert column(run, "g.y")[1][0] == -3.0
 
 
-def test_an_algebraic_loop_is_refused_by_name(tmp_path: Path, fmus: Path) -> None:
-    parts = {
-        "a": ("gain", "10 ms", {"k": 0.5, "offset": 1.0}),
-        "b": ("gain", "10 ms", {"k": 0.7, "offset": 1.0}),
-        "w": ("wave", "10 ms"),
-    }
-    with pytest.raises(FmuError, match=r"the inputs a\.u, b\.u and the outputs that drive them form an algebraic loop"):
-        simulate(plan_of(tmp_path, fmus, parts, ["a.y -> b.u", "b.y -> a.u"]))
+LOOP = ["a.y -> b.u", "b.y -> a.u"]
+
+
+def test_an_algebraic_loop_is_solved_and_its_residual_is_reported(tmp_path: Path, fmus: Path) -> None:
+    """a = k b + 1, b = k a + 1: sweeps would settle slowly for 0.9 and never for 3."""
+    for k in (0.9, 3.0, -2.0):
+        parts = {name: ("gain", "10 ms", {"k": k, "offset": 1.0}) for name in "ab"}
+        run = run_of(tmp_path, fmus, parts, LOOP, stop="10 ms")
+        assert column(run, "a.y")[1][0] == pytest.approx(1.0 / (1.0 - k), rel=1e-9)
+        assert list(run.started.loops) == ["loop b.u, a.u"] and run.started.loops["loop b.u, a.u"] <= 1e-9
+
+
+def test_a_nonlinear_loop_is_solved(tmp_path: Path, fmus: Path) -> None:
+    """r = 1/u and u = 2 r - 1/2: 2 r^2 - r/2 = 1, from the FMU's start value 1 to the positive root."""
+    parts = {"r": ("root", "10 ms"), "g": ("gain", "10 ms", {"k": 2.0, "offset": -0.5})}
+    run = run_of(tmp_path, fmus, parts, ["r.y -> g.u", "g.y -> r.u"], stop="10 ms")
+    assert column(run, "r.y")[1][0] == pytest.approx((0.5 + (0.25 + 8.0) ** 0.5) / 4.0, rel=1e-9)
+
+
+def test_what_comes_behind_a_loop_gets_its_solution(tmp_path: Path, fmus: Path) -> None:
+    gain = ("gain", "10 ms", {"k": 0.5, "offset": 1.0})
+    parts = {"last": gain, "a": gain, "b": gain, "w": ("wave", "10 ms", {"c0": 3.0}), "first": gain}
+    plan = plan_of(tmp_path, fmus, parts, ["a.y -> last.u", *LOOP, "w.y -> first.u"], stop="10 ms")
+    labels = [block.label for block in plan.start]
+    assert labels.index("loop b.u, a.u") < labels.index("a.y -> last.u")
+    assert "loop b.u, a.u (solved as a whole)" in explain(plan)
+    assert column(simulate(plan), "last.y")[1][0] == pytest.approx(2.0)
+
+
+def test_a_loop_without_solution_is_refused_by_name(tmp_path: Path, fmus: Path) -> None:
+    parts = {name: ("gain", "10 ms", {"k": 1.0, "offset": 1.0}) for name in "ab"}
+    with pytest.raises(FmuError, match=r"the algebraic loop b\.u, a\.u has no solution .* residual"):
+        simulate(plan_of(tmp_path, fmus, parts, LOOP))
 
 
 def test_an_input_is_never_set_before_its_source_is_known(tmp_path: Path, fmus: Path) -> None:

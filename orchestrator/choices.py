@@ -1,0 +1,173 @@
+"""Who steps when, and by which transfer each connection gets its values."""
+
+from __future__ import annotations
+
+from .clock import Clock, seconds_text
+from .errors import InputError
+from .system import Connection, System
+from .transfer import CHANGING, Choice, choose
+
+
+def discrete(system: System, end: tuple[str, str]) -> bool:
+    return bool(system.components[end[0]].fmu.variables[end[1]].variability == "discrete")
+
+
+def samplers_of(system: System) -> tuple[str, ...]:
+    """Components with connected inputs, all of which are sampled (FMI variability `discrete`)."""
+    into = {name: [c.target for c in system.connections if c.target[0] == name] for name in system.components}
+    return tuple(name for name, ends in into.items() if ends and all(discrete(system, end) for end in ends))
+
+
+def leaders_of(system: System, samplers: tuple[str, ...]) -> tuple[str, ...]:
+    """Components whose outputs are interpolated: they step before those that receive them."""
+    sources = {c.source[0] for c in system.connections if c.transfer == "interpolate"}
+    return tuple(name for name in system.components if name in sources and name not in samplers)
+
+
+def choices_of(
+    system: System, clock: Clock, samplers: tuple[str, ...], leaders: tuple[str, ...]
+) -> dict[Connection, Choice]:
+    """The transfer of every connection. Raises InputError where a stated one has no meaning."""
+    found = {}
+    for c in system.connections:
+        if not system.components[c.source[0]].fmu.is_real(c.source[1]):
+            found[c] = _held(system, c)
+        elif system.algorithm == "iterated":
+            found[c] = _iterated(c, samplers)
+        elif system.algorithm == "ecco":
+            found[c] = _adaptive(c)
+        else:
+            found[c] = _choice(system, clock, c, samplers, leaders)
+    return found
+
+
+def _held(system: System, c: Connection) -> Choice:
+    """What is no floating-point signal has nothing between its values."""
+    kind = system.components[c.source[0]].fmu.variables[c.source[1]].type
+    if c.transfer not in ("", "hold"):
+        raise InputError(
+            f"connection {c.label}: a {kind} is held, '{c.transfer}' has no meaning for it; take 'hold' {c.where}"
+        )
+    return Choice("hold", f"a {kind} is held")
+
+
+def _iterated(c: Connection, samplers: tuple[str, ...]) -> Choice:
+    sampler = next((end[0] for end in (c.source, c.target) if end[0] in samplers), None)
+    if sampler and c.transfer in ("", "hold"):
+        return Choice("hold", f"{sampler} samples its inputs and holds its outputs")
+    if sampler or c.transfer not in ("", "mean"):
+        raise InputError(
+            f"connection {c.label}: algorithm 'iterated' holds inputs at the mean over their step, so "
+            f"'{c.transfer}' has no meaning; leave it out {c.where}"
+        )
+    return Choice("iterated", "the mean of the source over the step, both ends known by iteration: second order")
+
+
+def _adaptive(c: Connection) -> Choice:
+    if c.transfer not in ("", "hold"):
+        raise InputError(
+            f"connection {c.label}: algorithm 'ecco' judges held inputs, so '{c.transfer}' has no meaning; "
+            f"leave it out {c.where}"
+        )
+    return Choice("hold", "all components take the same step")
+
+
+def _choice(
+    system: System, clock: Clock, connection: Connection, samplers: tuple[str, ...], leaders: tuple[str, ...]
+) -> Choice:
+    source, target = (clock.periods[end[0]] for end in (connection.source, connection.target))
+    sampled = [discrete(system, end) for end in (connection.source, connection.target)]
+    choice = choose(connection.transfer, source, target, *sampled)
+    sampler = next((end[0] for end in (connection.source, connection.target) if end[0] in samplers), None)
+    if choice.transfer != "hold" and sampler:
+        if connection.transfer:
+            raise InputError(
+                f"connection {connection.label}: {sampler} samples its inputs, so '{choice.transfer}' has no meaning; "
+                f"take 'hold' {connection.where}"
+            )
+        return Choice("hold", f"{sampler} samples its inputs and holds its outputs")
+    if choice.transfer == "mean" and source > target:
+        raise InputError(
+            f"connection {connection.label}: 'mean' needs a source that is no slower than the target "
+            f"({seconds_text(clock.seconds(source))} against {seconds_text(clock.seconds(target))}); "
+            f"take 'linear' or 'hold' {connection.where}"
+        )
+    if choice.transfer == "interpolate" and source < target:
+        raise InputError(
+            f"connection {connection.label}: 'interpolate' needs a source that is no faster than the target "
+            f"({seconds_text(clock.seconds(source))} against {seconds_text(clock.seconds(target))}); "
+            f"take 'mean' {connection.where}"
+        )
+    return _with_leaders(connection, choice, leaders)
+
+
+def _with_leaders(c: Connection, choice: Choice, leaders: tuple[str, ...]) -> Choice:
+    """What changes where one end steps first."""
+    source, target = c.source[0], c.target[0]
+    if source in leaders and not c.transfer and choice.transfer in ("hold", "linear"):
+        return Choice("interpolate", f"{source} steps first, so both ends are known")
+    if target in leaders and source not in leaders and choice.transfer == "mean":
+        if c.transfer:
+            raise InputError(
+                f"connection {c.label}: {target} steps before {source} (its outputs are interpolated), so there is no "
+                f"'mean' yet; take 'linear' or 'hold' {c.where}"
+            )
+        return Choice("linear", f"{target} steps first (its outputs are interpolated): extrapolated to its middle")
+    return choice
+
+
+def check_leaders(choices: dict[Connection, Choice], leaders: tuple[str, ...], order: tuple[str, ...]) -> None:
+    """Raise InputError where of two components each would have to step before the other."""
+    for c, choice in choices.items():
+        a, b = c.source[0], c.target[0]
+        if choice.transfer == "interpolate" and b in leaders and order.index(a) >= order.index(b):
+            raise InputError(
+                f"connection {c.label}: 'interpolate' needs {a} to step first, but outputs of {b} are interpolated too "
+                f"and it comes before {a} in the order ({', '.join(order)}); state another order or transfer {c.where}"
+            )
+
+
+def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, str]:
+    """Components whose outputs are read at the beginning of a step too, behind its inputs, and the reason."""
+    found: dict[str, str] = {}
+    for c, choice in choices.items():
+        name, output = c.source
+        if choice.transfer not in ("mean", "iterated"):
+            continue
+        answers = system.components[name].fmu.feedthrough()[output]
+        changing = [
+            i.target[1]
+            for i, transfer in choices.items()
+            if i.target[0] == name and i.target[1] in answers and transfer.transfer in (*CHANGING, "iterated")
+        ]
+        if changing and name not in found:
+            found[name] = f"{output} depends at once on {changing[0]}, which changes between the ends of two steps"
+    return found
+
+
+def order_of(system: System, clock: Clock) -> tuple[tuple[str, ...], str]:
+    """Faster components first; among equals, a source before its target where the graph allows it."""
+    if system.order:
+        slower = [
+            (a, b) for a, b in zip(system.order, system.order[1:], strict=False) if clock.periods[a] > clock.periods[b]
+        ]
+        if slower:
+            raise InputError(
+                f"order: {slower[0][0]} is slower than {slower[0][1]} and must come after it ({system.path.name})"
+            )
+        return system.order, "stated in the system file"
+    waiting, done = sorted(system.components, key=lambda name: clock.periods[name]), []
+    while waiting:
+        rate = [name for name in waiting if clock.periods[name] == clock.periods[waiting[0]]]
+        sources = {
+            name: {
+                c.source[0]
+                for c in system.connections
+                if c.target[0] == name and c.source[0] in rate and c.source[0] != name
+            }
+            for name in rate
+        }
+        ready = [name for name in rate if not sources[name]] or rate
+        done.append(ready[0])
+        waiting.remove(ready[0])
+    return tuple(done), "fast before slow; at one rate a source before its target, cycles cut in the order of the file"

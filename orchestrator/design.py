@@ -1,0 +1,54 @@
+"""What is decided of a run before its operations are listed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .books import Book
+from .clock import Clock
+from .layout import Group, Layout
+from .start import Block
+from .system import Connection, System
+from .transfer import Choice
+
+
+@dataclass(frozen=True)
+class Design:
+    """Rates, transfers, order and memory of a run."""
+
+    system: System
+    clock: Clock
+    order: tuple[str, ...]
+    order_reason: str
+    choices: dict[Connection, Choice]
+    samplers: tuple[str, ...]  # components that step at the beginning of their period: all their inputs are sampled
+    leaders: tuple[str, ...]  # components that do so because their outputs are interpolated
+    rereads: dict[str, str]  # components whose outputs are read at the beginning of a step too, and why
+    layout: Layout
+    books: tuple[Book, ...]
+    groups: tuple[Group, ...]
+    start: tuple[Block, ...]  # the order in which values propagate at time 0
+
+    def into(self, name: str) -> list[Connection]:
+        """The connections into a component."""
+        return [c for c in self.system.connections if c.target[0] == name]
+
+    @property
+    def early(self) -> tuple[str, ...]:
+        """Components whose step is done at its beginning."""
+        return (*self.samplers, *self.leaders)
+
+
+@dataclass
+class Constants:
+    """The coefficients of operations, each tuple once."""
+
+    values: list[float]
+    known: dict[tuple[float, ...], int]
+
+    def at(self, *values: float) -> int:
+        """The position at which a tuple of coefficients begins."""
+        if values not in self.known:
+            self.known[values] = len(self.values)
+            self.values.extend(values)
+        return self.known[values]

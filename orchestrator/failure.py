@@ -1,0 +1,72 @@
+"""Why a run ended early: who, what and when, from what the loop leaves in its cells."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from . import ecco, exchange, execute, iteration
+from .instance import STATUS, Instance
+from .plan import Plan
+from .workspace import Workspace
+
+REPORTED = {
+    exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",
+    exchange.EARLY: " returned early (earlyReturn), which it was not allowed to,",
+    exchange.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
+}
+
+
+def failure_of(
+    plan: Plan, instances: Mapping[str, Instance], code: int, control: np.ndarray, z: np.ndarray, space: Workspace
+) -> tuple[float, str]:
+    """The time [s] until which every component is complete, and what happened; arrays as in `execute.run`."""
+    clock, operations = plan.clock, plan.cycle
+    row = operations[control[execute.AT_OPERATION]]
+    begin = int(control[execute.AT_CYCLE]) * clock.hyperperiod
+    name = list(plan.system.components)[row[2]]
+    ahead = clock.periods[name] if row[2] >= 0 and name in plan.early else 0
+    at = clock.time(begin + int(row[1]) + ahead)
+    ticks = operations[:, 1]
+    end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
+    if plan.adaptive:
+        now, step = int(space.clock[ecco.NOW]), int(space.clock[ecco.STEP])
+        at, end = clock.time(now + step), clock.time(now)
+    if plan.system.algorithm == "iterated":
+        end = clock.time(begin)
+    if code == execute.INTERRUPTED:
+        return end, f"interrupted by the user at t = {end:.9g} s"
+    if code == execute.NOT_CONVERGED:
+        return end, _not_converged(plan, space, at)
+    did, hint = _said(plan, instances[name], code, control, z)
+    return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
+
+
+def _said(plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.ndarray) -> tuple[str, str]:
+    """What a component did, and what may help."""
+    status, slot = int(control[execute.STATUS]), int(control[execute.SLOT])
+    outputs = {s: variable for variable, s in plan.layout.exchanged(instance.name)[1].items()}
+    if code == execute.NOT_FINITE:
+        return f": output {outputs[slot]} became {z[slot]}", f"; see its inputs and parameters{instance.log_text()}"
+    if instance.fault:
+        return f": {instance.fault}", instance.log_text()
+    if status == exchange.NO_ROOM:
+        what = f": there is no room for another text of output {outputs[slot]}; do not record or connect it,"
+        return what, instance.log_text()
+    if status in REPORTED:
+        return REPORTED[status], instance.log_text()
+    instance.dead = status == 4
+    why = instance.why_discarded() if status == 2 else ""
+    return f" returned {instance.prefix}{STATUS[status]}", why + instance.log_text()
+
+
+def _not_converged(plan: Plan, space: Workspace, at: float) -> str:
+    settings, work = plan.system.iteration, space.work
+    names = [".".join(key) for key, _ in plan.layout.unknowns]
+    return (
+        f"the coupling did not converge in the step to t = {at:.9g} s: residual {work[iteration.RESIDUAL]:.3g} of "
+        f"{names[int(work[iteration.WORST])]} after {int(work[iteration.COUNT])} iterations "
+        f"({settings.method}, tolerance {settings.tolerance:g}); take smaller periods"
+        + (', or method = "newton" under [iteration]' if settings.method == "aitken" else "")
+    )

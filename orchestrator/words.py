@@ -1,0 +1,128 @@
+"""Operations in words."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from .clock import seconds_text
+from .fmu import Fmu
+from .operations import (
+    ACCUMULATE,
+    CONTROL,
+    COPY,
+    GAUGE,
+    GET,
+    ITERATE,
+    LEDGER,
+    LINEAR,
+    MIX,
+    MOVE,
+    NAMES,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    REPEAT,
+    RESTORE,
+    REWIND,
+    SAVE,
+    SET,
+    STEP,
+    WORK,
+)  # fmt: skip
+from .plan import Plan
+
+
+class Words:
+    """What every operation of a plan does, with the names of its signals."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        layout = plan.layout
+        self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
+        for foreign in (layout.foreign_inputs, layout.foreign_outputs):
+            for (name, variable), slot in foreign.items():
+                fmu = plan.system.components[name].fmu
+                theirs = fmu.crossings[variable].name if variable in fmu.crossings else variable
+                self.slots[slot] = f"'{theirs}' of {fmu.path.name}"
+        for words, table in (
+            ("previous", layout.previous),
+            ("twice previous", layout.before),
+            ("integral for", layout.integrals),
+        ):
+            self.slots |= {slot: f"{words} {'.'.join(key)}" for key, slot in table.items()}
+        self.slots |= {slot: f"{'.'.join(key)} at the beginning" for key, slot in layout.begins.items()}
+        self.slots |= {extra.slot: ".".join(key) for key, extra in layout.extras.items()}
+        self.slots |= layout.named
+
+    def text(self, row: list[int]) -> str:
+        """One operation in one line."""
+        code, _, component, *_ = row
+        name = list(self.plan.system.components)[component] if component >= 0 else ""
+        describe = self._exchange if code in (SET, STEP, GET, SAVE, RESTORE) else self._signal
+        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL):
+            return f"{NAMES[code]:<10}  {self._flow(row)}"
+        return f"{NAMES[code]:<10}  {describe(row, name)}"
+
+    def _exchange(self, row: list[int], name: str) -> str:
+        """What passes between the loop and an FMU."""
+        code, _, component, a, b, *_ = row
+        clock = self.plan.clock
+        if code == STEP:
+            if self.plan.adaptive:
+                return f"{name} by the macro step"
+            return f"{name} from {seconds_text(clock.seconds(b)) if b else '0 s'} by {seconds_text(clock.seconds(a))}"
+        if code in (SAVE, RESTORE):
+            return f"the state of {name}" if component >= 0 else f"{a} signals"
+        table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
+        again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a else ""
+        return f"{name}: {_types(self.plan.system.components[name].fmu, [v for o, v in table if o == name])}{again}"
+
+    def _flow(self, row: list[int]) -> str:
+        """What decides how the list goes on, and what is recorded."""
+        code, _, _, a, b, p, q, k = row
+        c, s = self.plan.coefficients, self.slots
+        if code in (RECORD, REWIND):
+            group = self.plan.groups[a]
+            what = f"{len(group.columns)} signals of {', '.join(group.components)}"
+            return what if code == RECORD else f"the last {b} rows of the {what}"
+        if code == REPEAT:
+            return f"from operation {a + 1} on"
+        if code == ITERATE:
+            return f"go to operation {a + 1} if {q} unknowns are consistent within {c[k]:g}, at most {c[k + 1]:g} times"
+        if code == GAUGE:
+            return f"{s[b]} times {s[p]} against {s[q]} times {s[a]}, tolerance {c[k]:g} J plus {c[k + 1]:g} of it"
+        return f"{s[a]}, {s[a + 1]}, {s[a + 2]}: move the clock on and choose the next step"
+
+    def _signal(self, row: list[int], _: str) -> str:
+        """Arithmetic on signals."""
+        code, _tick, _component, a, b, p, q, k = row
+        c, s = self.plan.coefficients, self.slots
+        if code in (MOVE, PUSH):
+            return f"{s[b]} = {s[a]}"
+        if code == ACCUMULATE:
+            return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]})"
+        if code == LEDGER:
+            return f"{s[q]} = {s[a]} - {s[p]}; {s[b]} = its rise"
+        if code == WORK:
+            h = "the macro step" if c[k + 2] == 0.0 else f"{c[k + 2]:g}"
+            return f"{s[b]} += {s[q]} ({c[k]:g} {s[p]} + {c[k + 1]:g} {s[a]}) {h}"
+        if code == MIX:
+            begin = f"{c[k + 3]:g}" if c[k] == 0.0 else s[b]
+            return f"{s[b]} = {begin} + {c[k + 1]:g} {s[a]} + {c[k + 2]:g} {s[p]}"
+        gain = "" if (c[k], c[k + 1]) == (1.0, 0.0) else f" (times {c[k]:g} plus {c[k + 1]:g})"
+        if code == COPY:
+            return f"{s[b]} = {s[a]}{gain}"
+        if code == LINEAR:
+            return f"{s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}){gain}"
+        if code == QUADRATIC:
+            return f"{s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}) + {c[k + 3]:g} ({s[a]} - 2 {s[p]} + {s[q]}){gain}"
+        tail = "" if (c[k + 2], c[k + 3]) == (0.0, 0.0) else f" + {c[k + 2]:g} {s[a]} + {c[k + 3]:g} {s[p]}"
+        return f"{s[b]} = {s[q]}{tail}{gain}, begin a new integral"
+
+
+def _types(fmu: Fmu, variables: list[str]) -> str:
+    """`3 values`, or where not all are floating point `2 Real, 1 Boolean`."""
+    kinds = [kind for kind in map(fmu.type_of, variables) if kind is not None]
+    if all(kind.real for kind in kinds):
+        return f"{len(variables)} values"
+    return ", ".join(f"{n} {name}" for name, n in Counter(kind.name for kind in kinds).items())

@@ -1,0 +1,58 @@
+"""Arrays that the loop needs for steps that are repeated or that vary; empty ones where they are neither."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+
+from . import ecco, iteration
+from .adaptive import step_limits
+from .instance import Instance
+from .plan import Plan
+
+
+@dataclass
+class Workspace:
+    """See `execute.run`."""
+
+    clock: np.ndarray
+    work: np.ndarray
+    saved: np.ndarray
+    states: np.ndarray
+    state_calls: np.ndarray
+
+    @property
+    def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        return self.clock, self.work, self.saved, self.states, self.state_calls
+
+
+def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
+    """What the plan's algorithm needs."""
+    count = len(instances)
+    space = Workspace(
+        np.zeros(5, dtype=np.int64), np.zeros(3), np.zeros(1), np.zeros(count, dtype=np.int64),
+        np.zeros((count, 3), dtype=np.int64),
+    )  # fmt: skip
+    if plan.system.algorithm == "iterated":
+        space.work = iteration.workspace(len(plan.layout.unknowns), plan.system.iteration.method == "newton")
+        space.saved = np.zeros(plan.layout.size)
+        for k, instance in enumerate(instances.values()):
+            space.state_calls[k] = [instance.address(function) for function in instance.state_functions]
+    if plan.adaptive:
+        tick = plan.clock.seconds(1)
+        minimum, maximum = step_limits(plan.system)
+        first = min(plan.clock.hyperperiod, plan.clock.stop)
+        space.clock[ecco.STEP], space.clock[ecco.STOP] = first, plan.clock.stop
+        space.clock[ecco.MINIMUM], space.clock[ecco.MAXIMUM] = ceil(minimum / tick), int(maximum / tick)
+    return space
+
+
+def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
+    """Give saved states back to the FMUs that are alive."""
+    from .calls import call_state
+
+    for k, instance in enumerate(instances.values()):
+        if space.states[k] and not instance.dead:
+            call_state(int(space.state_calls[k, 2]), instance.pointer, space.states.ctypes.data + 8 * k)
