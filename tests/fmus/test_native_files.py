@@ -22,7 +22,6 @@ from rovbrush.components.native.compile import PLATFORMS
 from rovbrush.components.native.translate import plain_c
 
 VERSIONS = ("fmi2", "fmi3")
-HANDED_OVER = HERE.parent / "fmus" / "native"
 
 
 @pytest.mark.parametrize("version", VERSIONS)
@@ -36,16 +35,6 @@ def test_native_fmu_is_valid_and_small(name: str, version: str, native: Path, me
         )
     measured(f"{name}, native {version}: size without documentation [kB]", size / 1000, "300")
     assert size <= 300_000
-
-
-@pytest.mark.parametrize("version", VERSIONS)
-@pytest.mark.parametrize("name", COMPONENTS)
-def test_the_file_that_is_handed_over_is_of_these_sources(name: str, version: str, native: Path) -> None:
-    """The GUID is a hash of description and sources, and the same with any compiler."""
-    kept, made = (
-        fmpy.read_model_description(str(folder / version / f"{name}.fmu")).guid for folder in (HANDED_OVER, native)
-    )
-    assert kept == made, "run `rovbrush build --native`"
 
 
 def test_two_builds_are_byte_identical(native: Path, tmp_path: Path) -> None:
