@@ -12,28 +12,38 @@ from .errors import InputError
 
 # pint takes both Hz and rad/s for 1/s and would convert one into the other by 1.
 TURNS, ANGLES = re.compile(r"Hz"), re.compile(r"rad|deg|rpm|rev")
+# What may reach pint, which would compute any arithmetic: symbols with one short exponent each, no numbers but 1.
+EXPONENT = r"-?\d{1,2}(?:\.\d{1,3})?"
+POWER = rf"(?:(?:\*\*|\^)?(?:\({EXPONENT}\)|{EXPONENT}))?+"
+GRAMMAR = re.compile(rf"(?:(?:[^\W\d]|[%°)]){POWER}|1(?!\w)|[( ./]|\*(?!\*))++")
+LONGEST = 64  # characters
+OURS = ("newton_meter = newton * meter = Nm", "@alias ohm = Ohm", "@alias turn = rev")  # as FMI and Modelica write them
 
 
 @cache
 def _registry() -> Any:
-    registry: Any = pint.UnitRegistry()
-    registry.define("@alias ohm = Ohm")  # as FMI and Modelica write it
+    registry: Any = pint.UnitRegistry(on_redefinition="ignore")  # Nm is a number of textile there
+    for definition in OURS:
+        registry.define(definition)
     return registry
 
 
 @cache
 def parse_unit(unit: str) -> Any:
-    """An FMI unit string (`N.m`, `kg.m2`, `rad/s`, `1`) as a pint unit. Raises InputError if it is unknown."""
-    text = (
-        re.sub(r"(?<=[A-Za-z)])(-?\d+(\.\d+)?)", r"**(\1)", unit.strip() or "1").replace(".", "*")
-        if unit != "1"
-        else "1"
-    )
+    """An FMI unit string (`N.m`, `kg.m2`, `rad/s`, `1`) as a pint unit. Raises InputError if it is unknown.
+
+    What follows a `/` up to the next is below it: `J/kg.K` is J/(kg.K), `m/s/s` is m/s2; `-` and nothing are 1.
+    """
+    text = unit.strip()
+    if text in ("", "-", "1"):
+        return _registry().Unit("dimensionless")
+    if len(text) > LONGEST or not GRAMMAR.fullmatch(text):
+        raise InputError(f"unit {text[:LONGEST]!r} is not understood (write it as N.m, kg.m2 or 1/s)")
+    text = re.sub(r"(?<=[^\W\d])(-?\d+(\.\d+)?)|(?<=\))(-?\d+(\.\d+)?)", r"**(\1\3)", text).replace(".", "*")
     text = re.sub(r"\((-?\d+)\*(\d+)\)", r"(\1.\2)", text)
-    numerator, _, denominator = text.partition("/")
-    text = f"({numerator})/({denominator})" if denominator else numerator
+    text = "/".join(f"({part})" for part in re.split(r"/(?![^(]*\))", text))
     try:
-        return _registry().Unit("dimensionless") if text == "1" else _registry().parse_units(text)
+        return _registry().parse_units(text)
     except Exception as error:
         raise InputError(f"unit '{unit}' is not understood ({error})") from error
 
@@ -53,9 +63,11 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
     try:
         a, b = parse_unit(source), parse_unit(target)
         quantity = _registry().Quantity
-        offset = float(quantity(0.0, a).to(b).magnitude)
-        return float(quantity(1.0, a).to(b).magnitude) - offset, offset
+        offset, one, two = (float(quantity(x, a).to(b).magnitude) for x in (0.0, 1.0, 2.0))
     except pint.DimensionalityError:
         raise InputError(f"{label}: the units do not fit: {source} cannot become {target}") from None
     except InputError as error:
         raise InputError(f"{label}: {error}") from None
+    if not abs(two - 2.0 * one + offset) <= 1e-9 * max(abs(one), abs(offset)):
+        raise InputError(f"{label}: the units do not fit: {source} and {target} are not proportional")
+    return one - offset, offset
