@@ -108,6 +108,14 @@ def run(
         list[str],
         typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
     ] = [],  # noqa: B006
+    record: Annotated[
+        list[str],
+        typer.Option(
+            "--record",
+            metavar="PATTERN",
+            help="Record these, not what the system file says: motor.*; repeatable.",
+        ),
+    ] = [],  # noqa: B006
     step: StepOption = "",
     fmus: FmusOption = None,
     check: Annotated[
@@ -119,4 +127,4 @@ def run(
     from .studies.single import run_system
 
     changes = changes_of(replace, map_, period)
-    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step)
+    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step, record)
