@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import ecco, execute
+from .compiled import compiled_run
 from .errors import InputError, RunError, nearest
 from .failure import failure_of
 from .initialize import initialize
@@ -49,7 +50,7 @@ class Session:
         self.failure = ""
         self.control = np.zeros(execute.CONTROL_CELLS, dtype=np.int64)
         self.instances: dict[str, Instance] = {}
-        self._function = execute.run if interpreted else execute.compiled_run()
+        self._function = execute.run if interpreted else compiled_run()
         self._cycle, self._block = 0, 1
         self._reached, self._wall, self._began = 0.0, 0.0, 0.0
         self._driven = {c.target: c.label for c in plan.system.connections}

@@ -50,6 +50,8 @@ def planned(
     if stop:
         system = replace(system, stop=duration(stop, "--stop"))
     plan = make_plan(system)
+    if boundaries and plan.adaptive:
+        raise InputError(f"--record-boundary needs steps of one length; with algorithm 'ecco' they vary ({name})")
     check_reporting({".".join(key) for group in plan.groups for key in group.columns}, system)
     return plan
 
