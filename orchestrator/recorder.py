@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
+from .errors import InputError
 from .memory import Memory
 from .plan import Plan
 from .run import Stored
@@ -103,3 +106,24 @@ class Recorder:
             return self.tables(here)
         self.flush(here)
         return self.stream
+
+    def content(self) -> dict[str, np.ndarray]:
+        """What is in the buffer, and how many rows went before; for `restore`."""
+        rows = self.rows.tolist()
+        cells = np.concatenate([table.ravel() for table in self.tables(rows)])
+        return {"held": np.array(self.held), "rows": self.rows, "before": np.array(self.before), "cells": cells}
+
+    def restore(self, content: Mapping[str, np.ndarray], file: Path) -> None:
+        """Go on where another recorder was; `file` holds the rows that went before, if any did."""
+        self._reserve(int(content["held"]))
+        self.rows[:] = content["rows"]
+        first = 0
+        for table in self.tables(self.rows.tolist()):
+            table[...] = content["cells"][first : first + table.size].reshape(table.shape)
+            first += table.size
+        if any(content["before"]):
+            if self.file is None:
+                raise InputError("this run was recorded to a file; go on with a file to record to")
+            shutil.copyfile(file, self.file)
+            self.stream = Stream(self.file, self.plan, self.memory.texts)
+            self.stream.rows = content["before"].tolist()
