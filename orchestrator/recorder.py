@@ -15,7 +15,7 @@ from .run import Stored
 from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
-IN_MEMORY = 32_000_000  # bytes of tables that are kept in memory where a file is given for more
+IN_MEMORY = 30_000_000  # bytes of tables that are kept in memory where a file is given for more
 PIECE = 8_000_000  # bytes that go to the file at once
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import ceil
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -117,7 +116,7 @@ class Session:
         until = stop if until_tick is None else until_tick
         if not self.tick <= until <= stop or (cycles is not None and cycles < 0):
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
-        last = stop if self.plan.adaptive else ceil(until / self._cycle_ticks)  # no step is shorter than a tick
+        last = stop if self.plan.adaptive else -(-until // self._cycle_ticks)  # no step is shorter than a tick
         last = last if cycles is None else min(last, self.at.cycle + cycles)
         self.space.clock[ecco.UNTIL] = until
         with stop_on_interrupt(self.control):
@@ -196,6 +195,8 @@ class Session:
             free_states(self.space, self.instances)
             for instance in self.instances.values():
                 instance.close()
+            if self.recorder.stream:
+                self.recorder.stream.close()
 
     def _require_open(self) -> None:
         if self._closed:
