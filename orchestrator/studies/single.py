@@ -84,11 +84,10 @@ def resume_system(folder: Path, asked: Request, check: bool) -> None:
 
     Of `asked` only `fmus` and `checkpoint` may be given; they replace what was asked for then.
     """
-    given = [f.name for f in fields(asked) if getattr(asked, f.name) and f.name not in ("fmus", "checkpoint")]
-    if given:
-        raise InputError(
-            f"--resume takes {', '.join(given).replace('_', '-').rstrip('-')} from the checkpoint; leave it out"
-        )
+    taken = [f.name for f in fields(asked) if getattr(asked, f.name) and f.name not in ("fmus", "checkpoint")]
+    if taken:
+        names = ", ".join(name.rstrip("_").replace("_", "-") for name in taken)
+        raise InputError(f"--resume takes {names} from the checkpoint; leave it out")
     checkpoint = read_checkpoint(folder)
     try:
         request = Request.of(checkpoint.request or {})

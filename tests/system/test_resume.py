@@ -82,7 +82,7 @@ def test_an_fmu_that_cannot_be_saved_is_named_before_the_run_and_after_ctrl_c(
         ((), "which system?"),
         (("--resume", "nowhere"), "there is no checkpoint in nowhere"),
         (("nominal", "--resume", "nowhere"), "--resume takes system from the checkpoint"),
-        (("--stop", "1 s", "--resume", "nowhere"), "--resume takes stop from the checkpoint"),
+        (("--set", "a.b=1", "--stop", "1 s", "--resume", "nowhere"), "--resume takes set, stop from the checkpoint"),
         (("nominal", "--checkpoint", "soon"), "--checkpoint = 'soon' is not a time"),
         (("nominal", "--record", "moter.*"), "--record moter.*: no input or output is called so"),
     ],
