@@ -8,12 +8,17 @@ from __future__ import annotations
 
 import ast
 import hashlib
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 from . import execute
+
+IN_CHILD = False  # set in the process that compiles for another
+COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHILD = True; compiled.compiled_run()"
 
 
 def loop_files(top: Path) -> list[Path]:
@@ -39,12 +44,19 @@ def loop_hash(top: Path) -> str:
 
 @cache
 def compiled_run() -> Any:
-    """`execute.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system."""
+    """`execute.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system.
+
+    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it.
+    """
     import numba
 
+    name = f"run_{loop_hash(Path(execute.__file__))}"
     run = FunctionType(execute.run.__code__, vars(execute))
-    run.__qualname__ = f"run_{loop_hash(Path(execute.__file__))}"
+    run.__qualname__ = name
     compiled = numba.njit(cache=True, error_model="numpy")(run)
+    if not IN_CHILD and not any(Path(compiled.stats.cache_path).glob(f"*{name}*.nbi")):
+        # Should it fail, this process compiles for itself, and says what is wrong.
+        subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
     table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
     signals = (numbers, cells, raw, numba.float32[::1], raw, cells)
     results, repeated = (cells, table, numbers, cells), (cells, numbers, numbers, cells, table)
