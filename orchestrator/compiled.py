@@ -54,7 +54,7 @@ def compiled_run() -> Any:
     run = FunctionType(execute.run.__code__, vars(execute))
     run.__qualname__ = name
     compiled = numba.njit(cache=True, error_model="numpy")(run)
-    if not IN_CHILD and not any(Path(compiled.stats.cache_path).glob(f"*{name}*.nbi")):
+    if not IN_CHILD and not any(Path(compiled.stats.cache_path or ".").glob(f"*{name}*.nbi")):
         # Should it fail, this process compiles for itself, and says what is wrong.
         subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
     table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
