@@ -11,6 +11,7 @@ import typer
 from .errors import InputError, RunError
 from .options import (
     FmusOption,
+    InputOption,
     MapOption,
     OutOption,
     PeriodOption,
@@ -79,6 +80,7 @@ def plan(
     system: SystemName,
     all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,
     set_: SetOption = [],  # noqa: B006
+    input_: InputOption = [],  # noqa: B006
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
@@ -90,9 +92,11 @@ def plan(
     from .explain import explain
     from .plan import make_plan
     from .reader import load_system
+    from .series_file import with_files
 
     changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
-    print(explain(make_plan(changed.with_values(assignments(set_), "--set")), None if all_operations else 40))
+    changed = with_files(changed.with_values(assignments(set_), "--set"), input_)
+    print(explain(make_plan(changed), None if all_operations else 40))
 
 
 @app.command()
@@ -100,6 +104,7 @@ def run(
     system: SystemName,
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
+    input_: InputOption = [],  # noqa: B006
     stop: StopOption = "",
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
@@ -119,4 +124,4 @@ def run(
     from .studies.single import run_system
 
     changes = changes_of(replace, map_, period)
-    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step)
+    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step, input_)

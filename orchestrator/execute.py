@@ -39,6 +39,7 @@ from .exchange import (
 )  # fmt: skip
 from .fmi_types import FLOAT
 from .iteration import AGAIN, CONVERGED, iterate
+from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
     CONTROL,
@@ -57,7 +58,9 @@ from .operations import (
     REPEAT,
     RESTORE,
     REWIND,
+    SAMPLE,
     SAVE,
+    SERIES,
     SET,
     STEP,
     WORK,
@@ -141,6 +144,12 @@ def run(
                 z[b] = coefficients[k] * z[a] + coefficients[k + 1]
             elif code == LINEAR:
                 z[b] = coefficients[k] * (z[a] + coefficients[k + 2] * (z[a] - z[p])) + coefficients[k + 1]
+            elif code == SERIES:
+                begin = ((base + p) * numerator) / denominator
+                end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
+                z[b] = mean_over(coefficients, k, begin, end)
+            elif code == SAMPLE:
+                z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
             elif code == ACCUMULATE:
                 z[b] += coefficients[k] * (z[p] + z[a])
             elif code == MEAN:

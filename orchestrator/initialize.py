@@ -33,11 +33,11 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> St
     """
     system, z = plan.system, memory.z
     for name, component in system.components.items():
-        instances[name].set_all({**component.parameters, **component.inputs})
+        instances[name].set_all({**component.parameters, **component.first_inputs()})
         instances[name].enter_initialization(plan.clock.time(plan.clock.stop))
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
         component = system.components[name]
-        memory.put((name, variable), slot, component.inputs.get(variable, component.fmu.start(variable)))
+        memory.put((name, variable), slot, component.first_inputs().get(variable, component.fmu.start(variable)))
     started = _Propagation(plan, instances, memory).settle()
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])

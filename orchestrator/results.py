@@ -20,6 +20,7 @@ from .clock import seconds_text
 from .errors import InputError, RunError
 from .explain import explain
 from .plan import Plan
+from .series import manifest_of
 from .signals import Signals
 from .simulation import Run
 
@@ -156,7 +157,7 @@ def manifest(run: Run) -> dict[str, Any]:
             "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
             "period_s": float(component.period),
             "parameters": {v: plain_value(value) for v, value in {**values, **component.parameters}.items()},
-            "inputs": dict(component.inputs),
+            "inputs": {**component.inputs, **manifest_of(component.series)},
         }  # fmt: skip
     return {
         "system": system.name, "description": system.description,

@@ -16,6 +16,7 @@ from ..plan import Plan, make_plan
 from ..reader import load_system
 from ..reporting import check_reporting
 from ..results import prepare_folder, write_results
+from ..series_file import with_files
 from ..simulation import simulate
 from ..summary import comparison, summarize
 
@@ -28,12 +29,15 @@ def planned(
     changes: Changes = UNCHANGED,
     boundaries: Sequence[str] = (),
     step: str = "",
+    inputs: Sequence[Path] = (),
 ) -> Plan:
     """Load a system, apply changes, values and a stop time, plan it and check what it wants reported.
 
-    `boundaries`: components of which every input and output is recorded. `step`: see `load_system`. Raises InputError.
+    `boundaries`: components of which every input and output is recorded. `step`: see `load_system`.
+    `inputs`: CSV files whose columns inputs follow. Raises InputError.
     """
     system = changes.apply(load_system(name, fmus, step, stop)).with_values(values, "--set")
+    system = with_files(system, inputs)
     for component in boundaries:
         if component not in system.components:
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
@@ -55,9 +59,10 @@ def run_system(
     changes: Changes = UNCHANGED,
     boundaries: Sequence[str] = (),
     step: str = "",
+    inputs: Sequence[Path] = (),
 ) -> None:
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(name, values, stop, fmus, changes, boundaries, step)
+    plan = planned(name, values, stop, fmus, changes, boundaries, step, inputs)
     prepare_folder(out)
     print_notes(plan.system)
     console.print("loading the FMUs; the first run compiles their kernels, which takes about half a minute")
