@@ -25,8 +25,12 @@ HEAD = ("name", "causality", "value", "unit")
 TOLERANCE = 1e-6  # RelTol of a recording: between solvers of ordinary accuracy, not between bits
 
 
-def write_boundary(run: Run, name: str, folder: Path) -> list[Path]:
-    """Write the recording of component `name`, all of whose signals must be recorded. Raises RunError."""
+def write_boundary(run: Run, name: str, folder: Path, title: str = "") -> list[Path]:
+    """Write the recording of component `name`, all of whose signals must be recorded. Raises RunError.
+
+    `title`: what the files are called, if not as the component.
+    """
+    title = title or name
     plan = run.plan
     component = plan.system.components[name]
     group, table = next((g, t) for g, t in zip(plan.groups, run.tables, strict=True) if name in g.components)
@@ -50,10 +54,10 @@ def write_boundary(run: Run, name: str, folder: Path) -> list[Path]:
     settings = {"StartTime": 0.0, "StopTime": times[-1], "StepSize": plan.clock.time(group.period), "RelTol": TOLERANCE}
     options = "".join(f"{key}, {value!r}\n" for key, value in settings.items())
     return [
-        write_file(folder / f"{name}_in.csv", lambda path: _write_rows(path, _series(times, inputs))),
-        write_file(folder / f"{name}_ref.csv", lambda path: _write_rows(path, _series(times, outputs))),
-        write_file(folder / f"{name}_ref.opt", lambda path: path.write_text(options, encoding="utf-8")),
-        write_file(folder / f"{name}_parameters.csv", lambda path: _write_rows(path, [HEAD, *rows])),
+        write_file(folder / f"{title}_in.csv", lambda path: _write_rows(path, _series(times, inputs))),
+        write_file(folder / f"{title}_ref.csv", lambda path: _write_rows(path, _series(times, outputs))),
+        write_file(folder / f"{title}_ref.opt", lambda path: path.write_text(options, encoding="utf-8")),
+        write_file(folder / f"{title}_parameters.csv", lambda path: _write_rows(path, [HEAD, *rows])),
     ]
 
 

@@ -16,7 +16,7 @@ from math import sqrt
 import numpy as np
 from numba.extending import register_jitable
 
-NOW, STEP, MINIMUM, MAXIMUM, STOP = range(5)  # cells of the adaptive clock [ticks]
+NOW, STEP, MINIMUM, MAXIMUM, STOP, UNTIL, CELLS = range(7)  # of the adaptive clock [ticks], and their number
 SUM, BONDS, BEFORE = range(3)  # cells of `work`
 LEAST = 1e-10  # of eps: a bond at rest would lengthen the step without end
 

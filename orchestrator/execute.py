@@ -67,7 +67,7 @@ from .operations import (
 )  # fmt: skip
 
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
-STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT = range(5)  # cells of `control`
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = range(7)  # of `control`, their number
 GET_STATE, SET_STATE, FREE_STATE = range(3)  # columns of `state_calls`
 
 
@@ -85,15 +85,18 @@ def run(
     exchange.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (5): a stop request from outside, and where and why the run ended; clock (5): see ecco.NOW..., with steps
-    that vary (cycle_ticks is 0 then), otherwise zeros; work: state of the iteration or of the step controller; saved:
-    signals at the beginning of a macro step; states (n): FMU states; state_calls (n, 3): addresses of the
-    functions that get, set and free one.
+    control (6): a stop request from outside, where and why the run ended, and the operation with which the first cycle
+    goes on; clock (6): see ecco.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
+    of the iteration or of the step controller; saved: signals at the beginning of a macro step; states (n): FMU
+    states; state_calls (n, 3): addresses of the functions that get, set and free one.
     """
+    begin = control[RESUME_AT]
+    control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
         base = cycle * cycle_ticks + clock[ecco.NOW]
         last_tick = -1
-        m = -1
+        m = begin - 1
+        begin = 0
         while m + 1 < operations.shape[0]:
             m += 1
             code, tick, c = operations[m, 0], operations[m, 1], operations[m, 2]
@@ -216,7 +219,7 @@ def run(
                 z[a + 1] = (clock[ecco.STEP] * numerator) / denominator
                 z[a + 2] = choose_step(clock, coefficients, k, work)
                 z[a] = clock[ecco.NOW]
-        if cycle_ticks == 0 and clock[ecco.STEP] == 0:
+        if cycle_ticks == 0 and clock[ecco.NOW] >= clock[ecco.UNTIL]:
             return DONE
     return DONE
 

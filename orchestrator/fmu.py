@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 
+from attrs import evolve
 from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable
 
 from .crossing import Crossing
@@ -38,6 +39,7 @@ class Fmu:
     # Somebody else's FMU in the place of a component: the variables that the system sees, and where they cross.
     presented: tuple[ModelVariable, ...] = ()
     crossings: Mapping[str, Crossing] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
@@ -76,7 +78,8 @@ class Fmu:
         """
         if self.presented:
             return {v.name: v for v in self.presented}
-        return {name: v for elements in self._elements.values() for name, v in elements.items()}
+        found = {name: v for elements in self._elements.values() for name, v in elements.items()}
+        return found | {name: evolve(found[name], unit=unit) for name, unit in self.units.items()}
 
     @cached_property
     def own(self) -> Fmu:

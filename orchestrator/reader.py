@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import re
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from .clock import duration
 from .errors import InputError, nearest
 from .fmu import Fmu
 from .series_file import stated_series
+from .stated_units import stated_units
 from .system import Component, System, checked_values
 from .toml_file import TomlFile
 from .wiring import bond_of, check_drivers, connections_of, requirement_of
@@ -23,7 +25,7 @@ KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
     *("iteration", "ecco", "record", "require", "summary", "balance", "compare", "figures"),
 }
-COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout"}
+COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout", "units"}
 ISOLATION = ("none", "process")
 
 
@@ -120,8 +122,11 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
         path = path if path.is_absolute() else file.path.parent / path
     else:
         path = (fmus or fmu_folder()) / f"{path}.fmu"
+    fmu = Fmu.open(path)
+    if "units" in table:
+        fmu = replace(fmu, units=stated_units(file, name, table["units"], fmu, heading))
     component = Component(
-        name, Fmu.open(path), _duration(file, table["period"], f"component {name}: period", heading),
+        name, fmu, _duration(file, table["period"], f"component {name}: period", heading),
         **_isolation(file, name, table, heading),
     )  # fmt: skip
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):

@@ -32,7 +32,7 @@ def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
     """What the plan's algorithm needs."""
     count = len(instances)
     space = Workspace(
-        np.zeros(5, dtype=np.int64), np.zeros(3), np.zeros(1), np.zeros(count, dtype=np.int64),
+        np.zeros(ecco.CELLS, dtype=np.int64), np.zeros(3), np.zeros(1), np.zeros(count, dtype=np.int64),
         np.zeros((count, 3), dtype=np.int64),
     )  # fmt: skip
     if plan.system.algorithm == "iterated":

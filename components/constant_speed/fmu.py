@@ -13,6 +13,7 @@ class ConstantSpeed(ComponentSlave):
 
     parameters = Parameters
     kernel = kernel
+    default_step = 5e-4
     inputs = (
         input_("V_in", "V", "input voltage", start=12.0),
         input_("T_brush", "N.m", "brush torque on the output shaft about +y_t, negative when it resists"),

@@ -15,6 +15,7 @@ class FilamentBrush(ComponentSlave):
 
     parameters = Parameters
     kernel = kernel
+    default_step = 5e-4
     inputs = (
         input_("omega_b", "rad/s", "brush speed about +y_t"),
         input_("delta", "m", "penetration of the undeformed brush into the hull"),

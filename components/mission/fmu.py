@@ -15,7 +15,7 @@ class Mission(ComponentSlave):
 
     parameters = Parameters
     kernel = kernel
-    default_step = 0.02
+    default_step = 5e-3
     inputs = tuple(input_(f"{name}_n", "m", f"position {text}", sampled=True) for name, text in POSITION.items())
     outputs = (
         *(output(f"{name}_ref", "m", f"position set-point {text}", sampled=True) for name, text in POSITION.items()),

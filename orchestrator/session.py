@@ -1,0 +1,225 @@
+"""A run of a plan that is advanced piece by piece."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from math import ceil
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from . import ecco, execute
+from .errors import InputError, RunError, nearest
+from .failure import failure_of
+from .initialize import initialize
+from .instance import Instance, Value
+from .instances import start
+from .interrupt import stop_on_interrupt
+from .memory import Memory
+from .plan import Plan
+from .process import seconds_since_start
+from .recorder import Recorder
+from .run import Run
+from .system import checked_values
+from .workspace import free_states, make_workspace
+
+BLOCK = 0.1  # s of wall time between two looks at progress and signals
+
+
+class Session:
+    """FMUs loaded and initialized at time 0, to be advanced by whole cycles: hyperperiods, with ECCO macro steps.
+
+        with Session(plan) as session:
+            while session.tick < plan.clock.stop:
+                session.set("motor.V_in", controller(session.get("motor.omega")))
+                session.advance(cycles=1)
+            run = session.run()
+
+    `interpreted` executes the plan in plain Python, bitwise equal and slow. A failing FMU, a value that is not finite
+    and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
+    into pieces does not change its results. Raises FmuError or InputError if time 0 cannot be reached.
+    """
+
+    def __init__(self, plan: Plan, interpreted: bool = False) -> None:
+        self.plan = plan
+        self.failure = ""
+        self.control = np.zeros(execute.CONTROL_CELLS, dtype=np.int64)
+        self.instances: dict[str, Instance] = {}
+        self._function = execute.run if interpreted else execute.compiled_run()
+        self._cycle, self._block = 0, 1
+        self._reached, self._wall, self._began = 0.0, 0.0, 0.0
+        self._driven = {c.target: c.label for c in plan.system.connections}
+        self._closed = False
+        try:
+            with stop_on_interrupt(self.control):
+                for name, component in plan.system.components.items():
+                    self.instances[name] = start(component)
+                self.memory = Memory(plan)
+                self._started = initialize(plan, self.instances, self.memory)
+                self._calculated = {
+                    f"{name}.{variable}": instance.get(variable)
+                    for name, instance in self.instances.items()
+                    for variable in instance.fmu.names("calculatedParameter")
+                    if instance.fmu.type_of(variable) is not None
+                }
+                self._components, self._blocks, self._typed = self.memory.tables(self.instances)
+                self.space = make_workspace(plan, self.instances)
+                self.recorder = Recorder(plan, self.memory.z)
+        except BaseException:
+            for instance in self.instances.values():
+                instance.close()
+            raise
+
+    @property
+    def time(self) -> float:
+        """The time reached [s]: all components are complete until then."""
+        return self._reached
+
+    @property
+    def tick(self) -> int:
+        """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
+        return int(self.space.clock[ecco.NOW]) or (0 if self.plan.adaptive else self._cycle * self._cycle_ticks)
+
+    @property
+    def _cycle_ticks(self) -> int:
+        return 0 if self.plan.adaptive else self.plan.clock.hyperperiod
+
+    def advance(
+        self,
+        until_tick: int | None = None,
+        cycles: int | None = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> None:
+        """Run whole cycles: until `until_tick` is reached or passed, `cycles` of them, or to the stop of the plan.
+
+        What comes first counts. `progress` is called now and then with the time reached [s]. Returns early with
+        `failure` set. Raises InputError for an end before now or behind the stop, RunError if the session has ended.
+        """
+        self._require_alive()
+        stop = self.plan.clock.stop
+        until = stop if until_tick is None else until_tick
+        if not self.tick <= until <= stop or (cycles is not None and cycles < 0):
+            raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
+        last = stop if self.plan.adaptive else ceil(until / self._cycle_ticks)  # no step is shorter than a tick
+        last = last if cycles is None else min(last, self._cycle + cycles)
+        self.space.clock[ecco.UNTIL] = until
+        with stop_on_interrupt(self.control):
+            while self._cycle < last and self.tick < until and not self.failure:
+                self._run_block(last - self._cycle)
+                if progress and not self.failure:
+                    progress(self._reached)
+
+    def _run_block(self, cycles: int) -> None:
+        """Some of the next `cycles` cycles, for about a tenth of a second."""
+        plan, clock = self.plan, self.plan.clock
+        size = self.recorder.make_room(min(self._block, cycles))
+        begin = time.perf_counter()
+        code = self._function(
+            plan.cycle, plan.coefficients, self._components, self._blocks, self.memory.z, *self._typed,
+            *self.recorder.arrays, self.control, *self.space.arrays, self._cycle, size, self._cycle_ticks,
+            clock.numerator, clock.denominator,
+        )  # fmt: skip
+        spent = time.perf_counter() - begin
+        self._wall += spent
+        self._began = self._began or seconds_since_start()
+        self._block = max(1, min(2 * self._block, int(size * BLOCK / max(spent, 1e-6))))
+        if code != execute.DONE:
+            self._cycle = int(self.control[execute.AT_CYCLE])
+            self._reached, self.failure = failure_of(
+                plan, self.instances, code, self.control, self.memory.z, self.space
+            )
+        else:
+            self._cycle = int(self.recorder.rows[0]) - 1 if plan.adaptive else self._cycle + size
+            self._reached = clock.time(self.tick)
+
+    def get(self, name: str) -> Any:
+        """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
+
+        Raises InputError for an unknown name.
+        """
+        component, _, variable = name.partition(".")
+        extra = self.plan.layout.extras.get((component, variable))
+        if extra:
+            return float(self.memory.z[extra.slot])
+        if component not in self.instances:
+            raise InputError(f"get {name}: no component '{component}'{nearest(component, self.instances)}")
+        fmu = self.instances[component].fmu
+        scalars = fmu.expand(variable)
+        if not scalars:
+            raise InputError(f"get {name}: {component} has no variable '{variable}'{nearest(variable, fmu.variables)}")
+        if fmu.type_of(scalars[0]) is None:
+            raise InputError(f"get {name}: values of type {fmu.variables[scalars[0]].type} cannot be exchanged")
+        values = [self._value(component, scalar) for scalar in scalars]
+        return values[0] if scalars == [variable] else values
+
+    def _value(self, component: str, variable: str) -> Value:
+        self._require_open()
+        key = (component, variable)
+        for table in (self.plan.layout.outputs, self.plan.layout.inputs):
+            if key in table:
+                return self.memory.value(key, table[key])
+        value: Value = self.instances[component].get(variable)
+        return value
+
+    def set(self, name: str, value: object) -> None:
+        """Set an input that nothing drives, from now on; of an array a sequence of all values.
+
+        Raises InputError for an unknown name, a driven input, any other causality, a wrong type or a value out of
+        range; RunError if the session has ended.
+        """
+        self._require_alive()
+        component, _, variable = name.partition(".")
+        if component not in self.instances:
+            raise InputError(f"set {name}: no component '{component}'{nearest(component, self.instances)}")
+        plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
+        values = checked_values(self.plan.system.components[component], variable, plain, "set")
+        for scalar in values:
+            if self.instances[component].fmu.variables[scalar].causality != "input":
+                raise InputError(f"set {name}: a parameter is set before the run; only inputs can be set while it goes")
+            if (component, scalar) in self._driven:
+                raise InputError(
+                    f"set {name}: {component}.{scalar} is driven by the connection "
+                    f"{self._driven[component, scalar]}; remove that first"
+                )
+        for scalar, scalar_value in values.items():
+            if (component, scalar) in self.plan.layout.inputs:  # of an array other elements are driven
+                slot = self.plan.layout.inputs[component, scalar]
+                self.memory.put((component, scalar), slot, scalar_value)
+        self.instances[component].set_all(values)
+
+    def run(self) -> Run:
+        """What was recorded so far."""
+        rows = self.recorder.rows.tolist()[: len(self.plan.groups)]
+        if self.failure and self.plan.system.algorithm == "iterated":  # a pass may be recorded that was not the last
+            rows = [self.tick // group.period + 1 for group in self.plan.groups]
+        return Run(
+            self.plan, self.recorder.tables(rows), self.failure, self._reached, self._wall, self._began,
+            self._started, self.memory.texts, self._calculated,
+        )  # fmt: skip
+
+    def close(self) -> None:
+        """Give the FMUs back. Runs that were taken before stay valid."""
+        if not self._closed:
+            self._closed = True
+            free_states(self.space, self.instances)
+            for instance in self.instances.values():
+                instance.close()
+
+    def _require_open(self) -> None:
+        if self._closed:
+            raise RunError("the session is closed; start another one")
+
+    def _require_alive(self) -> None:
+        self._require_open()
+        if self.failure:
+            raise RunError(f"the session has ended: {self.failure}")
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
