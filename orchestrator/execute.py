@@ -148,9 +148,9 @@ def run(
             elif code == LINEAR:
                 z[b] = coefficients[k] * (z[a] + coefficients[k + 2] * (z[a] - z[p])) + coefficients[k + 1]
             elif code == SERIES:
-                begin = ((base + p) * numerator) / denominator
+                time = ((base + p) * numerator) / denominator
                 end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
-                z[b] = mean_over(coefficients, k, begin, end)
+                z[b] = mean_over(coefficients, k, time, end)
             elif code == SAMPLE:
                 z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
             elif code == ACCUMULATE:
