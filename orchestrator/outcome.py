@@ -23,7 +23,7 @@ class Result:
         self.run = run
 
     def require_good(self) -> Result:
-        """The result itself; RunError, which carries it, if the run ended early or the coupling made too much energy."""
+        """The result itself; RunError, which carries it, if the run ended early or its bonds made too much energy."""
         try:
             if self.run.failure:
                 raise RunError(self.run.failure)

@@ -174,7 +174,7 @@ class Stepping(Session):
 
         def write(value: float) -> bool:
             """Whether the value was in range and the FMU took it."""
-            if self._closed or not low <= value <= high:
+            if not low <= value <= high:
                 return False
             arrays[1][0] = value
             if fmu.version == 2:
@@ -196,6 +196,12 @@ class Stepping(Session):
                 raise InputError(f"no output '{pattern}'{nearest(pattern, known)}")
             found += hits
         return list(dict.fromkeys(found))
+
+    def close(self) -> None:
+        """Give the FMUs back."""
+        self._readers.clear()
+        self._writers.clear()
+        super().close()
 
     def __enter__(self) -> Stepping:
         self._guard.enter_context(stop_on_interrupt(self.control))
