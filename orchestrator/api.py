@@ -9,7 +9,7 @@ result["brush.F_z"].plot()
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -23,6 +23,7 @@ from .outcome import Result
 from .plan import Plan, make_plan
 from .reader import load_system
 from .reporting import check_reporting
+from .selection import select_recorded
 from .series_file import with_files, with_inputs
 from .stepping import Stepping, Time
 from .system import System
@@ -39,19 +40,22 @@ def load(
     replacements: Mapping[str, str | Path] | None = None,
     mappings: Mapping[str, str | Path] | None = None,
     periods: Mapping[str, str] | None = None,
+    record: Sequence[str] = (),
     step: str = "",
 ) -> Model:
     """A system, by the name of a shipped one or by the path of a .toml, .ssp or .ssd file; FMUs are unpacked once.
 
     `stop`: another stop time; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component: an
-    FMU in its place, the mapping file for that, and another period; `step`: the period where an SSP states none.
+    FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
+    recorded instead of what the system says; `step`: the period where an SSP states none.
     Raises InputError or FmuError, as the command line does.
     """
     changes = Changes(
         _paths(replacements), _paths(mappings), tuple((key, str(value)) for key, value in (periods or {}).items())
     )
     system = load_system(str(name), Path(fmus) if fmus else None, step, str(stop))
-    return Model(changes.apply(system)).stopping(stop)
+    system = changes.apply(system)
+    return Model(select_recorded(system, record) if record else system).stopping(stop)
 
 
 def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:

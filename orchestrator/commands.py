@@ -113,6 +113,14 @@ def run(
         list[str],
         typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
     ] = [],  # noqa: B006
+    record: Annotated[
+        list[str],
+        typer.Option(
+            "--record",
+            metavar="PATTERN",
+            help="Record these, not what the system file says: motor.*; repeatable.",
+        ),
+    ] = [],  # noqa: B006
     step: StepOption = "",
     fmus: FmusOption = None,
     check: Annotated[
@@ -124,4 +132,4 @@ def run(
     from .studies.single import run_system
 
     changes = changes_of(replace, map_, period)
-    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step, input_)
+    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step, record, input_)

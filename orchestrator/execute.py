@@ -1,13 +1,11 @@
-"""Runs a plan. `run` is one source with two lives: compiled by Numba for speed, plain Python as its interpreter.
+"""Runs a plan. `run` is one source with two lives: compiled for speed (`compiled.py`), plain Python as its interpreter.
 
 It calls the FMI functions by address (`exchange.py`, `calls.py`), allocates nothing and touches no Python object.
 """
 
 from __future__ import annotations
 
-from functools import cache
 from math import isfinite
-from typing import Any
 
 import numpy as np
 
@@ -222,17 +220,3 @@ def run(
         if cycle_ticks == 0 and clock[ecco.NOW] >= clock[ecco.UNTIL]:
             return DONE
     return DONE
-
-
-@cache
-def compiled_run() -> Any:
-    """`run` under Numba. Its compiled form holds no address, so one cached compilation serves every system."""
-    import numba
-
-    compiled = numba.njit(cache=True, error_model="numpy")(run)
-    table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
-    texts = (raw, cells)
-    signals = (numbers, cells, raw, numba.float32[::1], *texts)
-    results, repeated = (cells, table, numbers, cells), (cells, numbers, numbers, cells, table)
-    compiled.compile((table, numbers, table, table, *signals, *results, cells, *repeated, *(numba.int64,) * 5))
-    return compiled

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from typing import Any
+from weakref import WeakValueDictionary
 
 import fmpy
 from fmpy import fmi2
@@ -12,6 +13,20 @@ from .exit_guard import end_before_library_destructors
 from .fmu import Fmu
 from .instance import refused
 from .loaded import LoadedInstance
+
+# The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all
+# instances give it the same, which lives as long as the process and finds whose message it is.
+_LOGGING: WeakValueDictionary[int, Fmi2Instance] = WeakValueDictionary()  # by what the FMU is told of its environment
+
+
+def _log_of_any(environment: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
+    named = (i for i in _LOGGING.values() if i.name.encode() == name)  # for an FMU that keeps its environment to itself
+    instance = _LOGGING.get(environment) or next(named, None)
+    if instance is not None:
+        instance._log(environment, name, status, category, message)
+
+
+_LOGGER = fmi2.fmi2CallbackLoggerTYPE(_log_of_any)
 
 
 class Fmi2Instance(LoadedInstance):
@@ -39,12 +54,14 @@ class Fmi2Instance(LoadedInstance):
 
     def _make_callbacks(self) -> Any:
         callbacks = fmi2.fmi2CallbackFunctions()
-        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log)
+        callbacks.componentEnvironment = id(self)
+        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log) if self.made_by_pythonfmu else _LOGGER
         callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
         callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
         # The proxy formats the printf arguments of the FMI logger. pythonfmu passes none, but bare messages as the
         # format: an exception whose text holds %s would end the process there.
         if not self.made_by_pythonfmu:
+            _LOGGING[id(self)] = self
             fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
         return callbacks
 

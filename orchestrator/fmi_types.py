@@ -106,3 +106,10 @@ def decode(kind: FmiType, cells: np.ndarray) -> np.ndarray:
         return cells if kind.size == 8 else cells.astype(kind.dtype)
     whole = cells.view(np.uint64 if kind.dtype == np.uint64 else np.int64)
     return whole if kind.code == TEXT else whole.astype(kind.dtype)
+
+
+def encode_cells(values: np.ndarray) -> np.ndarray:
+    """Numbers of one type, any shape, as cells of the run's vector; see `decode`."""
+    if values.dtype.kind == "f":
+        return values.astype(np.float64)
+    return values.astype(np.uint64 if values.dtype == np.uint64 else np.int64).view(np.float64)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import NamedTuple
@@ -140,7 +141,12 @@ def _owns(bond: Bond) -> list[Key]:
 
 
 def _recorded(system: System, key: Key) -> bool:
-    return any(fnmatchcase(".".join(key), pattern.replace("[", "[[]")) for pattern in system.record)
+    return matches(system.record, ".".join(key))
+
+
+def matches(patterns: Iterable[str], name: str) -> bool:
+    """Whether one of the patterns is `name`: * and ? stand for any characters and any one; brackets for themselves."""
+    return any(fnmatchcase(name, pattern.replace("[", "[[]")) for pattern in patterns)
 
 
 def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:

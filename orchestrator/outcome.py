@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from .energy import require_energy
 from .errors import InputError, RunError, nearest
-from .results import datasets, group_name, prepare_folder, write_results
+from .netcdf import datasets, group_name
+from .results import prepare_folder, write_results
 from .run import Run
 from .summary import comparison, summarize
 

@@ -1,46 +1,105 @@
-"""The rows that a run records: a buffer that the loop fills, one part per table."""
+"""The rows that a run records: a buffer that the loop fills, and where they go when it is full."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
+from .memory import Memory
 from .plan import Plan
+from .run import Stored
+from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
+IN_MEMORY = 32_000_000  # bytes of tables that are kept in memory where a file is given for more
+PIECE = 8_000_000  # bytes that go to the file at once
 
 
 class Recorder:
-    """Buffer and counters as `execute.run` wants them. A run with fixed steps has room for all its rows at once."""
+    """Buffer and counters as `execute.run` wants them.
 
-    def __init__(self, plan: Plan, z: np.ndarray) -> None:
-        self.plan = plan
+    Without `file` all tables stay in memory. With it those that are larger than IN_MEMORY go there, chunk by chunk.
+    Chunks end where they end whatever the blocks in which the loop is called.
+    """
+
+    def __init__(self, plan: Plan, memory: Memory, file: Path | None = None) -> None:
+        self.plan, self.memory, self.file = plan, memory, file
+        self.stream: Stream | None = None
         self.per_cycle = [1 if plan.adaptive else plan.clock.hyperperiod // group.period for group in plan.groups]
-        wanted = [CHUNK if plan.adaptive else plan.clock.stop // group.period + 1 for group in plan.groups]
-        columns = [len(group.slots) for group in plan.groups]
-        firsts, cells = np.cumsum([0, *columns]), np.cumsum([0, *(r * c for r, c in zip(wanted, columns, strict=True))])
-        self.groups = np.array([(firsts[k], columns[k], cells[k]) for k in range(len(columns))], dtype=np.int64)
-        self.groups = self.groups.reshape(-1, 3)
+        self.columns = [len(group.slots) for group in plan.groups]
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
-        self.buffer = np.zeros(max(int(cells[-1]), 1))
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
-        for k, group in enumerate(plan.groups):
-            self.buffer[cells[k] : cells[k] + columns[k]] = z[group.slots]
+        wanted = CHUNK if plan.adaptive else plan.clock.stop // plan.clock.hyperperiod
+        self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
+        for (_, columns, cell), group in zip(self.groups.tolist(), plan.groups, strict=True):
+            self.buffer[cell : cell + columns] = memory.z[group.slots]
+
+    def _cycles_in(self, size: int) -> int:
+        """Cycles whose rows take so many bytes; any number where there is no file."""
+        cells = sum(rows * columns for rows, columns in zip(self.per_cycle, self.columns, strict=True))
+        return max(size // max(8 * cells, 1), 1) if self.file else 2**62
+
+    def _reserve(self, cycles: int) -> None:
+        """A buffer for the row of time 0 and so many cycles."""
+        self.held = cycles
+        sizes = [(cycles * rows + 1) * columns for rows, columns in zip(self.per_cycle, self.columns, strict=True)]
+        firsts, cells = np.cumsum([0, *self.columns]), np.cumsum([0, *sizes])
+        table = [(firsts[k], columns, cells[k]) for k, columns in enumerate(self.columns)]
+        self.groups = np.array(table, dtype=np.int64).reshape(-1, 3)
+        self.buffer = np.zeros(max(int(cells[-1]), 1))
 
     @property
     def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         return self.slots, self.groups, self.buffer, self.rows
 
     def make_room(self, cycles: int) -> int:
-        """How many of the next `cycles` cycles can be recorded before the next call of this: at least one."""
-        if self.plan.adaptive:
-            missing = (int(self.rows[0]) + cycles) * int(self.groups[0, 1]) - len(self.buffer)
-            if missing > 0:
-                self.buffer = np.concatenate([self.buffer, np.zeros(max(missing, len(self.buffer)))])
-        return cycles
+        """How many of the next `cycles` cycles can be recorded before the next call of this: at least one.
+
+        Raises RunError if the disk refuses.
+        """
+        room = self._room()
+        if room == 0 and self.plan.adaptive and self.held < self._cycles_in(IN_MEMORY):
+            before = self.tables(self.rows.tolist())
+            self._reserve(min(2 * self.held, self._cycles_in(IN_MEMORY)))
+            self.buffer[: before[0].size] = before[0].ravel()
+            room = self._room()
+        elif room == 0:
+            self.flush(self.rows.tolist())
+            room = self._room()
+        return min(room, cycles)
+
+    def _room(self) -> int:
+        """Cycles that still fit; the row of time 0 is there beside them."""
+        return min(
+            (self.held * count + 1 - rows) // count
+            for count, rows in zip(self.per_cycle, self.rows.tolist(), strict=True)
+        )
 
     def tables(self, rows: list[int]) -> list[np.ndarray]:
-        """The first `rows` rows of every table."""
+        """The first `rows` rows of every table in the buffer."""
         return [
             self.buffer[first : first + count * columns].reshape(count, columns)
             for (_, columns, first), count in zip(self.groups.tolist(), rows, strict=True)
         ]
+
+    def flush(self, rows: list[int]) -> None:
+        """The first `rows` rows of every table in the buffer to the file; the others are dropped."""
+        assert self.file is not None
+        if self.stream is None:
+            self.stream = Stream(self.file, self.plan, self.memory.texts)
+        self.stream.append(self.tables(rows))
+        self.rows[:] = 0
+
+    @property
+    def before(self) -> list[int]:
+        """Rows of every table that are no longer in the buffer."""
+        return self.stream.rows if self.stream else [0] * len(self.columns)
+
+    def recorded(self, rows: list[int]) -> list[np.ndarray] | Stored:
+        """The first `rows` rows of every table, counted from time 0."""
+        here = [count - gone for count, gone in zip(rows, self.before, strict=True)]
+        if self.stream is None:
+            return self.tables(here)
+        self.flush(here)
+        return self.stream

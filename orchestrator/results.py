@@ -12,21 +12,18 @@ from collections.abc import Callable
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from .clock import seconds_text
 from .errors import InputError, RunError
 from .explain import explain
-from .plan import Plan
+from .netcdf import datasets
+from .run import Run, Stored
 from .series import manifest_of
 from .signals import Signals
-from .simulation import Run
 
-if TYPE_CHECKING:
-    import xarray
-
+CSV_ROWS = 10_000  # that are text in memory at once
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
 
 
@@ -60,49 +57,41 @@ def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
     return path
 
 
-def datasets(run: Run) -> dict[str, xarray.Dataset]:
-    """One dataset per rate, by a name such as `every_500_us`; variables carry unit and description."""
-    import xarray
-
-    signals = Signals(run)
-    found = {}
-    for g, group in enumerate(run.plan.groups):
-        variables = {}
-        for name in (".".join(key) for key in group.columns):
-            signal = signals[name]
-            units = {"units": signal.unit} if signal.unit else {}
-            variables[name] = ("time", signal.values, {**units, "long_name": signal.description})
-        time = ("time", signals.times[g], {"units": "s", "long_name": "time"})
-        period = "varies" if run.plan.adaptive else seconds_text(run.plan.clock.seconds(group.period))
-        attributes = {"period": period, "complete": int(not run.failure)}
-        found[group_name(run.plan, g)] = xarray.Dataset(variables, {"time": time}, attributes)
-    return found
-
-
-def group_name(plan: Plan, group: int) -> str:
-    """Name of a rate's table in the results file."""
-    if plan.adaptive:
-        return "varying_steps"
-    return "every_" + seconds_text(plan.clock.seconds(plan.groups[group].period)).replace(" ", "_").replace(
-        "/", "_per_"
-    )
-
-
 def write_results(run: Run, folder: Path, summary: dict[str, Any]) -> list[Path]:
-    """Write everything; returns the paths in the order of writing. Raises RunError if the disk refuses."""
-    tables = datasets(run)
+    """Write everything; returns the paths in the order of writing. Raises RunError if the disk refuses.
 
-    def netcdf(path: Path) -> None:
-        for k, (group, dataset) in enumerate(tables.items()):
-            dataset.to_netcdf(path, mode="a" if k else "w", group=group, engine="h5netcdf")
-
+    What was recorded to a file becomes result.nc, and there is no result.csv.
+    """
+    table = folder / "result.csv"
+    if isinstance(run.recorded, list):
+        paths = [
+            write_file(folder / "result.nc", lambda path: write_netcdf(run, path)),
+            write_file(table, lambda path: write_csv(run, path)),
+        ]
+    else:
+        paths = [finish_stream(run.recorded, folder / "result.nc", not run.failure)]
+        table.unlink(missing_ok=True)  # that of an earlier run
     return [
-        write_file(folder / "result.nc", netcdf),
-        write_file(folder / "result.csv", lambda path: write_csv(run, path)),
+        *paths,
         write_file(folder / "summary.json", lambda path: write_json(path, summary)),
         write_file(folder / "manifest.json", lambda path: write_json(path, manifest(run))),
         *_figures(run, folder),
     ]
+
+
+def write_netcdf(run: Run, path: Path) -> None:
+    """A group per table."""
+    for k, (group, dataset) in enumerate(datasets(run).items()):
+        dataset.to_netcdf(path, mode="a" if k else "w", group=group, engine="h5netcdf")
+
+
+def finish_stream(stored: Stored, path: Path, complete: bool) -> Path:
+    """Give the file that the rows are in its name. Raises RunError if the disk refuses."""
+    try:
+        stored.finish(path, complete)
+    except OSError as error:
+        raise RunError(f"cannot write {path}: {error.strerror or error}") from error
+    return path
 
 
 def _figures(run: Run, folder: Path) -> list[Path]:
@@ -113,22 +102,23 @@ def _figures(run: Run, folder: Path) -> list[Path]:
 
 def write_csv(run: Run, path: Path) -> None:
     """A row per instant at which anything is recorded, a column `name [unit]` per signal; other cells are empty."""
-    signals = Signals(run)
-    plan = run.plan
-    instants = np.unique(np.concatenate(run.ticks))
-    header, columns = ["time [s]"], [[repr(plan.clock.time(tick)) for tick in instants.tolist()]]
-    for g, group in enumerate(plan.groups):
-        rows = np.searchsorted(instants, run.ticks[g]).tolist()
-        for name in (".".join(key) for key in group.columns):
-            signal = signals[name]
-            header.append(signal.label)
-            column = [""] * len(instants)
-            for row, value in zip(rows, signal.values.tolist(), strict=True):
-                column[row] = csv_text(value)
-            columns.append(column)
+    signals, ticks = Signals(run), run.ticks
+    instants = np.unique(np.concatenate(ticks))
+    found = [[signals[".".join(key)] for key in group.columns] for group in run.plan.groups]
     with path.open("w", encoding="utf-8") as file:
-        file.write(",".join(header) + "\n")
-        file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+        file.write(",".join(["time [s]", *(signal.label for group in found for signal in group)]) + "\n")
+        for first in range(0, len(instants), CSV_ROWS):
+            some = instants[first : first + CSV_ROWS]
+            columns = [[repr(run.plan.clock.time(tick)) for tick in some.tolist()]]
+            for own, group in zip(ticks, found, strict=True):
+                begin, end = np.searchsorted(own, [some[0], some[-1] + 1]).tolist()
+                rows = np.searchsorted(some, own[begin:end]).tolist()
+                for signal in group:
+                    column = [""] * len(some)
+                    for row, value in zip(rows, signal.values[begin:end].tolist(), strict=True):
+                        column[row] = csv_text(value)
+                    columns.append(column)
+            file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
 
 
 def csv_text(value: float | int | bool | str) -> str:

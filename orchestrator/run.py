@@ -1,10 +1,10 @@
-"""What a run leaves in memory."""
+"""What a run leaves: its tables, in memory or in a file, and how it ended."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -14,12 +14,27 @@ from .plan import Plan
 from .texts import Texts
 
 
+class Stored(Protocol):
+    """Tables in a file; see `stream.py`."""
+
+    rows: list[int]
+
+    def values(self, group: int, column: int) -> np.ndarray:
+        """All values of one signal, in its own type."""
+
+    def table(self, group: int) -> np.ndarray:
+        """A whole table in cells of the loop, as precise as each signal's own type."""
+
+    def finish(self, path: Any, complete: bool) -> None:
+        """Say how the run ended, and rename the file."""
+
+
 @dataclass
 class Run:
     """One table per rate, and how the run ended. `failure` is empty unless it ended early against its will."""
 
     plan: Plan
-    tables: list[np.ndarray]  # per group: (rows, columns), row 0 at time 0
+    recorded: list[np.ndarray] | Stored
     failure: str = ""
     end: float = 0.0  # s
     wall: float = 0.0  # s, in the loop
@@ -29,14 +44,26 @@ class Run:
     calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
 
     @cached_property
+    def tables(self) -> list[np.ndarray]:
+        """Per group: (rows, columns), row 0 at time 0; of a run that was recorded to a file all of it is read."""
+        if isinstance(self.recorded, list):
+            return self.recorded
+        return [self.recorded.table(g) for g in range(len(self.plan.groups))]
+
+    @property
     def ticks(self) -> list[np.ndarray]:
         """The instants of each table's rows."""
+        return [self.ticks_of(g) for g in range(len(self.plan.groups))]
+
+    def ticks_of(self, group: int) -> np.ndarray:
+        """The instants of one table's rows."""
         if self.plan.adaptive:
             column = self.plan.groups[0].columns.index(("coupling", "tick"))
-            return [self.tables[0][:, column].astype(np.int64)]
-        return [
-            group.period * np.arange(len(table)) for group, table in zip(self.plan.groups, self.tables, strict=True)
-        ]
+            recorded = self.recorded
+            cells = recorded[0][:, column] if isinstance(recorded, list) else recorded.values(0, column)
+            return cells.astype(np.int64)
+        rows = len(self.recorded[group]) if isinstance(self.recorded, list) else self.recorded.rows[group]
+        return self.plan.groups[group].period * np.arange(rows)
 
 
 def require_complete(run: Run) -> Run:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from math import ceil
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 import numpy as np
 
 from . import ecco, execute
+from .compiled import compiled_run
 from .errors import InputError, RunError, nearest
 from .failure import failure_of
 from .initialize import initialize
@@ -39,15 +41,16 @@ class Session:
 
     `interpreted` executes the plan in plain Python, bitwise equal and slow. A failing FMU, a value that is not finite
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
-    into pieces does not change its results. Raises FmuError or InputError if time 0 cannot be reached.
+    into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
+    Raises FmuError or InputError if time 0 cannot be reached.
     """
 
-    def __init__(self, plan: Plan, interpreted: bool = False) -> None:
+    def __init__(self, plan: Plan, interpreted: bool = False, file: Path | None = None) -> None:
         self.plan = plan
         self.failure = ""
         self.control = np.zeros(execute.CONTROL_CELLS, dtype=np.int64)
         self.instances: dict[str, Instance] = {}
-        self._function = execute.run if interpreted else execute.compiled_run()
+        self._function = execute.run if interpreted else compiled_run()
         self._cycle, self._block = 0, 1
         self._reached, self._wall, self._began = 0.0, 0.0, 0.0
         self._driven = {c.target: c.label for c in plan.system.connections}
@@ -66,7 +69,7 @@ class Session:
                 }
                 self._components, self._blocks, self._typed = self.memory.tables(self.instances)
                 self.space = make_workspace(plan, self.instances)
-                self.recorder = Recorder(plan, self.memory.z)
+                self.recorder = Recorder(plan, self.memory, file)
         except BaseException:
             for instance in self.instances.values():
                 instance.close()
@@ -131,7 +134,7 @@ class Session:
                 plan, self.instances, code, self.control, self.memory.z, self.space
             )
         else:
-            self._cycle = int(self.recorder.rows[0]) - 1 if plan.adaptive else self._cycle + size
+            self._cycle = self._rows[0] - 1 if plan.adaptive else self._cycle + size
             self._reached = clock.time(self.tick)
 
     def get(self, name: str) -> Any:
@@ -192,13 +195,18 @@ class Session:
                 self.memory.put((component, scalar), slot, scalar_value)
         self.instances[component].set_all(values)
 
+    @property
+    def _rows(self) -> list[int]:
+        """Rows of every table, counted from time 0."""
+        return [int(a) + b for a, b in zip(self.recorder.rows, self.recorder.before, strict=False)]
+
     def run(self) -> Run:
         """What was recorded so far."""
-        rows = self.recorder.rows.tolist()[: len(self.plan.groups)]
+        rows = self._rows
         if self.failure and self.plan.system.algorithm == "iterated":  # a pass may be recorded that was not the last
             rows = [self.tick // group.period + 1 for group in self.plan.groups]
         return Run(
-            self.plan, self.recorder.tables(rows), self.failure, self._reached, self._wall, self._began,
+            self.plan, self.recorder.recorded(rows), self.failure, self._reached, self._wall, self._began,
             self._started, self.memory.texts, self._calculated,
         )  # fmt: skip
 

@@ -7,9 +7,12 @@ from functools import cached_property
 
 import numpy as np
 
+from .clock import Clock
 from .errors import InputError, nearest
 from .fmi_types import decode
-from .simulation import Run
+from .plan import Plan
+from .run import Run
+from .texts import Texts
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,7 @@ class Signals:
 
     def __init__(self, run: Run) -> None:
         self.run = run
+        self._times: dict[int, np.ndarray] = {}
 
     @cached_property
     def places(self) -> dict[str, tuple[int, int]]:
@@ -51,33 +55,46 @@ class Signals:
             ".".join(key): (g, k) for g, group in enumerate(self.run.plan.groups) for k, key in enumerate(group.columns)
         }
 
-    def time(self, group: int) -> np.ndarray:
+    def times(self, group: int) -> np.ndarray:
         """The instants of a group [s], each exact to the last bit."""
-        clock = self.run.plan.clock
-        return np.array([clock.time(tick) for tick in self.run.ticks[group].tolist()])
-
-    @cached_property
-    def times(self) -> list[np.ndarray]:
-        return [self.time(group) for group in range(len(self.run.plan.groups))]
+        if group not in self._times:
+            self._times[group] = instants(self.run.plan.clock, self.run.ticks_of(group))
+        return self._times[group]
 
     def __getitem__(self, name: str) -> Signal:
         if name not in self.places:
             raise InputError(f"no recorded signal '{name}'{nearest(name, self.places)}")
         group, column = self.places[name]
         component, _, variable = name.partition(".")
-        values = self.run.tables[group][:, column]
-        extra = self.run.plan.layout.extras.get((component, variable))
+        run, extra = self.run, self.run.plan.layout.extras.get((component, variable))
+        if isinstance(run.recorded, list):
+            values = typed(run.plan, (component, variable), run.recorded[group][:, column], run.texts)
+        else:
+            values = run.recorded.values(group, column)
         if extra:
-            return Signal(name, extra.unit, extra.description, self.times[group], values)
-        fmu = self.run.plan.system.components[component].fmu
+            return Signal(name, extra.unit, extra.description, self.times(group), values)
+        fmu = run.plan.system.components[component].fmu
         v, kind = fmu.variables[variable], fmu.type_of(variable)
-        if kind is not None:
-            values = decode(kind, values)
-        if v.type == "String" and self.run.texts is not None:
-            known = {number: self.run.texts.text(number) for number in np.unique(values).tolist()}
-            values = np.array([known[number] for number in values.tolist()], dtype=object)
         unit = v.unit or "1" if kind is None or kind.real else ""
-        return Signal(name, unit, v.description or "", self.times[group], values)
+        return Signal(name, unit, v.description or "", self.times(group), values)
 
     def __contains__(self, name: str) -> bool:
         return name in self.places
+
+
+def instants(clock: Clock, ticks: np.ndarray) -> np.ndarray:
+    """The times [s] of instants; bitwise `clock.time`, as all these numbers are below 2**53."""
+    return ticks * clock.numerator / clock.denominator
+
+
+def typed(plan: Plan, key: tuple[str, str], cells: np.ndarray, texts: Texts | None) -> np.ndarray:
+    """Recorded cells of a variable in its own type; texts as objects."""
+    if key in plan.layout.extras:
+        return cells
+    fmu = plan.system.components[key[0]].fmu
+    kind = fmu.type_of(key[1])
+    values = cells if kind is None else decode(kind, cells)
+    if fmu.variables[key[1]].type == "String" and texts is not None:
+        known = {number: texts.text(number) for number in np.unique(values).tolist()}
+        values = np.array([known[number] for number in values.tolist()], dtype=object)
+    return values

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
-from fnmatch import fnmatchcase
 from fractions import Fraction
 from types import TracebackType
 from typing import Any
@@ -18,6 +17,7 @@ from .errors import InputError, RunError, nearest
 from .execute import STOP_REQUEST
 from .fmi_types import function_type
 from .interrupt import stop_on_interrupt
+from .layout import matches
 from .outcome import Result
 from .plan import Plan
 from .session import Session
@@ -191,7 +191,7 @@ class Stepping(Session):
         known = [".".join(key) for key in (*self.plan.layout.outputs, *self.plan.layout.extras)]
         found: list[str] = []
         for pattern in patterns:
-            hits = [name for name in known if fnmatchcase(name, pattern.replace("[", "[[]"))]
+            hits = [name for name in known if matches((pattern,), name)]
             if not hits:
                 raise InputError(f"no output '{pattern}'{nearest(pattern, known)}")
             found += hits

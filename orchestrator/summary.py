@@ -121,7 +121,7 @@ def coupling(run: Run, signals: Signals) -> dict[str, Any]:
     """How many macro steps the run took, and how the algorithm did: iterations, residuals, loops at time 0."""
     clock, system = run.plan.clock, run.plan.system
     steps = round(run.end / clock.time(min(clock.periods.values())))
-    found: dict[str, Any] = {"macro_steps": len(run.ticks[0]) - 1 if run.plan.adaptive else steps}
+    found: dict[str, Any] = {"macro_steps": len(run.ticks_of(0)) - 1 if run.plan.adaptive else steps}
     if system.algorithm == "iterated":
         count, residual = (signals[f"coupling.{name}"].values for name in ("iterations", "residual"))
         found["iteration"] = {

@@ -199,6 +199,10 @@ def _with_counters(file: TomlFile, components: dict[str, Component], entry: dict
             )
         found: dict[str, Any] = {key: f"{owner}.{variable}"}
         bond = replace(bond, **found)
+    for name in filter(None, (*bond.effort, *bond.flow, bond.impulse, bond.displacement)):
+        owner, _, variable = name.partition(".")
+        if not components[owner].fmu.is_real(variable):
+            raise file.fail(f"bond {bond.name}: {name} is no floating-point signal and carries no power", "bonds")
     return bond
 
 

@@ -31,13 +31,20 @@ class SuiteCheck:
     reference: str
     file: str
     test: str
+    behaviour: str = ""  # the file of a component that defines the test, which `file` runs
 
     @property
     def command(self) -> str:
-        return f"python -m pytest {self.file} -k {self.test}"
+        component, name = self.behaviour.partition("/")[0], self.test.removeprefix("test_")
+        return f"python -m pytest {self.file} -k {f'{component}-{name}' if component else self.test}"
+
+    @property
+    def definition(self) -> str:
+        """The file with the test's text."""
+        return f"components/{self.behaviour}" if self.behaviour else self.file
 
 
-_BRUSH = "tests/components/test_filament_brush"
+_BRUSH, _BEHAVIOUR = "tests/components/test_filament_brush", "tests/components/test_behaviour.py"
 SUITE = (
     SuiteCheck("Rotating cantilever, brush kernel", "Wright et al. 1982", f"{_BRUSH}_modes.py",
                "test_rotating_frequencies_match_the_reference_table"),
@@ -45,14 +52,16 @@ SUITE = (
                "test_large_deflection_stays_close_to_the_elastica"),
     SuiteCheck("Beam statics of a pressed filament", "Euler-Bernoulli", f"{_BRUSH}_modes.py",
                "test_a_pressed_filament_at_rest_obeys_beam_statics"),
-    SuiteCheck("Vehicle step responses, two parameter sets", "Fossen's published library",
-               "tests/components/test_rov_vehicle.py", "test_step_response_equals_the_published_implementation"),
+    SuiteCheck("Vehicle step response, Wu 2018", "Fossen's published library", _BEHAVIOUR,
+               "test_step_response_is_that_of_wu_2018", "rov_vehicle/behaviour.py"),
+    SuiteCheck("Vehicle step response, Benzon 2022", "Fossen's published library", _BEHAVIOUR,
+               "test_step_response_is_that_of_benzon_2022", "rov_vehicle/behaviour.py"),
     SuiteCheck("Allocation matrix", "published matrix", "tests/components/test_rov_vehicle.py",
                "test_allocation_matrix_equals_the_printed_one_up_to_column_signs"),
     SuiteCheck("Thrust curve, 12 and 16 V", "T200 thrust table", "tests/components/test_rov_vehicle.py",
                "test_thrust_curve_follows_the_published_table"),
-    SuiteCheck("Motor step response", "matrix exponential", "tests/components/test_dc_motor.py",
-               "test_step_response_equals_the_matrix_exponential"),
+    SuiteCheck("Motor step response", "matrix exponential", _BEHAVIOUR,
+               "test_step_response_is_the_matrix_exponential", "dc_motor/behaviour.py"),
     SuiteCheck("Co-simulation benchmark: quarter car, several rates", "published digits",
                "tests/orchestrator/test_quarter_car.py", "test_several_rates_with_hold_give_the_published_error"),
     SuiteCheck("Order of the coupling", "quarter car", "tests/orchestrator/test_quarter_car.py",
@@ -61,15 +70,16 @@ SUITE = (
                "tests/system/test_monolithic.py", "test_means_agree_within_half_a_percent"),
     SuiteCheck("Micro-steps are of fourth order", "refinement", f"{_BRUSH}_integration.py",
                "test_micro_steps_are_of_fourth_order"),
-    SuiteCheck("Vehicle integration is of fourth order", "refinement", "tests/components/test_rov_vehicle.py",
-               "test_error_falls_with_the_fourth_power_of_the_step"),
-    SuiteCheck("Motor integration is of fourth order", "refinement", "tests/components/test_dc_motor.py",
-               "test_error_falls_with_the_fourth_power_of_the_internal_step"),
-    SuiteCheck("Energy of the brush, filament by filament", "first law", f"{_BRUSH}_integration.py",
-               "test_energy_balance_closes"),
-    SuiteCheck("Energy of the motor", "first law", "tests/components/test_dc_motor.py", "test_energy_is_accounted_for"),
-    SuiteCheck("Energy of the vehicle", "first law", "tests/components/test_rov_vehicle.py",
-               "test_energy_is_accounted_for_with_every_power_at_work"),
+    SuiteCheck("Vehicle integration is of fourth order", "refinement", _BEHAVIOUR,
+               "test_errors_fall_with_the_fourth_power_of_the_internal_step", "rov_vehicle/behaviour.py"),
+    SuiteCheck("Motor integration is of fourth order", "refinement", _BEHAVIOUR,
+               "test_internal_steps_are_of_fourth_order", "dc_motor/behaviour.py"),
+    SuiteCheck("Energy of the brush, filament by filament", "first law", _BEHAVIOUR,
+               "test_energy_is_accounted_for", "filament_brush/behaviour_energy.py"),
+    SuiteCheck("Energy of the motor", "first law", _BEHAVIOUR,
+               "test_energy_is_accounted_for", "dc_motor/behaviour_energy.py"),
+    SuiteCheck("Energy of the vehicle", "first law", _BEHAVIOUR,
+               "test_energy_is_accounted_for", "rov_vehicle/behaviour.py"),
     SuiteCheck("Energy made by the coupling", "first law", "tests/system/test_nominal.py",
                "test_coupling_makes_and_loses_hardly_any_energy"),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The recordings in fmus/recordings: what they hold, and that every built FMU agrees with them, by `replay` and in C."""
+"""The recordings in fmus/recordings: what they hold, and that every built FMU agrees with them, in `replay` and C."""
 
 from __future__ import annotations
 

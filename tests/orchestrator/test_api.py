@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from helpers import Part, plan_of, python, system_text
 from rovbrush.orchestrator import FmuError, InputError, Model, RovbrushError, RunError, load
-from rovbrush.orchestrator.execute import compiled_run
+from rovbrush.orchestrator.compiled import compiled_run
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.simulation import simulate
 
@@ -77,6 +77,8 @@ def test_a_stop_an_input_a_period_and_a_replacement_can_be_given(make: Make, fmu
     options = {"periods": {"f": "2 ms"}, "replacements": {"i": fmus / "integrator.fmu"}, "stop": "30 ms"}
     changed = make(LOOP, WIRES, stop="100 ms", load_with=options)
     assert changed.plan.clock.periods["f"] == 2 * changed.plan.clock.periods["g"] and changed.run().run.end == 0.03
+    chosen = make(LOOP, WIRES, stop="20 ms", load_with={"record": ["i.x"]}).run()
+    assert list(chosen.dataset.data_vars) == ["i.x"]
     assert "in place of" in changed.explain() and changed.explain() == explain(changed.plan)
 
 

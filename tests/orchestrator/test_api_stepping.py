@@ -56,10 +56,8 @@ def test_hand_steps_give_the_bits_of_a_run(algorithm: str, by: str | None, make:
         result = session.result()
     assert [t.tobytes() for t in result.run.tables] == [t.tobytes() for t in model.run().run.tables]
     if by and algorithm != "ecco":
-        assert times == [0.03 * k for k in range(1, 10)] + [0.3] or times == pytest.approx(
-            [0.03 * k for k in range(1, 11)], rel=1e-15
-        )
-    assert result.run.end == 0.3
+        assert times == [30 * k / 1000 for k in range(1, 11)]
+    assert times[-1] == result.run.end == 0.3
 
 
 def test_what_is_set_counts_from_the_next_step_on(make: Make) -> None:
@@ -74,23 +72,20 @@ def test_what_is_set_counts_from_the_next_step_on(make: Make) -> None:
 
 def test_numbers_of_every_kind_can_be_set(make: Make) -> None:
     with make(ONE, stop="20 ms").start() as session:
-        for k, value in enumerate((2, 2.0, np.float64(2.0), np.float32(2.0), np.array(2.0), np.int64(2), "2", True)):
-            if value is not True:
-                session.set("i.u", value)
+        for value in (2, 2.0, np.float64(3.0), np.float32(4.0), np.array(5.0), np.int64(6), "7"):
+            session.set("i.u", value)
             session.step()
-            assert session.get("i.held") == 2.0, k
+            assert session.get("i.held") == float(value)
 
 
 def test_a_value_out_of_range_is_refused_the_first_time_and_later(make: Make) -> None:
-    parts = {"m": ("dc_motor", "10 ms", {"=T_brush": 0.0, "=V_in": 0.0})}
-    with make(parts, stop="1 s").start() as session:
+    free = {"=delta": 0.005, "=delta_dot": 0.0, "=v_rov": 0.0, "=omega_b": 15.0, "=friction_scale": 1.0}
+    with make({"b": ("filament_brush", "1 ms", free)}, stop="1 s").start() as session:
         for _ in range(2):
-            for value in (1e9, float("nan"), float("inf")):
-                with pytest.raises(InputError, match=r"m\.V_in"):
-                    session.set("m.V_in", value)
-            session.set("m.V_in", 12.0)
-        session.step("200 ms")
-        assert session.get("m.omega_m") > 1.0
+            for value in (-1.0, float("nan"), float("inf")):
+                with pytest.raises(InputError, match=r"set: b\.friction_scale = (-1|nan|inf)"):
+                    session.set("b.friction_scale", value)
+            session.set("b.friction_scale", 1.5)
 
 
 @pytest.mark.parametrize(

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray
-from helpers import Measured, column, edited, plan_of, run_of
+from helpers import Measured, column, edited, plan_of, read_system, run_of
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.summary import summarize
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
@@ -130,3 +131,10 @@ def test_what_cannot_be_is_refused(
     parts = {"w": ("wheel", periods[0]), "c": ("chassis", periods[1])}
     with pytest.raises(InputError, match=message):
         plan_of(tmp_path, fmus, parts, WIRES, algorithm="ecco", **{"bonds": [BOND], **keys})
+
+
+def test_a_boundary_cannot_be_recorded_where_steps_vary(tmp_path: Path, fmus: Path) -> None:
+    parts = {"w": ("wheel", "2 ms"), "c": ("chassis", "2 ms")}
+    read_system(tmp_path, fmus, parts, WIRES, algorithm="ecco", bonds=[BOND])
+    with pytest.raises(InputError, match="--record-boundary needs steps of one length"):
+        planned(str(tmp_path / "case.toml"), {}, fmus=fmus, boundaries=("w",))

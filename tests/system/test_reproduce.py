@@ -134,7 +134,7 @@ def test_the_page_has_its_figures_and_all_claims(parsed: Page, rows: dict[int, d
 
 def test_every_check_of_the_suite_that_the_page_names_exists(parsed: Page) -> None:
     for check in verification.SUITE:
-        assert f"def {check.test}(" in (ROOT / check.file).read_text(encoding="utf-8"), check.test
+        assert f"def {check.test}(" in (ROOT / check.definition).read_text(encoding="utf-8"), check.test
         assert check.command in "".join(parsed.words)
 
 

@@ -1,0 +1,35 @@
+"""Code of the loop that was compiled from other sources is never taken from Numba's cache."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from rovbrush.orchestrator import execute
+from rovbrush.orchestrator.compiled import compiled_run, loop_files, loop_hash
+
+HERE = Path(execute.__file__)
+FILES = loop_files(HERE)
+
+
+def test_the_loop_is_made_of_these_files() -> None:
+    assert {path.stem for path in FILES} == {
+        *("execute", "exchange", "calls", "texts", "fmi_types", "operations", "iteration", "ecco")
+    }
+
+
+@pytest.mark.parametrize("changed", [path.name for path in FILES])
+def test_a_change_in_any_of_them_gives_another_name_in_the_cache(changed: str, tmp_path: Path) -> None:
+    for path in FILES:
+        shutil.copy(path, tmp_path)
+    assert loop_hash(tmp_path / HERE.name) == loop_hash(HERE)
+    with (tmp_path / changed).open("a", encoding="utf-8") as file:
+        file.write("# changed\n")
+    assert loop_hash(tmp_path / HERE.name) != loop_hash(HERE)
+
+
+def test_numba_keeps_the_compiled_loop_under_that_name() -> None:
+    stats = compiled_run().stats
+    kept = [path.name for path in Path(stats.cache_path).glob(f"execute.run_{loop_hash(HERE)}-*")]
+    assert {name.rsplit(".", 1)[1] for name in kept} == {"nbi", "nbc"}

@@ -1,0 +1,85 @@
+"""Random systems with every transfer and algorithm: a valid order that runs, or an error that says why not."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from helpers import read_system
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.operations import STEP
+from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.system import Bond, Component, Connection, System
+
+PERIODS = (Fraction(1, 8), Fraction(1, 4), Fraction(3, 8), Fraction(5, 8))
+TRANSFERS = ("", "hold", "linear", "quadratic", "interpolate", "mean")
+CLEAR = ("'mean' needs", "'interpolate' needs", "order: ", "has no meaning", "there is no 'mean' yet",
+         "need one period", "declare one in [[bonds]]")  # fmt: skip
+
+
+@st.composite
+def systems(draw: st.DrawFn) -> dict[str, Any]:
+    names = [f"c{k}" for k in range(draw(st.integers(2, 4)))]
+    periods = st.just(draw(st.sampled_from(PERIODS))) if draw(st.booleans()) else st.sampled_from(PERIODS)
+    transfers = st.just("") if draw(st.booleans()) else st.sampled_from(TRANSFERS)
+    sources = {name: draw(st.sampled_from([None, *names])) for name in names}
+    if draw(st.booleans()):
+        sources |= {"c0": "c1", "c1": "c0"}  # a power bond
+    return {
+        "periods": {name: draw(periods) for name in names},
+        "sources": sources,
+        "transfers": {name: draw(transfers) for name in names},
+        "algorithm": draw(st.sampled_from(["jacobi", "gauss-seidel", "iterated", "ecco"])),
+        "order": tuple(draw(st.permutations(names))) if draw(st.booleans()) else (),
+    }
+
+
+def system_of(case: dict[str, Any], folder: Path, fmus: Path) -> System:
+    fmu = read_system(folder, fmus, {"i": ("integrator", "1 s", {"=u": 0.0})}).components["i"].fmu
+    components = {
+        name: Component(name, fmu, p, {"x_start": k + 1.0}, {} if case["sources"][name] else {"u": 0.5})
+        for k, (name, p) in enumerate(case["periods"].items())
+    }
+    connections = tuple(Connection((s, "x"), (t, "u"), case["transfers"][t]) for t, s in case["sources"].items() if s)
+    bonded = case["sources"]["c0"] == "c1" and case["sources"]["c1"] == "c0"
+    bonds = (Bond("both", ("c0.x", "c1.u"), ("c1.x", "c0.u"), 1.0),) if bonded else ()
+    where = folder / "random.toml"
+    return System(
+        "random", where, "", Fraction(15, 4), case["algorithm"], case["order"], components, connections, bonds
+    )
+
+
+def check_order(plan: Plan) -> None:
+    """Every component steps through the cycle without gap; what is interpolated reaches to the end of the step."""
+    names, reached = list(plan.system.components), dict.fromkeys(plan.system.components, 0)
+    for code, _, c, length, start, *_ in plan.cycle.tolist():
+        if code != STEP:
+            continue
+        name = names[c]
+        if plan.adaptive:
+            length, start = plan.clock.hyperperiod, 0
+        assert (start, length) == (reached[name], plan.clock.periods[name])
+        for connection in plan.into(name):
+            if plan.choices[connection].transfer == "interpolate":
+                assert reached[connection.source[0]] >= start + length
+        reached[name] += length
+    assert set(reached.values()) == {plan.clock.hyperperiod}
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(case=systems())
+def test_random_systems_have_a_valid_order_and_run_or_are_refused_clearly(
+    case: dict[str, Any], tmp_path: Path, fmus: Path
+) -> None:
+    try:
+        plan = make_plan(system_of(case, tmp_path, fmus))
+    except InputError as error:
+        assert any(words in str(error) for words in CLEAR), error
+        return
+    check_order(plan)
+    run = simulate(plan)
+    assert not run.failure or (case["algorithm"] == "iterated" and "did not converge" in run.failure)
