@@ -145,12 +145,6 @@ def run(
                 z[b] = coefficients[k] * z[a] + coefficients[k + 1]
             elif code == LINEAR:
                 z[b] = coefficients[k] * (z[a] + coefficients[k + 2] * (z[a] - z[p])) + coefficients[k + 1]
-            elif code == SERIES:
-                time = ((base + p) * numerator) / denominator
-                end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
-                z[b] = mean_over(coefficients, k, time, end)
-            elif code == SAMPLE:
-                z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
             elif code == ACCUMULATE:
                 z[b] += coefficients[k] * (z[p] + z[a])
             elif code == MEAN:
@@ -181,6 +175,12 @@ def run(
             elif code == MIX:
                 value = coefficients[k] * z[b] + coefficients[k + 1] * z[a]
                 z[b] = value + coefficients[k + 2] * z[p] + coefficients[k + 3]
+            elif code == SERIES:
+                time = ((base + p) * numerator) / denominator
+                end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
+                z[b] = mean_over(coefficients, k, time, end)
+            elif code == SAMPLE:
+                z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
             elif code in (SAVE, RESTORE) and c < 0:
                 for j in range(a):
                     if code == SAVE:

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
 from fractions import Fraction
+from functools import partial
 from types import TracebackType
 from typing import Any
 
-import numpy as np
-
-from .calls import exchange, exchange3
 from .clock import duration, seconds_text
 from .errors import InputError, RunError, nearest
 from .execute import STOP_REQUEST
-from .fmi_types import function_type
 from .interrupt import stop_on_interrupt
 from .layout import matches
 from .outcome import Result
 from .plan import Plan
+from .ports import reader_of, writer_of
 from .session import Session
 
-LARGEST = sys.float_info.max
 Time = str | float | Fraction
 
 
@@ -43,6 +39,8 @@ class Stepping(Session):
         super().__init__(plan, interpreted)
         self._readers: dict[str, Callable[[], Any]] = {}
         self._writers: dict[str, Callable[[float], bool]] = {}
+        self._counts: dict[Time, int] = {}
+        self._last = plan.clock.stop // (1 if plan.adaptive else plan.clock.hyperperiod)  # no step is below a tick
         self._guard = ExitStack()
         self._guarded = False
 
@@ -61,28 +59,22 @@ class Stepping(Session):
 
         Raises RunError if the run fails or has ended, InputError for a time that does not fit.
         """
-        if by is None and self._guarded:
-            self._one()
-            return
-        cycles = 1 if by is None else self.cycles(by, "step")
-        if self.tick >= self.plan.clock.stop or (not self.plan.adaptive and self._beyond(cycles)):
-            raise self._at_stop()
-        ahead = self.tick + cycles * self.plan.clock.hyperperiod
-        until = min(ahead, self.plan.clock.stop) if self.plan.adaptive and by is not None else None
-        self.control[STOP_REQUEST] = 0
-        self.advance(until_tick=until, cycles=None if until else cycles)
-        self._settle()
-
-    def _beyond(self, cycles: int) -> bool:
-        return self.tick + cycles * self.plan.clock.hyperperiod > self.plan.clock.stop
-
-    def _one(self) -> None:
-        """One cycle, without what `advance` does around several."""
+        if by is not None and by not in self._counts:
+            self._counts[by] = self.cycles(by, "step")
+        count = 1 if by is None else self._counts[by]
         self._require_alive()
-        if self.tick >= self.plan.clock.stop:
+        if self.tick >= self.plan.clock.stop or self._cycle + count > self._last:
             raise self._at_stop()
         self.control[STOP_REQUEST] = 0
-        self._run_block(1)
+        if self.plan.adaptive and by is not None:
+            until = min(self.tick + count * self.plan.clock.hyperperiod, self.plan.clock.stop)
+            self.advance(until_tick=until)
+        elif self._guarded:  # without what `advance` does around its blocks
+            end = self._cycle + count
+            while self._cycle < end and not self.failure:
+                self._run_block(end - self._cycle)
+        else:
+            self.advance(cycles=count)
         self._settle()
 
     def _settle(self) -> None:
@@ -130,19 +122,10 @@ class Stepping(Session):
         reader = self._readers.get(name)
         if reader is None:
             value = super().get(name)
-            self._readers[name] = self._reader(name)
+            component, _, variable = name.partition(".")
+            self._readers[name] = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
             return value
         return reader()
-
-    def _reader(self, name: str) -> Callable[[], Any]:
-        """What reads a name without looking it up again."""
-        component, _, variable = name.partition(".")
-        read = super().get
-        slot = self.plan.layout.outputs.get((component, variable))
-        if slot is None or self.memory.kind((component, variable)).dtype != np.float64:
-            return lambda: read(name)
-        item = self.memory.z.item
-        return lambda: item(slot)
 
     def set(self, name: str, value: object) -> None:
         """Set an input that nothing drives, from the next step on; of an array a sequence of all values.
@@ -154,34 +137,8 @@ class Stepping(Session):
             return
         super().set(name, value)
         if writer is None:
-            self._add_writer(name)
-
-    def _add_writer(self, name: str) -> None:
-        """Let a floating-point input be set without looking it up again; any other one goes the long way."""
-        component, _, variable = name.partition(".")
-        instance = self.instances[component]
-        fmu = instance.fmu
-        kind = fmu.type_of(variable) if variable in fmu.variables else None
-        if kind is None or kind.dtype != np.float64 or variable in fmu.crossings or fmu.places[variable].count > 1:
-            return
-        bounds = (fmu.variables[variable].min, fmu.variables[variable].max)
-        low = float(bounds[0]) if bounds[0] is not None else -LARGEST
-        high = float(bounds[1]) if bounds[1] is not None else LARGEST
-        function = instance.address(f"{instance.prefix}Set{function_type(fmu.version, kind.name)}")
-        reference, cell = np.array([fmu.places[variable].reference], dtype=np.uint32), np.zeros(1)
-        at, to, pointer = reference.ctypes.data, cell.ctypes.data, instance.pointer
-        arrays = (reference, cell)  # alive as long as their addresses are in use
-
-        def write(value: float) -> bool:
-            """Whether the value was in range and the FMU took it."""
-            if not low <= value <= high:
-                return False
-            arrays[1][0] = value
-            if fmu.version == 2:
-                return exchange(function, pointer, at, 1, to) <= 1
-            return exchange3(function, pointer, at, 1, to, 1) <= 1
-
-        self._writers[name] = write
+            component, _, variable = name.partition(".")
+            self._writers[name] = writer_of(self.instances[component], variable)
 
     def names(self, patterns: Iterable[str]) -> list[str]:
         """The outputs and signals of the coupling that patterns such as `motor.*` name.
