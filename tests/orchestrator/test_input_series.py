@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -10,7 +12,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from helpers import Measured, column, last, plan_of, read_system, run_of
+import xarray
+from helpers import Measured, column, last, plan_of, read_system, run_of, system_text
 from native_build import built, needs_gcc
 from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
@@ -278,3 +281,20 @@ def test_what_cannot_hold_a_table_says_so(tmp_path: Path, fmus: Path) -> None:
         write_ssp(system, tmp_path / "x.ssp")
     with pytest.raises(InputError, match=r"input i.u follows a table, which a container cannot hold"):
         write_container(system, tmp_path / "x.fmu")
+
+
+def test_the_command_line_takes_files(tmp_path: Path, fmus: Path) -> None:
+    path, profile = tmp_path / "case.toml", tmp_path / "profile.csv"
+    path.write_text(system_text({"i": ("integrator", "2 ms", {"=u": 0.0})}, stop="20 ms"))
+    profile.write_text("time,i.u\n0,1\n0.02,3\n")
+    command = [sys.executable, "-m", "rovbrush.orchestrator"]
+    options = [str(path), "--fmus", str(fmus), "--input", str(profile)]
+    shown = subprocess.run([*command, "plan", *options], capture_output=True, text=True, check=True).stdout
+    assert "i.u = mean of column i.u of profile.csv over 0 s by 2 ms" in shown
+    subprocess.run([*command, "run", *options, "--out", str(tmp_path)], capture_output=True, check=True)
+    with xarray.open_dataset(tmp_path / "result.nc", group="every_2_ms") as saved:
+        assert float(saved["i.x"][-1]) == pytest.approx(0.04, rel=1e-12)
+    profile.write_text("time,i.uu\n0,1\n")
+    done = subprocess.run([*command, "run", *options], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.strip() == "error: --input profile.csv: i.uu is no input; did you mean 'u'?"
