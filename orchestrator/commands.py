@@ -10,6 +10,7 @@ import typer
 
 from .errors import InputError, RunError
 from .options import (
+    SYSTEM_HELP,
     FmusOption,
     InputOption,
     MapOption,
@@ -101,7 +102,7 @@ def plan(
 
 @app.command()
 def run(
-    system: SystemName,
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)] = "",
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
     input_: InputOption = [],  # noqa: B006
@@ -116,20 +117,38 @@ def run(
     record: Annotated[
         list[str],
         typer.Option(
-            "--record",
-            metavar="PATTERN",
-            help="Record these, not what the system file says: motor.*; repeatable.",
+            "--record", metavar="PATTERN", help="Record these, not what the system file says: motor.*; repeatable."
         ),
     ] = [],  # noqa: B006
     step: StepOption = "",
     fmus: FmusOption = None,
+    checkpoint: Annotated[
+        str,
+        typer.Option(
+            "--checkpoint", metavar="TIME", help='Keep the state of the run every so often, for --resume: "5 s".'
+        ),
+    ] = "",
+    resume: Annotated[
+        Path | None,
+        typer.Option(
+            "--resume", metavar="DIR", help="Go on with the run whose results folder this is, from its checkpoint."
+        ),
+    ] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
     ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
-    from .changes import changes_of
-    from .studies.single import run_system
+    from .request import Request
+    from .studies.single import resume_system, run_system
 
-    changes = changes_of(replace, map_, period)
-    run_system(system, out, assignments(set_), stop, fmus, check, changes, record_boundary, step, record, input_)
+    request = Request(
+        system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
+        step, str(fmus or ""), checkpoint, tuple(map(str, input_)),
+    )  # fmt: skip
+    if resume is not None:
+        resume_system(resume, request, check)
+    elif not system:
+        raise InputError("which system? `rovbrush systems` lists the shipped ones; or go on with --resume DIR")
+    else:
+        run_system(request, out, check)

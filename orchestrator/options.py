@@ -16,10 +16,8 @@ app = typer.Typer(
     help="Multirate co-simulation of a hull-cleaning underwater vehicle, by FMUs.",
 )
 
-SystemName = Annotated[
-    str,
-    typer.Argument(metavar="SYSTEM", help="A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."),
-]
+SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."
+SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
 SetOption = Annotated[
     list[str],
     typer.Option(

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
+from .errors import InputError
 from .memory import Memory
 from .plan import Plan
 from .run import Stored
 from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
-IN_MEMORY = 32_000_000  # bytes of tables that are kept in memory where a file is given for more
+IN_MEMORY = 30_000_000  # bytes of tables that are kept in memory where a file is given for more
 PIECE = 8_000_000  # bytes that go to the file at once
 
 
@@ -103,3 +106,24 @@ class Recorder:
             return self.tables(here)
         self.flush(here)
         return self.stream
+
+    def content(self) -> dict[str, np.ndarray]:
+        """What is in the buffer, and how many rows went before; for `restore`."""
+        rows = self.rows.tolist()
+        cells = np.concatenate([table.ravel() for table in self.tables(rows)])
+        return {"held": np.array(self.held), "rows": self.rows, "before": np.array(self.before), "cells": cells}
+
+    def restore(self, content: Mapping[str, np.ndarray], file: Path) -> None:
+        """Go on where another recorder was; `file` holds the rows that went before, if any did."""
+        self._reserve(int(content["held"]))
+        self.rows[:] = content["rows"]
+        first = 0
+        for table in self.tables(self.rows.tolist()):
+            table[...] = content["cells"][first : first + table.size].reshape(table.shape)
+            first += table.size
+        if any(content["before"]):
+            if self.file is None:
+                raise InputError("this run was recorded to a file; go on with a file to record to")
+            shutil.copyfile(file, self.file)
+            self.stream = Stream(self.file, self.plan, self.memory.texts)
+            self.stream.rows = content["before"].tolist()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from math import ceil
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 
 from . import ecco, execute
+from .access import Access
 from .compiled import compiled_run
-from .errors import InputError, RunError, nearest
+from .errors import InputError, RunError
 from .failure import failure_of
 from .initialize import initialize
-from .instance import Instance, Value
+from .instance import Instance
 from .instances import start
 from .interrupt import stop_on_interrupt
 from .memory import Memory
@@ -24,10 +25,19 @@ from .plan import Plan
 from .process import seconds_since_start
 from .recorder import Recorder
 from .run import Run
-from .system import checked_values
 from .workspace import free_states, make_workspace
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
+
+
+@dataclass
+class Position:
+    """How far a run is."""
+
+    cycle: int = 0  # whole cycles done
+    operation: int = 0  # the first one of the next cycle that is still to be done; not 0 after Ctrl-C
+    time: float = 0.0  # s
+    wall: float = 0.0  # s that the loop took
 
 
 class Session:
@@ -51,9 +61,9 @@ class Session:
         self.control = np.zeros(execute.CONTROL_CELLS, dtype=np.int64)
         self.instances: dict[str, Instance] = {}
         self._function = execute.run if interpreted else compiled_run()
-        self._cycle, self._block = 0, 1
-        self._reached, self._wall, self._began = 0.0, 0.0, 0.0
-        self._driven = {c.target: c.label for c in plan.system.connections}
+        self.at = Position()
+        self._interrupted = False
+        self._block, self._began = 1, 0.0
         self._closed = False
         try:
             with stop_on_interrupt(self.control):
@@ -69,6 +79,7 @@ class Session:
                 }
                 self._components, self._blocks, self._typed = self.memory.tables(self.instances)
                 self.space = make_workspace(plan, self.instances)
+                self._access = Access(plan, self.memory, self.instances)
                 self.recorder = Recorder(plan, self.memory, file)
         except BaseException:
             for instance in self.instances.values():
@@ -78,12 +89,12 @@ class Session:
     @property
     def time(self) -> float:
         """The time reached [s]: all components are complete until then."""
-        return self._reached
+        return self.at.time
 
     @property
     def tick(self) -> int:
         """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
-        return int(self.space.clock[ecco.NOW]) or (0 if self.plan.adaptive else self._cycle * self._cycle_ticks)
+        return int(self.space.clock[ecco.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self._cycle_ticks)
 
     @property
     def _cycle_ticks(self) -> int:
@@ -105,66 +116,53 @@ class Session:
         until = stop if until_tick is None else until_tick
         if not self.tick <= until <= stop or (cycles is not None and cycles < 0):
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
-        last = stop if self.plan.adaptive else ceil(until / self._cycle_ticks)  # no step is shorter than a tick
-        last = last if cycles is None else min(last, self._cycle + cycles)
+        last = stop if self.plan.adaptive else -(-until // self._cycle_ticks)  # no step is shorter than a tick
+        last = last if cycles is None else min(last, self.at.cycle + cycles)
         self.space.clock[ecco.UNTIL] = until
         with stop_on_interrupt(self.control):
-            while self._cycle < last and self.tick < until and not self.failure:
-                self._run_block(last - self._cycle)
+            while self.at.cycle < last and self.tick < until and not self.failure:
+                self._run_block(last - self.at.cycle)
                 if progress and not self.failure:
-                    progress(self._reached)
+                    progress(self.at.time)
 
     def _run_block(self, cycles: int) -> None:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
         plan, clock = self.plan, self.plan.clock
-        size = self.recorder.make_room(min(self._block, cycles))
+        size = 1 if self.at.operation else self.recorder.make_room(min(self._block, cycles))
+        self.control[execute.RESUME_AT] = self.at.operation
         begin = time.perf_counter()
         code = self._function(
             plan.cycle, plan.coefficients, self._components, self._blocks, self.memory.z, *self._typed,
-            *self.recorder.arrays, self.control, *self.space.arrays, self._cycle, size, self._cycle_ticks,
+            *self.recorder.arrays, self.control, *self.space.arrays, self.at.cycle, size, self._cycle_ticks,
             clock.numerator, clock.denominator,
         )  # fmt: skip
         spent = time.perf_counter() - begin
-        self._wall += spent
+        self.at.wall += spent
         self._began = self._began or seconds_since_start()
         self._block = max(1, min(2 * self._block, int(size * BLOCK / max(spent, 1e-6))))
+        self.at.operation = 0
         if code != execute.DONE:
-            self._cycle = int(self.control[execute.AT_CYCLE])
-            self._reached, self.failure = failure_of(
-                plan, self.instances, code, self.control, self.memory.z, self.space
-            )
+            self.at.cycle = int(self.control[execute.AT_CYCLE])
+            self._interrupted = code == execute.INTERRUPTED
+            if self._interrupted:
+                self.at.operation = int(self.control[execute.AT_OPERATION])
+            self.at.time, self.failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
         else:
-            self._cycle = self._rows[0] - 1 if plan.adaptive else self._cycle + size
-            self._reached = clock.time(self.tick)
+            self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
+            self.at.time = clock.time(self.tick)
+
+    @property
+    def resumable(self) -> bool:
+        """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
+        return not self._closed and (not self.failure or self._interrupted)
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
 
         Raises InputError for an unknown name.
         """
-        component, _, variable = name.partition(".")
-        extra = self.plan.layout.extras.get((component, variable))
-        if extra:
-            return float(self.memory.z[extra.slot])
-        if component not in self.instances:
-            raise InputError(f"get {name}: no component '{component}'{nearest(component, self.instances)}")
-        fmu = self.instances[component].fmu
-        scalars = fmu.expand(variable)
-        if not scalars:
-            raise InputError(f"get {name}: {component} has no variable '{variable}'{nearest(variable, fmu.variables)}")
-        if fmu.type_of(scalars[0]) is None:
-            raise InputError(f"get {name}: values of type {fmu.variables[scalars[0]].type} cannot be exchanged")
-        values = [self._value(component, scalar) for scalar in scalars]
-        return values[0] if scalars == [variable] else values
-
-    def _value(self, component: str, variable: str) -> Value:
         self._require_open()
-        key = (component, variable)
-        for table in (self.plan.layout.outputs, self.plan.layout.inputs):
-            if key in table:
-                return self.memory.value(key, table[key])
-        value: Value = self.instances[component].get(variable)
-        return value
+        return self._access.get(name)
 
     def set(self, name: str, value: object) -> None:
         """Set an input that nothing drives, from now on; of an array a sequence of all values.
@@ -173,27 +171,7 @@ class Session:
         range; RunError if the session has ended.
         """
         self._require_alive()
-        component, _, variable = name.partition(".")
-        if component not in self.instances:
-            raise InputError(f"set {name}: no component '{component}'{nearest(component, self.instances)}")
-        plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
-        values = checked_values(self.plan.system.components[component], variable, plain, "set")
-        for scalar in values:
-            if self.instances[component].fmu.variables[scalar].causality != "input":
-                raise InputError(f"set {name}: a parameter is set before the run; only inputs can be set while it goes")
-            if (component, scalar) in self._driven:
-                raise InputError(
-                    f"set {name}: {component}.{scalar} is driven by the connection "
-                    f"{self._driven[component, scalar]}; remove that first"
-                )
-            if scalar in self.plan.system.components[component].series:
-                followed = self.plan.system.components[component].series[scalar].origin
-                raise InputError(f"set {name}: {component}.{scalar} follows {followed}; remove that first")
-        for scalar, scalar_value in values.items():
-            if (component, scalar) in self.plan.layout.inputs:  # of an array other elements are driven
-                slot = self.plan.layout.inputs[component, scalar]
-                self.memory.put((component, scalar), slot, scalar_value)
-        self.instances[component].set_all(values)
+        self._access.set(name, value)
 
     @property
     def _rows(self) -> list[int]:
@@ -206,7 +184,7 @@ class Session:
         if self.failure and self.plan.system.algorithm == "iterated":  # a pass may be recorded that was not the last
             rows = [self.tick // group.period + 1 for group in self.plan.groups]
         return Run(
-            self.plan, self.recorder.recorded(rows), self.failure, self._reached, self._wall, self._began,
+            self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._began,
             self._started, self.memory.texts, self._calculated,
         )  # fmt: skip
 
@@ -217,6 +195,8 @@ class Session:
             free_states(self.space, self.instances)
             for instance in self.instances.values():
                 instance.close()
+            if self.recorder.stream:
+                self.recorder.stream.close()
 
     def _require_open(self) -> None:
         if self._closed:

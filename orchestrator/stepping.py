@@ -63,16 +63,16 @@ class Stepping(Session):
             self._counts[by] = self.cycles(by, "step")
         count = 1 if by is None else self._counts[by]
         self._require_alive()
-        if self.tick >= self.plan.clock.stop or self._cycle + count > self._last:
+        if self.tick >= self.plan.clock.stop or self.at.cycle + count > self._last:
             raise self._at_stop()
         self.control[STOP_REQUEST] = 0
         if self.plan.adaptive and by is not None:
             until = min(self.tick + count * self.plan.clock.hyperperiod, self.plan.clock.stop)
             self.advance(until_tick=until)
         elif self._guarded:  # without what `advance` does around its blocks
-            end = self._cycle + count
-            while self._cycle < end and not self.failure:
-                self._run_block(end - self._cycle)
+            end = self.at.cycle + count
+            while self.at.cycle < end and not self.failure:
+                self._run_block(end - self.at.cycle)
         else:
             self.advance(cycles=count)
         self._settle()

@@ -68,3 +68,12 @@ class Texts:
         """The text of a number; bytes that are no UTF-8 are replaced."""
         address = int(self.index[ADDRESS] + self.index[OFFSETS + number])
         return ctypes.string_at(address).decode("utf-8", "replace")
+
+    def content(self) -> tuple[np.ndarray, np.ndarray]:
+        """The bytes of all texts, and where they are; for `restore`."""
+        return self.pool[: self.index[USED_BYTES]].copy(), np.delete(self.index, ADDRESS)
+
+    def restore(self, pool: np.ndarray, index: np.ndarray) -> None:
+        """Take texts and their numbers from another run."""
+        self.pool[: len(pool)] = pool
+        self.index[:] = np.insert(index, ADDRESS, self.pool.ctypes.data)

@@ -27,6 +27,7 @@ from ..simulation import require_complete, simulate
 from ..stepping import Stepping
 from ..system import System
 from .bench_floor import floor_loop
+from .bench_streaming import long_runs, show_long_runs
 from .bench_systems import Case, alone, cases
 from .hosts import HOSTS, missing, run_host
 
@@ -53,9 +54,11 @@ def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
             for kind, system in (("native", found[-1].system), ("python", found[-2].system))
         ]
     mark(rows, "nominal", process_figures(fmus) | rerun_figures(fmus))
+    streamed = long_runs()
     show(rows, parts)
+    show_long_runs(streamed)
     if json_file:
-        write_file(json_file, lambda path: write_json(path, [*rows, *parts]))
+        write_file(json_file, lambda path: write_json(path, [*rows, *parts, *streamed]))
         console.print(f"wrote {json_file}")
     return rows
 

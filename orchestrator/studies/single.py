@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields, replace
+from math import ceil
 from pathlib import Path
 
 from ..boundary import write_boundary
-from ..changes import UNCHANGED, Changes
+from ..changes import UNCHANGED, Changes, changes_of
+from ..checkpoint import Checkpoint, read_checkpoint, unserializable, write_checkpoint
 from ..clock import duration
 from ..console import console, print_comparison, print_notes, print_summary, progress
 from ..energy import require_energy
-from ..errors import InputError, RunError, nearest
+from ..errors import InputError, RovbrushError, RunError, nearest
+from ..fingerprint import require_unchanged
 from ..interrupt import stop_on_interrupt
+from ..options import assignments
 from ..plan import Plan, make_plan
 from ..reader import load_system
 from ..recorder import IN_MEMORY
 from ..reporting import check_reporting
+from ..request import Request
 from ..results import prepare_folder, write_results
 from ..run import Run
 from ..selection import select_recorded
@@ -60,36 +65,94 @@ def planned(
     return plan
 
 
-def run_system(
-    name: str,
-    out: Path,
-    values: Mapping[str, object],
-    stop: str,
-    fmus: Path | None,
-    check: bool,
-    changes: Changes = UNCHANGED,
-    boundaries: Sequence[str] = (),
-    step: str = "",
-    record: Sequence[str] = (),
-    inputs: Sequence[Path] = (),
-) -> None:
+def plan_of(request: Request) -> Plan:
+    """The plan of what was asked for. Raises InputError."""
+    changes = changes_of(request.replace, request.map_, request.period)
+    return planned(
+        request.system, assignments(list(request.set_)), request.stop, Path(request.fmus) if request.fmus else None,
+        changes, request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)),
+    )  # fmt: skip
+
+
+def run_system(request: Request, out: Path, check: bool) -> None:
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(name, values, stop, fmus, changes, boundaries, step, record, inputs)
+    plan = plan_of(request)
+    times = checkpoint_ticks(plan, request.checkpoint)
     prepare_folder(out)
     print_notes(plan.system)
+    _run(plan, request, out, check, times)
+
+
+def resume_system(folder: Path, asked: Request, check: bool) -> None:
+    """Go on from the checkpoint in a results folder, and write the results there. Errors as of `run_system`.
+
+    Of `asked` only `fmus` and `checkpoint` may be given; they replace what was asked for then.
+    """
+    taken = [f.name for f in fields(asked) if getattr(asked, f.name) and f.name not in ("fmus", "checkpoint")]
+    if taken:
+        names = ", ".join(name.rstrip("_").replace("_", "-") for name in taken)
+        raise InputError(f"--resume takes {names} from the checkpoint; leave it out")
+    checkpoint = read_checkpoint(folder)
+    try:
+        request = Request.of(checkpoint.request or {})
+    except ValueError:
+        raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
+    request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
+    plan = plan_of(request)
+    require_unchanged(checkpoint.unchanged, plan)
+    times = checkpoint_ticks(plan, request.checkpoint)
+    prepare_folder(folder, "--resume")
+    console.print(f"going on from t = {checkpoint.at.time:.9g} s")
+    _run(plan, request, folder, check, times, checkpoint)
+
+
+def checkpoint_ticks(plan: Plan, every: str) -> Iterable[int]:
+    """The instants at which checkpoints are due, before the stop. Raises InputError where FMUs cannot be saved."""
+    if not every:
+        return []
+    ticks = duration(every, "--checkpoint") / plan.clock.seconds(1)
+    if why := unserializable(plan):
+        raise InputError(f"--checkpoint: {why}; run without it")
+    return (ceil(k * ticks) for k in range(1, ceil(plan.clock.stop / ticks)))
+
+
+def _run(
+    plan: Plan, request: Request, out: Path, check: bool, checkpoints: Iterable[int], begin: Checkpoint | None = None
+) -> None:
     console.print("loading the FMUs; the first run compiles their kernels, which takes about half a minute")
     file = out / f".result.{os.getpid()}.tmp.nc"
+    hint = ""
     try:
         with Session(plan, file=file) as session, stop_on_interrupt(session.control):
-            with progress(float(plan.system.stop), f"running {plan.system.name}") as report:
-                session.advance(progress=report)
-            write_run(session.run(), out, boundaries, check)
+            if begin:
+                begin.restore(session)
+            with progress(float(plan.system.stop), f"running {plan.system.name}", begin=int(session.time)) as report:
+                for tick in checkpoints:
+                    if tick > session.tick and not session.failure:
+                        session.advance(until_tick=tick, progress=report)
+                        if not session.failure:
+                            session.failure = _keep(session, request, out)
+                if not session.failure:
+                    session.advance(progress=report)
+            if session.failure and session.resumable:
+                why = _keep(session, request, out)
+                hint = f"\n{why}" if why else f"\ngo on with `rovbrush run --resume {out}`"
+            write_run(session.run(), out, request.record_boundary, check, hint)
     finally:
         file.unlink(missing_ok=True)
 
 
-def write_run(run: Run, out: Path, boundaries: Sequence[str], check: bool) -> None:
-    """Print and write what a run left; see `run_system`."""
+def _keep(session: Session, request: Request, out: Path) -> str:
+    """Write a checkpoint; why that cannot be, if so: what was computed is not to be lost for it."""
+    try:
+        write_checkpoint(session, out, request.content())
+    except RovbrushError as error:
+        return str(error)
+    return ""
+
+
+def write_run(run: Run, out: Path, boundaries: Sequence[str], check: bool, hint: str = "") -> None:
+    """Print and write what a run left; see `run_system`. `hint` goes with the error of an early end."""
     summary = summarize(run)
     rows = comparison(run, summary)
     summary["comparison"] = [
@@ -104,7 +167,9 @@ def write_run(run: Run, out: Path, boundaries: Sequence[str], check: bool) -> No
     if not isinstance(run.recorded, list):
         console.print(f"no result.csv: the tables take more than {IN_MEMORY / 1e6:g} MB; result.nc holds all rows")
     if run.failure:
-        raise RunError(f"{run.failure}\nwhat was computed until then is in {out}, marked incomplete")
+        raise RunError(
+            f"{run.failure}\nwhat was computed until then is in {out}, marked incomplete" + f"\n{hint}" * bool(hint)
+        )
     require_energy(run)
     outside = [row["label"] for row in rows if row["within"] is False]
     if check and outside:

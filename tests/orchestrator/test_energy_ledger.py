@@ -12,6 +12,7 @@ from helpers import Measured, column, last, plan_of, run_of, system_text
 from quarter_car import energy_made_by_holding
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.request import Request
 from rovbrush.orchestrator.simulation import Run
 from rovbrush.orchestrator.studies.single import run_system
 from rovbrush.orchestrator.summary import summarize
@@ -83,7 +84,7 @@ def test_too_much_energy_fails_the_run_and_keeps_the_results(
     path = tmp_path / "car.toml"
     path.write_text(system_text(parts, WIRES, stop="4 s", algorithm="jacobi", bonds=[{**COUNTED, **limit}]))
     with pytest.raises(RunError, match=f"power bond strut: the coupling made .*{words}"):
-        run_system(str(path), tmp_path / "out", {}, "", fmus, False)
+        run_system(Request(str(path), fmus=str(fmus)), tmp_path / "out", check=False)
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["complete"] and not summary["coupling_energy"]["strut"]["within"]
     assert (tmp_path / "out" / "result.nc").is_file()

@@ -139,7 +139,7 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_the_run(
 ) -> None:
     # A file in the way stops every user, also one who may write anywhere.
     (tmp_path / "taken").write_text("mine")
-    monkeypatch.setattr(single, "simulate", lambda *_args, **_keys: pytest.fail("the run began"))
+    monkeypatch.setattr(single, "Session", lambda *_args, **_keys: pytest.fail("the run began"))
     out = tmp_path / "taken" / below
     assert rovbrush(monkeypatch, "run", "nominal", "--fmus", fmus, "--out", out) == 2
     assert "cannot write to the output folder" in capsys.readouterr().err

@@ -1,0 +1,175 @@
+"""A run that goes on from a checkpoint ends bitwise as one that was never interrupted."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from helpers import Part, edited, plan_of
+from native_build import built, needs_gcc
+from rovbrush.orchestrator import execute, recorder
+from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
+from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.reader import load_system
+from rovbrush.orchestrator.results import write_netcdf
+from rovbrush.orchestrator.session import Session
+from rovbrush.orchestrator.simulation import Run, simulate
+from test_session import ALGORITHMS, car
+from test_types import FREE2, FREE3, WIRES2, WIRES3
+
+
+def resumed(plan: Plan, folder: Path, file: Path | None = None) -> Run:
+    """The rest of a run from the checkpoint in a folder."""
+    with Session(plan, file=file) as session:
+        read_checkpoint(folder).restore(session)
+        session.advance()
+        return session.run()
+
+
+def cut(plan: Plan, folder: Path, *cycles: int, file: Path | None = None) -> Run:
+    """A run that is put to disk after each of some numbers of cycles and begun anew from there."""
+    begun = False
+    for count in cycles:
+        with Session(plan, file=file) as session:
+            if begun:
+                read_checkpoint(folder).restore(session)
+            session.advance(cycles=count)
+            assert not session.failure and session.tick < plan.clock.stop
+            write_checkpoint(session, folder)
+        begun = True
+    return resumed(plan, folder, file)
+
+
+def require_same(run: Run, whole: Run, folder: Path) -> None:
+    """The same rows, and the same result.nc byte by byte."""
+    assert not run.failure and run.end == whole.end
+    assert [t.tobytes() for t in run.tables] == [t.tobytes() for t in whole.tables]
+    for name, found in (("a.nc", run), ("b.nc", whole)):
+        write_netcdf(found, folder / name)
+    assert (folder / "a.nc").read_bytes() == (folder / "b.nc").read_bytes()
+
+
+@pytest.mark.parametrize("method", ["aitken", "newton"])
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_every_algorithm_goes_on_bitwise(algorithm: str, method: str, tmp_path: Path, fmus: Path) -> None:
+    plan = car(tmp_path, fmus, algorithm)
+    if algorithm == "iterated":
+        system = replace(plan.system, iteration=replace(plan.system.iteration, method=method))
+        plan = make_plan(system)
+    require_same(cut(plan, tmp_path, 1, 30, 7), simulate(plan), tmp_path)
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+@pytest.mark.parametrize("steps", [1, 101, 102, 104, 107])
+def test_ctrl_c_within_a_cycle_goes_on_bitwise(
+    algorithm: str, steps: int, tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The request comes in a step of an FMU: within a cycle, and of an iterated one within a pass."""
+    plan = car(tmp_path, fmus, algorithm)
+    with Session(plan, interpreted=True) as session:
+        done = [0]
+
+        def step(*arguments: float) -> int:
+            done[0] += 1
+            session.control[execute.STOP_REQUEST] = done[0] >= steps
+            return original(*arguments)
+
+        original = execute.do_step
+        monkeypatch.setattr(execute, "do_step", step)
+        session.advance()
+        monkeypatch.undo()
+        assert "interrupted by the user" in session.failure and session.resumable
+        assert session.at.operation > 0 or algorithm == "ecco" or steps > 102, "it stops within a cycle"
+        write_checkpoint(session, tmp_path)
+    require_same(resumed(plan, tmp_path), simulate(plan), tmp_path)
+
+
+@needs_gcc
+@pytest.mark.parametrize("isolation", ["", "process"])
+@pytest.mark.parametrize("algorithm", ["jacobi", "iterated"])
+@pytest.mark.parametrize("kind", ["feedthrough2", "feedthrough3"])
+def test_every_type_in_its_own_process_or_not_goes_on_bitwise(
+    kind: str, algorithm: str, isolation: str, tmp_path: Path
+) -> None:
+    free, wires = (FREE2, WIRES2) if kind == "feedthrough2" else (FREE3, WIRES3)
+    parts: dict[str, Part] = {"a": (kind, "1 ms", free), "b": (kind, "2 ms")}
+    system = plan_of(tmp_path, built(tmp_path), parts, wires, stop="20 ms", algorithm=algorithm).system
+    components = {name: replace(c, isolation=isolation) for name, c in system.components.items()}
+    plan = make_plan(replace(system, components=components))
+    require_same(cut(plan, tmp_path, 3, 4), simulate(plan), tmp_path)
+
+
+@pytest.mark.parametrize("version", ["", "fmi2", "fmi3"])
+def test_the_nominal_system_goes_on_bitwise(
+    version: str, tmp_path: Path, fmus: Path, request: pytest.FixtureRequest
+) -> None:
+    folder = request.getfixturevalue("native") / version if version else fmus
+    plan = make_plan(replace(load_system("nominal", folder), stop=Fraction(1, 5)))
+    require_same(cut(plan, tmp_path, 3), simulate(plan), tmp_path)
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_a_run_that_is_recorded_to_disk_goes_on_bitwise(
+    algorithm: str, tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name, size in (("IN_MEMORY", 2000), ("PIECE", 700), ("CHUNK", 5)):
+        monkeypatch.setattr(recorder, name, size)
+    plan = car(tmp_path, fmus, algorithm)
+    run = cut(plan, tmp_path, 31, 20, file=tmp_path / "rows.nc")
+    assert (tmp_path / "checkpoint" / "rows.nc").is_file() and not isinstance(run.recorded, list)
+    require_same(run, simulate(plan), tmp_path)
+
+
+def test_what_cannot_be_written_to_disk_is_named(tmp_path: Path, fmus: Path) -> None:
+    flags = {'canSerializeFMUstate="true"': 'canSerializeFMUstate="false"'}
+    edited(fmus / "wheel.fmu", tmp_path / "wheel.fmu", {}, flags)
+    (tmp_path / "chassis.fmu").write_bytes((fmus / "chassis.fmu").read_bytes())
+    with Session(car(tmp_path, tmp_path, "jacobi")) as session, pytest.raises(InputError) as refused:
+        write_checkpoint(session, tmp_path)
+    assert "component w: wheel.fmu" in str(refused.value) and "canSerializeFMUstate = false" in str(refused.value)
+    assert not (tmp_path / "checkpoint").exists()
+
+
+def test_a_changed_fmu_value_or_schedule_is_refused(tmp_path: Path, fmus: Path) -> None:
+    plan = car(tmp_path, fmus, "jacobi")
+    cut(plan, tmp_path, 5)
+    system = plan.system
+    other = tmp_path / "other"
+    other.mkdir()
+    for name in ("wheel", "chassis"):
+        edited(fmus / f"{name}.fmu", other / f"{name}.fmu", {"extra.txt": b"new"})
+    for changed, words in (
+        (car(tmp_path, other, "jacobi").system, "component w: the FMU has changed, wheel.fmu had sha256"),
+        (system.with_values({"w.m_w": 41.0}, "test"), "w.m_w was None, now it is 41.0"),
+        (replace(system, stop=2 * system.stop), "another stop now: was 3/10, now 3/5"),
+        (system.with_periods(Fraction(1, 2)), "another tick now: was 1/1000, now 1/2000"),
+        (replace(system, record=("w.*",)), "another recorded now"),
+        (replace(system, algorithm="iterated"), "another algorithm now: was jacobi, now iterated"),
+    ):
+        with pytest.raises(InputError) as refused:
+            resumed(make_plan(changed), tmp_path)
+        assert "cannot go on from the checkpoint" in str(refused.value) and words in str(refused.value)
+
+
+def test_a_damaged_or_missing_checkpoint_is_refused(tmp_path: Path, fmus: Path) -> None:
+    plan = car(tmp_path, fmus, "jacobi")
+    with pytest.raises(InputError, match="there is no checkpoint in"):
+        resumed(plan, tmp_path)
+    cut(plan, tmp_path, 5)
+    place = tmp_path / "checkpoint"
+    content = (place / "0.state").read_bytes()
+    (place / "0.state").write_bytes(content[:-1] + bytes([content[-1] ^ 1]))
+    with pytest.raises(InputError, match=r"damaged: 0\.state is not what was written"):
+        resumed(plan, tmp_path)
+    (place / "0.state").write_bytes(content)
+    head = json.loads((place / "checkpoint.json").read_text())
+    (place / "checkpoint.json").write_text(json.dumps({**head, "files": {"../../secret": "0"}}))
+    with pytest.raises(InputError, match="damaged"):
+        resumed(plan, tmp_path)
+    (place / "checkpoint.json").write_text("{")
+    with pytest.raises(InputError, match="damaged"):
+        resumed(plan, tmp_path)
