@@ -15,6 +15,8 @@ import pytest
 import xarray
 from helpers import Measured, column, last, plan_of, read_system, run_of, system_text
 from native_build import built, needs_gcc
+from rovbrush.orchestrator.changes import Changes
+from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
@@ -22,6 +24,7 @@ from rovbrush.orchestrator.lookup import held_at, mean_over, value_at
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.results import manifest, write_csv
 from rovbrush.orchestrator.series_file import with_files, with_inputs
+from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import require_complete, simulate
 from rovbrush.orchestrator.ssp.write import write_ssp
 from rovbrush.orchestrator.studies.point import digest
@@ -298,3 +301,39 @@ def test_the_command_line_takes_files(tmp_path: Path, fmus: Path) -> None:
     done = subprocess.run([*command, "run", *options], capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert done.stderr.strip() == "error: --input profile.csv: i.uu is no input; did you mean 'u'?"
+
+
+def test_a_resumed_run_goes_on_with_the_table_and_with_no_other(tmp_path: Path, fmus: Path) -> None:
+    t = np.linspace(0.0, 0.02, 33)
+    system = one(tmp_path, fmus)
+    plan, other = (planned(system, {"i.u": (t, np.sin(k * t))}) for k in (300.0, 301.0))
+    with Session(plan) as session:
+        session.advance(cycles=4)
+        write_checkpoint(session, tmp_path)
+    with Session(plan) as session:
+        read_checkpoint(tmp_path).restore(session)
+        assert session.time == 0.008
+        session.advance()
+        resumed = session.run()
+    assert resumed.tables[0].tobytes() == simulate(plan).tables[0].tobytes()
+    with Session(other) as session, pytest.raises(InputError, match=r"i\.u was a table \("):
+        read_checkpoint(tmp_path).restore(session)
+
+
+def test_a_table_reaches_the_fmu_that_replaces_a_component_in_its_direction(tmp_path: Path, fmus: Path) -> None:
+    entry = {"time": ROWS, "values": VALUES}
+    system = read_system(tmp_path, fmus, {"i": ("integrator", "2 ms", {"=u": entry})}, stop="20 ms")
+    (tmp_path / "map.toml").write_text('[variables]\nu = { name = "u", sign = -1 }\n')
+    same, turned = (
+        Changes((("i", str(fmus / "integrator.fmu")),), mappings).apply(system)
+        for mappings in ((), (("i", str(tmp_path / "map.toml")),))
+    )
+    x, kept, against = (last(simulate(make_plan(s)), "i.x") for s in (system, same, turned))
+    assert kept == x and against == -x and x > 0.0
+
+
+def test_a_replaced_component_without_the_input_must_be_said_to_lack_it(tmp_path: Path, fmus: Path) -> None:
+    entry = {"time": ROWS, "values": VALUES}
+    system = read_system(tmp_path, fmus, {"i": ("integrator", "2 ms", {"=u": entry})}, stop="20 ms")
+    with pytest.raises(InputError, match=r"u.*which the system sets to the table in the system file"):
+        Changes((("i", str(fmus / "wave.fmu")),)).apply(system)
