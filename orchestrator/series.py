@@ -138,7 +138,8 @@ def series_in_words(system: System) -> list[str]:
                 if series.sampled
                 else "series, the mean over the step of the line through the rows: second order in their distance"
             )
-            found.append(f"  {component.name}.{name:<20} {series.origin}, {len(series.times)} rows; {how}")
+            label = f"{component.name}.{name}"
+            found.append(f"  {label:<28} {series.origin}, {len(series.times)} rows; {how}")
     return found
 
 
