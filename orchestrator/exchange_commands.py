@@ -34,8 +34,9 @@ def test_component(
 ) -> None:
     """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
     from .component_tests.tables import run_bench
+    from .shelter import sheltered
 
-    if run_bench(fmu, component, map_, tolerance):
+    if sheltered(fmu, run_bench, fmu, component, map_, tolerance):
         raise typer.Exit(1)
 
 
@@ -52,8 +53,9 @@ def replay(
 ) -> None:
     """Drive an FMU with the recorded inputs of a component and compare its outputs with the recorded ones."""
     from .replay import replay as drive
+    from .shelter import sheltered
 
-    drive(fmu, folder, name, map_, rtol, atol)
+    sheltered(fmu, drive, fmu, folder, name, map_, rtol, atol)
 
 
 @app.command()

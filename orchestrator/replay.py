@@ -11,6 +11,7 @@ from fmpy.model_description import ModelVariable
 from rich.markup import escape
 from rich.table import Table
 
+from .clock import seconds_text
 from .console import console, progress
 from .crossing import REALS, Crossing
 from .errors import InputError, RunError, nearest
@@ -64,6 +65,7 @@ def compare(
     """Drive the FMU through the recording; a verdict per output, and what was left out."""
     fmu = LoneFmu(path)
     try:
+        _check_steps(fmu, recording)
         crossings, notes = _crossings(fmu, recording, mapping)
         with progress(float(recording.times[-1]), f"replaying {recording.name}") as report:
             found = _drive(fmu, recording, mapping, crossings, report)
@@ -84,6 +86,26 @@ def compare(
             )
         )  # fmt: skip
     return verdicts, notes
+
+
+def _check_steps(fmu: LoneFmu, recording: Recording) -> None:
+    """Raise InputError for an FMU of fixed steps that cannot make those of the recording."""
+    steps, step = np.diff(recording.times), recording.options["StepSize"]
+    if fmu.fmu.can_vary_step:
+        return
+    label = f"{fmu.path.name} has fixed steps (canHandleVariableCommunicationStepSize = false)"
+    if np.any(np.abs(steps - step) > 1e-9 * max(step, float(recording.times[-1]))):
+        raise InputError(f"{label}, and {recording.name}_ref.csv has steps of several lengths")
+    inside, made_for = fmu.fmu.internal_step, fmu.fmu.recommended_step
+    size = inside or made_for
+    if size is None:
+        return
+    ratio = step / float(size)
+    if abs(ratio - (max(1, round(ratio)) if inside else 1)) > 1e-9 * ratio:
+        raise InputError(
+            f"{label} of {seconds_text(size)}, and the recording's are of {step:g} s; record anew: "
+            f'`rovbrush run SYSTEM --period NAME="{seconds_text(size)}" --record-boundary NAME`'
+        )
 
 
 def _crossings(fmu: LoneFmu, recording: Recording, mapping: VariableMapping) -> tuple[dict[str, Crossing], list[str]]:

@@ -7,7 +7,8 @@ variables. What the other FMU does not have must be said to be missing in the ma
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterable, Mapping
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from fmpy.model_description import ModelVariable
@@ -40,7 +41,8 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         else:
             crossings[variable.name] = crossing_between(name, variable, theirs, mapping, label)
             presented.append(_presented(variable, theirs, crossings[variable.name]))
-    own = own_values(fmu.variables, mapping, {c.name for c in crossings.values()}, label)
+    unmapped = [v.name for v in lacking if v.causality == "input" and not mapping.states(v.name)]
+    own = own_values(fmu.variables, mapping, {c.name for c in crossings.values()}, label, unmapped)
     for key in own:
         theirs = fmu.variables[key]
         crossings[OWN + key] = Crossing(key, theirs.unit)
@@ -123,15 +125,23 @@ def _renamed(variable: ModelVariable, name: str) -> ModelVariable:
 
 
 def own_values(
-    variables: Mapping[str, ModelVariable], mapping: VariableMapping, mapped: set[str], label: str
+    variables: Mapping[str, ModelVariable],
+    mapping: VariableMapping,
+    mapped: set[str],
+    label: str,
+    unmapped: Sequence[str] = (),
 ) -> dict[str, Value]:
-    """Values for variables of theirs that stand for none of ours; every input of theirs needs one."""
+    """Values for variables of theirs that stand for none of ours; every input of theirs needs one.
+
+    `unmapped`: inputs of ours that none of theirs stands for, to be offered where an input of theirs has no value.
+    """
     for name, variable in variables.items():
         if variable.causality == "input" and name not in mapped and name not in mapping.inputs:
-            start = variable.start
+            start, close = variable.start, difflib.get_close_matches(name, unmapped, 1, 0.0)
+            offer = f' ({close[0]} = "{name}")' if close else ""
             raise InputError(
-                f"{label} has an input '{name}' that nothing drives; map one of ours to it under [variables] in a "
-                f'mapping file, or give it a value there: [inputs] "{name}" = {start if start is not None else 0.0}'
+                f"{label} has an input '{name}' that nothing drives; map one of ours to it{offer} under [variables] in "
+                f'a mapping file, or give it a value there: [inputs] "{name}" = {start if start is not None else 0.0}'
             )
     for table, causality in (("inputs", "input"), ("parameters", "parameter")):
         for name in getattr(mapping, table):

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import subprocess
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import fmpy
@@ -17,6 +15,7 @@ from helpers import FIXTURES, Measured
 from rovbrush.components.build import COMPONENTS
 from rovbrush.components.native.compile import PLATFORMS
 
+Start = Callable[..., "subprocess.CompletedProcess[str]"]  # program and its arguments
 HEADERS = Path(fmpy.__file__).parent / "c-code"
 # Step size [s], steps, and inputs or parameters that make something happen.
 RUNS: dict[str, tuple[float, int, Mapping[str, float]]] = {
@@ -45,17 +44,17 @@ def version(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
 
-@pytest.fixture(scope="module")
-def wine_prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("wine")
+def bare(program: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """The program with an empty environment."""
+    command = [str(program), *words]
+    return subprocess.run(command, capture_output=True, text=True, env={}, timeout=120, check=False)
 
 
-def c_outputs(fmu: Path, program: Path, folder: Path, library: str, words: list[str], **keys: object) -> np.ndarray:
+def c_outputs(fmu: Path, start: Start, program: Path, library: str, words: list[str]) -> np.ndarray:
     """The library unpacked and run by the host; its outputs."""
     with zipfile.ZipFile(fmu) as archive:
-        path = archive.extract(library, folder)
-    command = [*([shutil.which("wine") or ""] if program.suffix else []), str(program), path, *words]
-    run = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, **keys)  # type: ignore[call-overload]
+        path = archive.extract(library, program.parent)
+    run = start(program, path, *words)
     assert run.returncode == 0, (run.returncode, run.stderr[-2000:])
     return np.array([float.fromhex(line) for line in run.stdout.split()])
 
@@ -91,23 +90,20 @@ def test_c_host_with_an_empty_environment_gets_the_same_bits(
     expected, words = python_outputs(fmu, name, tmp_path / "fmu")
     platform = PLATFORMS["linux64"]
     library = f"binaries/{platform.fmi2 if version == 'fmi2' else platform.fmi3}/{name}.so"
-    seen = c_outputs(fmu, host(version, tmp_path), tmp_path, library, words, env={})
+    seen = c_outputs(fmu, bare, host(version, tmp_path), library, words)
     assert np.all(np.isfinite(expected)) and np.any(expected != 0.0)
     assert np.array_equal(seen, expected)
 
 
-@pytest.mark.skipif(not shutil.which("wine"), reason="wine is not installed: the win64 binaries are not run")
-@pytest.mark.skipif(not shutil.which("x86_64-w64-mingw32-gcc"), reason="mingw-w64 is not installed")
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_win64_binary_runs_under_wine(
-    name: str, version: str, native: Path, tmp_path: Path, wine_prefix: Path, measured: Measured
+    name: str, version: str, native: Path, tmp_path: Path, wine: Start, measured: Measured
 ) -> None:
     fmu = native / version / f"{name}.fmu"
     expected, words = python_outputs(fmu, name, tmp_path / "fmu")
     platform = PLATFORMS["win64"]
     library = f"binaries/{platform.fmi2 if version == 'fmi2' else platform.fmi3}/{name}.dll"
-    prefix = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": str(wine_prefix), "DISPLAY": ""}
-    seen = c_outputs(fmu, host(version, tmp_path, windows=True), tmp_path, library, words, env=prefix)
+    seen = c_outputs(fmu, wine, host(version, tmp_path, windows=True), library, words)
     scale = np.maximum(np.abs(expected), 1e-3 * np.max(np.abs(expected)))
     difference = float(np.max(np.abs(seen - expected) / scale))
     measured(f"{name} win64 under wine against linux64, {version}: relative difference", difference, "1e-12")

@@ -1,4 +1,4 @@
-"""The recordings in fmus/recordings: what they hold, and that every built FMU agrees with them, in `replay` and C."""
+"""The recordings in fmus/recordings: what they hold; every built FMU agrees with them, by `replay` and in C."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ FOLDER = ROOT / "fmus" / "recordings"
 # Another C library rounds sin, exp and others differently in the last digit, which the steps carry on; residuals of
 # energy are small differences of joules, hence the same bound as an absolute one.
 TOLERANCE = 1e-9
+RENEW = "run `python -m rovbrush.orchestrator.studies.recordings`"
 ENDINGS = ("in.csv", "ref.csv", "ref.opt", "parameters.csv")
 # What stays as it is: the speed of the constant drive, the share of modes that are off, and what needs another run.
 AT_REST = {
@@ -56,13 +57,13 @@ def test_the_recordings_are_what_their_command_writes_today(native: Path, tmp_pa
         kept, made = read_recording(FOLDER, name), read_recording(tmp_path, name)
         assert (made.options, list(made.inputs), list(made.outputs)) == (
             kept.options, list(kept.inputs), list(kept.outputs)
-        ), "run `python -m rovbrush.orchestrator.studies.recordings`"  # fmt: skip
+        ), RENEW  # fmt: skip
         given = [{k: s for k, s in r.starts.items() if s.causality == "parameter"} for r in (kept, made)]
         assert given[0] == given[1]
         for old, new in ((kept.inputs, made.inputs), (kept.outputs, made.outputs)):
             for key in old:
                 scale = float(np.max(np.abs(old[key])))
-                np.testing.assert_allclose(new[key], old[key], rtol=0, atol=TOLERANCE * (1 + scale))
+                np.testing.assert_allclose(new[key], old[key], rtol=0, atol=TOLERANCE * (1 + scale), err_msg=RENEW)
 
 
 def test_the_command_that_renews_them_names_what_it_wrote(

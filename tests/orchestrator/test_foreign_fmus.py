@@ -41,7 +41,7 @@ RENAMED = {'name="u"': 'name="force"', 'name="y"': 'name="thrust"'}
 FMI1 = {'fmiVersion="2.0"': 'fmiVersion="1.0"'}
 BAD = {
     # what, changes of the description, mapping file, words of the message
-    "an input is missing": (RENAMED, "", ["their.fmu has an input 'force' that nothing drives", "map one of ours"]),
+    "an input is missing": (RENAMED, "", ["their.fmu has an input 'force' that nothing drives", "map one of ours to it (u = \"force\")"]),
     "an input that is driven is missing": ({'name="u"': 'name="force"'}, "[inputs]\nforce = 0.0", ["their.fmu has no input 'u'", "which w.y drives", "there are force", 'u = ""']),
     "a surplus input": ({'name="u"': 'name="force"'}, "[variables]\nu = ''", ["their.fmu has an input 'force' that nothing drives", "[inputs]", '"force" = 0.0']),
     "an output that drives is missing": ({'name="y"': 'name="thrust"'}, "", ["their.fmu has no output 'y'", "drives x.u", 'y = "their name"']),

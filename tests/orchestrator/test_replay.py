@@ -97,13 +97,13 @@ def test_other_names_directions_and_units_are_mapped(recorded: Path, fmus: Path,
 
 
 def test_the_command_returns_the_verdict(
-    recorded: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    recorded: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     good = rovbrush(monkeypatch, "replay", fmus / "gain.fmu", recorded, "--name", "g")
     (tmp_path / "map.toml").write_text("[variables]\nk = ''\n")
     bad = rovbrush(monkeypatch, "replay", fmus / "gain.fmu", recorded, "--name", "g", "--map", tmp_path / "map.toml")
     assert (good, bad) == (0, 1)
-    written = capsys.readouterr()
+    written = capfd.readouterr()
     assert "equal" in written.out and "outside" in written.out and "as map.toml says" in written.out
     assert "outside the tolerance: y" in written.err
 
@@ -173,3 +173,25 @@ def test_what_a_foreign_fmu_did_in_the_loop_replays_with_its_own_mapping(fmus: P
     write_boundary(require_complete(simulate(plan)), "g", tmp_path)
     verdicts = replay(fmu, tmp_path, mapping=tmp_path / "map.toml", rtol=0.0)
     assert {v.text for v in verdicts} == {"equal"} and verdicts[0].scale == 12.01
+
+
+VARIABLE = 'canHandleVariableCommunicationStepSize="true"'
+FIXED = {VARIABLE: VARIABLE.replace("true", "false")}
+
+
+def test_fixed_steps_must_be_those_of_the_recording(recorded: Path, fmus: Path, tmp_path: Path) -> None:
+    """The recording of the gain has steps of 3 ms."""
+    slow = edited(fmus / "gain.fmu", tmp_path / "slow.fmu", {}, {**FIXED, 'stepSize="0.001"': 'stepSize="0.002"'})
+    with pytest.raises(InputError, match=r'slow.fmu has fixed steps .* of 2 ms, .* 0.003 s; .*--period NAME="2 ms"'):
+        replay(slow, recorded, "g")
+    same = edited(fmus / "gain.fmu", tmp_path / "same.fmu", {}, {**FIXED, 'stepSize="0.001"': 'stepSize="0.003"'})
+    assert {v.text for v in replay(same, recorded, "g", rtol=0.0)} == {"equal"}
+
+
+def test_fixed_steps_need_a_recording_of_even_steps(recorded: Path, fmus: Path, tmp_path: Path) -> None:
+    fmu = edited(fmus / "gain.fmu", tmp_path / "their.fmu", {}, {**FIXED, 'stepSize="0.001"': 'stepSize="0.003"'})
+    for path in recorded.glob("g_*"):
+        lines = path.read_text().splitlines(keepends=True)
+        (tmp_path / path.name).write_text("".join(lines[:5] + lines[6:] if path.name != "g_ref.opt" else lines))
+    with pytest.raises(InputError, match=r"their.fmu has fixed steps .* g_ref.csv has steps of several lengths"):
+        replay(fmu, tmp_path, "g")
