@@ -1,1 +1,27 @@
-"""How it is run: a multirate co-simulation master for FMUs whose loop has no Python in it."""
+"""How it is run: a multirate co-simulation master for FMUs whose loop has no Python in it.
+
+from rovbrush.orchestrator import load
+
+result = load("nominal").run(stop="2 s")
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .api import Model, load
+    from .errors import FmuError, InputError, RovbrushError, RunError
+    from .outcome import Result
+    from .stepping import Stepping
+
+__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "load"]
+_PLACES = {"load": "api", "Model": "api", "Result": "outcome", "Stepping": "stepping"}
+
+
+def __getattr__(name: str) -> Any:
+    """What is imported when it is asked for, so that a command loads no more than it needs."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{_PLACES.get(name, 'errors')}", __name__), name)

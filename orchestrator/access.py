@@ -63,6 +63,9 @@ class Access:
                     f"set {name}: {component}.{scalar} is driven by the connection {self.driven[component, scalar]}; "
                     f"remove that first"
                 )
+            if scalar in self.plan.system.components[component].series:
+                followed = self.plan.system.components[component].series[scalar]
+                raise InputError(f"set {name}: {component}.{scalar} follows {followed}; remove that first")
         for scalar, scalar_value in values.items():
             if (component, scalar) in self.plan.layout.inputs:  # of an array other elements are driven
                 slot = self.plan.layout.inputs[component, scalar]

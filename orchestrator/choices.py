@@ -13,8 +13,13 @@ def discrete(system: System, end: tuple[str, str]) -> bool:
 
 
 def samplers_of(system: System) -> tuple[str, ...]:
-    """Components with connected inputs, all of which are sampled (FMI variability `discrete`)."""
+    """Components with connected inputs, all of which are sampled (FMI variability `discrete`).
+
+    Where nothing is connected, inputs that follow tables count instead.
+    """
     into = {name: [c.target for c in system.connections if c.target[0] == name] for name in system.components}
+    for name, component in system.components.items():
+        into[name] = into[name] or [(name, variable) for variable in component.series]
     return tuple(name for name, ends in into.items() if ends and all(discrete(system, end) for end in ends))
 
 
@@ -140,6 +145,7 @@ def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, s
             for i, transfer in choices.items()
             if i.target[0] == name and i.target[1] in answers and transfer.transfer in (*CHANGING, "iterated")
         ]
+        changing += [v for v, series in system.components[name].series.items() if v in answers and not series.sampled]
         if changing and name not in found:
             found[name] = f"{output} depends at once on {changing[0]}, which changes between the ends of two steps"
     return found

@@ -12,6 +12,7 @@ from .errors import InputError, RunError
 from .options import (
     SYSTEM_HELP,
     FmusOption,
+    InputOption,
     MapOption,
     OutOption,
     PeriodOption,
@@ -80,6 +81,7 @@ def plan(
     system: SystemName,
     all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,
     set_: SetOption = [],  # noqa: B006
+    input_: InputOption = [],  # noqa: B006
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
@@ -91,9 +93,11 @@ def plan(
     from .explain import explain
     from .plan import make_plan
     from .reader import load_system
+    from .series_file import with_files
 
     changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
-    print(explain(make_plan(changed.with_values(assignments(set_), "--set")), None if all_operations else 40))
+    changed = with_files(changed.with_values(assignments(set_), "--set"), input_)
+    print(explain(make_plan(changed), None if all_operations else 40))
 
 
 @app.command()
@@ -101,6 +105,7 @@ def run(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)] = "",
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
+    input_: InputOption = [],  # noqa: B006
     stop: StopOption = "",
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
@@ -139,7 +144,7 @@ def run(
 
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
-        step, str(fmus or ""), checkpoint,
+        step, str(fmus or ""), checkpoint, tuple(map(str, input_)),
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check)

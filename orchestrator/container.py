@@ -25,6 +25,7 @@ from .clock import seconds_text
 from .errors import InputError, RunError
 from .plan import Plan
 from .results import prepare_folder, write_file
+from .series import refuse_series
 from .system import Component, System
 
 End = tuple[str, str]
@@ -98,6 +99,7 @@ def differences(plan: Plan) -> list[str]:
 
 
 def _check(system: System) -> None:
+    refuse_series(system, "a container cannot hold")
     for name, component in system.components.items():
         if component.fmu.crossings:
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .books import Book
 from .clock import Clock
 from .layout import Group, Layout
+from .series import Series
 from .start import Block
 from .system import Connection, System
 from .transfer import Choice
@@ -41,10 +42,11 @@ class Design:
 
 @dataclass
 class Constants:
-    """The coefficients of operations, each tuple once."""
+    """The coefficients of operations, each tuple and each table once."""
 
     values: list[float]
     known: dict[tuple[float, ...], int]
+    tables: dict[Series, int] = field(default_factory=dict)
 
     def at(self, *values: float) -> int:
         """The position at which a tuple of coefficients begins."""
@@ -52,3 +54,10 @@ class Constants:
             self.known[values] = len(self.values)
             self.values.extend(values)
         return self.known[values]
+
+    def table(self, series: Series) -> int:
+        """The position at which a table begins."""
+        if series not in self.tables:
+            self.tables[series] = len(self.values)
+            self.values.extend(series.table.tolist())
+        return self.tables[series]

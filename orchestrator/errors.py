@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from typing import Any
 
 SHOWN = 15  # names in a list of what there is
 
@@ -25,7 +26,9 @@ class FmuError(RovbrushError):
 
 
 class RunError(RovbrushError):
-    """The run stopped early; what was computed so far is in the results."""
+    """The run stopped early; what was computed so far is in the results: from Python in `result`, if not None."""
+
+    result: Any = None
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -37,6 +37,7 @@ from .exchange import (
 )  # fmt: skip
 from .fmi_types import FLOAT
 from .iteration import AGAIN, CONVERGED, iterate
+from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
     CONTROL,
@@ -55,7 +56,9 @@ from .operations import (
     REPEAT,
     RESTORE,
     REWIND,
+    SAMPLE,
     SAVE,
+    SERIES,
     SET,
     STEP,
     WORK,
@@ -172,6 +175,12 @@ def run(
             elif code == MIX:
                 value = coefficients[k] * z[b] + coefficients[k + 1] * z[a]
                 z[b] = value + coefficients[k + 2] * z[p] + coefficients[k + 3]
+            elif code == SERIES:
+                time = ((base + p) * numerator) / denominator
+                end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
+                z[b] = mean_over(coefficients, k, time, end)
+            elif code == SAMPLE:
+                z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
             elif code in (SAVE, RESTORE) and c < 0:
                 for j in range(a):
                     if code == SAVE:

@@ -8,6 +8,7 @@ from .algorithms import explain_algorithm
 from .capabilities import remarks
 from .clock import seconds_text
 from .plan import Plan
+from .series import series_in_words
 from .words import Words
 
 
@@ -48,6 +49,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
             else f"; converted: {connection.gain:g} x + {connection.offset:g}"
         )
         lines.append(f"  {connection.label:<46} {choice.transfer:<11} {choice.reason}{converted}")
+    tables = series_in_words(system)
+    lines += ["", "inputs that follow tables", *tables] if tables else []
     for bond in system.bonds:
         effort, flow = (" -> ".join(filter(None, ends)) for ends in (bond.effort, bond.flow))
         counted = [f"exactly by {name}" for name in (bond.impulse, bond.displacement) if name]

@@ -18,7 +18,10 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "components": {
             name: {
                 "fmu": component.fmu.path.name, "sha256": component.fmu.digest,
-                "values": {**component.parameters, **component.inputs},
+                "values": {
+                    **component.parameters, **component.inputs,
+                    **{name: f"{series} ({series.digest[:12]})" for name, series in component.series.items()},
+                },
             } for name, component in system.components.items()
         },
         "tick": str(plan.clock.seconds(1)), "stop": str(system.stop), "algorithm": system.algorithm,

@@ -32,12 +32,13 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> St
     loop has no solution; InputError if what the system requires of time 0 is not so.
     """
     system, z = plan.system, memory.z
+    first = {name: component.first_inputs() for name, component in system.components.items()}
     for name, component in system.components.items():
-        instances[name].set_all({**component.parameters, **component.inputs})
+        instances[name].set_all({**component.parameters, **first[name]})
         instances[name].enter_initialization(plan.clock.time(plan.clock.stop))
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
-        component = system.components[name]
-        memory.put((name, variable), slot, component.inputs.get(variable, component.fmu.start(variable)))
+        value = first[name].get(variable, system.components[name].fmu.start(variable))
+        memory.put((name, variable), slot, value)
     started = _Propagation(plan, instances, memory).settle()
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])

@@ -91,6 +91,7 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     layout = Layout()
     used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
+    driven |= {(name, variable) for name, c in system.components.items() for variable in c.series}
     for name, component in system.components.items():
         for variable in _by_type(component.fmu, "output"):
             keys = [(name, element) for element in component.fmu.arrays[variable]]

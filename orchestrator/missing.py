@@ -13,6 +13,7 @@ from typing import Any
 from .errors import InputError, nearest
 from .fmu import Fmu
 from .mapping import VariableMapping
+from .series import Series
 from .system import Component, Connection, System, Value
 
 
@@ -51,6 +52,7 @@ class Left:
     system: System
     parameters: Mapping[str, Value]
     inputs: Mapping[str, Value]
+    series: Mapping[str, Series]
     notes: tuple[str, ...]
 
 
@@ -58,8 +60,8 @@ def leave_out(system: System, before: Component, missing: Missing) -> Left:
     """Take away what needs the missing variables. Raises InputError for what the mapping does not declare missing."""
     name, notes = missing.name, []
     kept = {}
-    for table, causality in (("parameters", "parameter"), ("inputs", "input")):
-        values: Mapping[str, Value] = getattr(before, table)
+    for table, causality in (("parameters", "parameter"), ("inputs", "input"), ("series", "input")):
+        values: Mapping[str, Any] = getattr(before, table)
         lost = [v for v in values if v in missing.variables]
         for variable in lost:
             missing.need(variable, f"which the system sets to {values[variable]}", causality)
@@ -80,7 +82,7 @@ def leave_out(system: System, before: Component, missing: Missing) -> Left:
     if unused:
         notes.append(f"{missing.label} has no such output, it is not recorded: {', '.join(unused)}")
     left = replace(system, connections=connections, reporting=reporting)
-    return Left(left, kept["parameters"], kept["inputs"], tuple(f"{name}: {note}" for note in notes))
+    return Left(left, kept["parameters"], kept["inputs"], kept["series"], tuple(f"{name}: {note}" for note in notes))
 
 
 def _cut(connection: Connection, missing: Missing, notes: list[str]) -> bool:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
 QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(10, 21)
+SERIES, SAMPLE = range(21, 23)
 NAMES = (
     *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
     *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
+    *("series", "sample"),
 )
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

@@ -39,6 +39,12 @@ MapOption = Annotated[
 PeriodOption = Annotated[
     list[str], typer.Option("--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms".')
 ]
+InputOption = Annotated[
+    list[Path],
+    typer.Option(
+        "--input", metavar="FILE.csv", help="Inputs that follow tables: columns time and component.input; repeatable."
+    ),
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]

@@ -15,6 +15,7 @@ from .design import Design
 from .iterated import IteratedSchedule, add_unknowns
 from .layout import make_groups, make_layout
 from .schedule import Schedule
+from .series import check_series
 from .start import start_order
 from .system import System
 
@@ -40,6 +41,7 @@ def make_plan(system: System) -> Plan:
     else:
         clock = make_clock({name: c.period for name, c in system.components.items()}, system.stop)
     samplers = samplers_of(system) if system.algorithm != "ecco" else ()
+    check_series(system, clock)
     leaders = leaders_of(system, samplers)
     choices = choices_of(system, clock, samplers, leaders)
     order, reason = order_of(system, clock)

@@ -14,6 +14,7 @@ from .algorithms import ALGORITHMS, ecco_of, iteration_of
 from .clock import duration
 from .errors import InputError, nearest
 from .fmu import Fmu
+from .series_file import stated_series
 from .stated_units import stated_units
 from .system import Component, System, checked_values
 from .toml_file import TomlFile
@@ -131,6 +132,9 @@ def _component(file: TomlFile, name: str, table: dict[str, Any], fmus: Path | No
     for kind, causality in (("parameters", "parameter"), ("inputs", "input")):
         for key, value in file.entry(dict, kind, table, heading).items():
             origin = f"{kind} of {name} {file.at(key, heading)}"
+            if kind == "inputs" and isinstance(value, dict):
+                component = stated_series(component, key, value, file.path.parent, origin)
+                continue
             found = checked_values(component, key, value, origin)
             if component.fmu.variables[next(iter(found))].causality != causality:
                 raise InputError(f"{origin}: {name}.{key} is no {causality}")
@@ -177,6 +181,7 @@ def _with_parameter_file(file: TomlFile, system: System) -> System:
         for c, entries in table.data.items()
         if isinstance(entries, dict) and c in system.components
         for key, value in entries.items()
+        if not set(system.components[c].fmu.expand(key)) & system.components[c].series.keys()
     }
     own = {
         f"{c.name}.{key}": value

@@ -58,7 +58,7 @@ def read_recording(folder: Path, name: str = "") -> Recording:
 
 
 def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    head, *rows = _rows(path) or [[""]]
+    head, *rows = csv_rows(path) or [[""]]
     if head[0].strip().lower() != "time":
         raise InputError(f"{path.name}: the first column must be time, it is '{head[0]}'")
     names = [cell.strip() for cell in head]
@@ -76,7 +76,8 @@ def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     return table[:, 0], {column: table[:, k] for k, column in enumerate(names) if k}
 
 
-def _rows(path: Path) -> list[list[str]]:
+def csv_rows(path: Path) -> list[list[str]]:
+    """The rows of a CSV file but empty ones. Raises InputError if it cannot be read."""
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             return [row for row in csv.reader(file) if row]
@@ -86,7 +87,7 @@ def _rows(path: Path) -> list[list[str]]:
 
 def _options(path: Path) -> dict[str, float]:
     try:
-        options = {key.strip(): float(value) for key, value in _rows(path)}
+        options = {key.strip(): float(value) for key, value in csv_rows(path)}
     except ValueError:
         raise InputError(f"{path.name}: write one `key, number` a line, {', '.join(REQUIRED)} among them") from None
     for key in REQUIRED:
@@ -99,7 +100,7 @@ def _starts(folder: Path, name: str) -> dict[str, Start]:
     path = folder / f"{name}_parameters.csv"
     if not path.is_file():
         return {}
-    head, *rows = _rows(path) or [[]]
+    head, *rows = csv_rows(path) or [[]]
     if head != ["name", "causality", "value", "unit"] or any(len(row) != 4 for row in rows):
         raise InputError(f"{path.name}: the columns must be name, causality, value, unit")
     return {variable: Start(causality, value, unit or None) for variable, causality, value, unit in rows}

@@ -23,6 +23,7 @@ class Request:
     step: str = ""
     fmus: str = ""
     checkpoint: str = ""
+    input_: tuple[str, ...] = ()
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""
@@ -33,6 +34,7 @@ class Request:
                 fmus=str(Path(self.fmus).absolute()) if self.fmus else "",
                 replace=tuple(map(_absolute, self.replace)),
                 map_=tuple(map(_absolute, self.map_)),
+                input_=tuple(str(Path(path).absolute()) for path in self.input_),
             )
         )
 

@@ -20,6 +20,7 @@ from .errors import InputError, RunError
 from .explain import explain
 from .netcdf import datasets
 from .run import Run, Stored
+from .series import manifest_of
 from .signals import Signals
 
 CSV_ROWS = 10_000  # that are text in memory at once
@@ -146,7 +147,7 @@ def manifest(run: Run) -> dict[str, Any]:
             "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
             "period_s": float(component.period),
             "parameters": {v: plain_value(value) for v, value in {**values, **component.parameters}.items()},
-            "inputs": dict(component.inputs),
+            "inputs": {**component.inputs, **manifest_of(component.series)},
         }  # fmt: skip
     return {
         "system": system.name, "description": system.description,

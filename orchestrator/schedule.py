@@ -33,6 +33,8 @@ from .operations import (
     PUSH,
     QUADRATIC,
     RECORD,
+    SAMPLE,
+    SERIES,
     SET,
     STEP,
     WORK,
@@ -142,7 +144,8 @@ class Schedule:
     def advance(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """Set inputs, step from `start` over one period, get outputs."""
         component, period, layout = self.index[name], self.clock.periods[name], self.layout
-        if self.design.into(name):
+        yield from self._tables(tick, name, start)
+        if self.design.into(name) or self.system.components[name].series:
             for key, slot in layout.foreign_inputs.items():
                 if key[0] == name:
                     crossing = self._crossing(key)
@@ -158,7 +161,7 @@ class Schedule:
                 if key[0] == name:
                     yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
-        yield self.stepping(tick, component, period, start)
+        yield (STEP, tick, component, self.length(name), start, 0, 0, 0)
         yield from rows
         if any(key[0] == name for key in layout.outputs):
             yield from self._get(tick, name, 0)
@@ -187,9 +190,16 @@ class Schedule:
             return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
         return (MOVE, tick, component, a, b, 0, 0, 0)
 
-    def stepping(self, tick: int, component: int, period: int, start: int) -> Row:
-        """The step itself."""
-        return (STEP, tick, component, period, start, 0, 0, 0)
+    def _tables(self, tick: int, name: str, start: int) -> Iterator[Row]:
+        """The inputs that follow tables, for the step from `start`."""
+        for variable, series in self.system.components[name].series.items():
+            code, length = (SAMPLE, 0) if series.sampled else (SERIES, self.length(name))
+            b, k = self.layout.inputs[name, variable], self.constants.table(series)
+            yield (code, tick, self.index[name], 0, b, start, length, k)
+
+    def length(self, name: str) -> int:
+        """Length of a component's step [ticks]."""
+        return self.clock.periods[name]
 
     def works(self, tick: int, name: str) -> Iterator[Row]:
         """The work of the step that was just done, at every bond of the component."""

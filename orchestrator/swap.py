@@ -59,6 +59,8 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     for variable_name, value in {**left.parameters, **left.inputs, **{OWN + k: v for k, v in own.items()}}.items():
         target = component.fmu.variables[variable_name]
         component = component.with_value(variable_name, parse_value(target, value, f"{origin}: {name}.{variable_name}"))
+    for variable_name, series in left.series.items():
+        component = component.with_series(variable_name, series)
     return replace(left.system, components={**system.components, name: component})
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from .algorithms import Ecco, Iteration
 from .errors import InputError, nearest
 from .fmu import Fmu, parse_value
+from .series import Series
 
 Value = float | int | bool | str
 
@@ -25,6 +26,7 @@ class Component:
     period: Fraction
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
+    series: Mapping[str, Series] = field(default_factory=dict)  # inputs that follow a table
     notes: tuple[str, ...] = ()  # what the user must know of it: see `swap.py`
     isolation: str = ""  # "process": the FMU runs in a process of its own
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
@@ -32,8 +34,23 @@ class Component:
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""
         if self.fmu.variables[name].causality == "input":
-            return replace(self, inputs={**self.inputs, name: value})
+            series = {key: table for key, table in self.series.items() if key != name}
+            return replace(self, inputs={**self.inputs, name: value}, series=series)
         return replace(self, parameters={**self.parameters, name: value})
+
+    def with_series(self, name: str, series: Series) -> Component:
+        """A copy in which one scalar input follows a table."""
+        inputs = {key: value for key, value in self.inputs.items() if key != name}
+        return replace(self, inputs=inputs, series={**self.series, name: series})
+
+    def first_inputs(self) -> dict[str, Value]:
+        """The inputs that no connection drives, at time 0."""
+        found = dict(self.inputs)
+        for name, series in self.series.items():
+            kind = self.fmu.type_of(name)
+            assert kind is not None
+            found[name] = series.first(kind)
+        return found
 
 
 @dataclass(frozen=True)
@@ -101,21 +118,32 @@ class System:
         Raises InputError for an unknown name, a driven input, a wrong type or a value out of range.
         """
         components = dict(self.components)
-        driven = {".".join(c.target) for c in self.connections}
+        tables = {f"{c.name}.{v}": series for c in components.values() for v, series in c.series.items()}
         for key, value in assignments.items():
             name, _, variable = key.partition(".")
             if name not in components:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
             component = components[name]
             for scalar, scalar_value in checked_values(component, variable, value, origin).items():
-                if f"{name}.{scalar}" in driven:
-                    source = next(c.label for c in self.connections if ".".join(c.target) == f"{name}.{scalar}")
-                    raise InputError(
-                        f"{origin}: {name}.{scalar} is driven by the connection {source}; remove that first"
-                    )
+                self.require_free(name, scalar, origin)
+                if f"{name}.{scalar}" in tables:
+                    followed = tables[f"{name}.{scalar}"].origin
+                    raise InputError(f"{origin}: {name}.{scalar} follows {followed}; remove that first")
                 component = component.with_value(scalar, scalar_value)
             components[name] = component
         return replace(self, components=components)
+
+    def with_component(self, component: Component) -> System:
+        """A copy with a component of the same name in place of another."""
+        return replace(self, components={**self.components, component.name: component})
+
+    def require_free(self, name: str, variable: str, origin: str) -> None:
+        """Raise InputError for an input that a connection drives."""
+        for c in self.connections:
+            if c.target == (name, variable):
+                raise InputError(
+                    f"{origin}: {name}.{variable} is driven by the connection {c.label}; remove that first"
+                )
 
     def with_periods(self, factor: Fraction) -> System:
         """A copy with every communication period multiplied by `factor`."""

@@ -110,7 +110,8 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
                 f"input {label} is driven twice: by {driver[connection.target].label} and by {connection.label} "
                 f"{connection.where}"
             )
-        if connection.target[1] in components[connection.target[0]].inputs:
+        target = components[connection.target[0]]
+        if connection.target[1] in (*target.inputs, *target.series):
             raise file.fail(
                 f"input {label} is driven by {connection.label} and has a value too; remove one",
                 connection.target[1].split("[")[0],
@@ -120,7 +121,8 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
     for component in components.values():
         for name in component.fmu.names("input"):
             known = component.fmu.type_of(name) is not None  # Binary and Clock inputs keep what the FMU starts with
-            if known and (component.name, name) not in driver and name not in component.inputs:
+            given = (component.name, name) in driver or name in component.inputs or name in component.series
+            if known and not given:
                 start = component.fmu.variables[name].start
                 base = name.split("[")[0]
                 raise file.fail(

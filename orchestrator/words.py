@@ -24,7 +24,9 @@ from .operations import (
     REPEAT,
     RESTORE,
     REWIND,
+    SAMPLE,
     SAVE,
+    SERIES,
     SET,
     STEP,
     WORK,
@@ -97,6 +99,8 @@ class Words:
         """Arithmetic on signals."""
         code, _tick, _component, a, b, p, q, k = row
         c, s = self.plan.coefficients, self.slots
+        if code in (SERIES, SAMPLE):
+            return self._table(row)
         if code in (MOVE, PUSH):
             return f"{s[b]} = {s[a]}"
         if code == ACCUMULATE:
@@ -118,6 +122,17 @@ class Words:
             return f"{s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}) + {c[k + 3]:g} ({s[a]} - 2 {s[p]} + {s[q]}){gain}"
         tail = "" if (c[k + 2], c[k + 3]) == (0.0, 0.0) else f" + {c[k + 2]:g} {s[a]} + {c[k + 3]:g} {s[p]}"
         return f"{s[b]} = {s[q]}{tail}{gain}, begin a new integral"
+
+    def _table(self, row: list[int]) -> str:
+        """An input that follows a table."""
+        code, _, _, _, b, start, length, _ = row
+        name, _, variable = self.slots[b].partition(".")
+        origin, seconds = self.plan.system.components[name].series[variable].origin, self.plan.clock.seconds
+        begin = seconds_text(seconds(start)) if start else "0 s"
+        if code == SAMPLE:
+            return f"{self.slots[b]} = {origin} at {'the beginning' if self.plan.adaptive else begin}"
+        span = "the macro step" if self.plan.adaptive else f"{begin} by {seconds_text(seconds(length))}"
+        return f"{self.slots[b]} = mean of {origin} over {span}"
 
 
 def _types(fmu: Fmu, variables: list[str]) -> str:

@@ -15,6 +15,7 @@ from lxml import etree
 from ..errors import InputError
 from ..fmu import Fmu
 from ..results import prepare_folder, write_file
+from ..series import refuse_series
 from ..system import Component, Connection, System
 from .annotations import annotate, component_keys, connection_keys, system_keys
 from .document import NAMESPACES, validate
@@ -31,6 +32,7 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
     """Write a system as an SSP of version 1.0 (validated by its schemas) or 2.0. Raises InputError or RunError."""
     if ssp_version not in VERSIONS:
         raise InputError(f"SSP version {ssp_version!r} cannot be written; take {' or '.join(VERSIONS)}")
+    refuse_series(system, "is not written to an SSP")
     for name, component in system.components.items():
         if component.fmu.crossings:
             raise InputError(f"component {name} has its variables mapped, which is not written to an SSP")

@@ -10,6 +10,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +24,7 @@ from ..errors import RunError
 from ..plan import Plan, make_plan
 from ..results import prepare_folder, write_file, write_json
 from ..simulation import require_complete, simulate
+from ..stepping import Stepping
 from ..system import System
 from .bench_floor import floor_loop
 from .bench_streaming import long_runs, show_long_runs
@@ -51,7 +53,7 @@ def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
             for name in found[-1].system.components
             for kind, system in (("native", found[-1].system), ("python", found[-2].system))
         ]
-    mark(rows, "nominal", process_figures(fmus))
+    mark(rows, "nominal", process_figures(fmus) | rerun_figures(fmus))
     streamed = long_runs()
     show(rows, parts)
     show_long_runs(streamed)
@@ -70,6 +72,9 @@ def measured(case: Case, hosts: list[str]) -> list[dict[str, Any]]:
         console.print(f"measuring {case.name}, recording {'on' if recording else 'off'}")
         rows.append({**label, "master": "rovbrush", "us_per_macro_step": per_step(system, rovbrush_loop)})
         if case.steps_elsewhere:
+            steps = min(c.period for c in system.components.values()) * case.steps_elsewhere
+            by_hand = per_step(replace(system, stop=steps), hand_loop)
+            rows.append({**label, "master": "rovbrush by hand", "us_per_macro_step": by_hand})
             if not recording:
                 rows.append({**label, "master": "calls alone", "us_per_macro_step": per_step(system, floor_loop)})
             for host in hosts:
@@ -95,6 +100,15 @@ def rovbrush_loop(plan: Plan) -> float:
     return require_complete(simulate(plan)).wall
 
 
+def hand_loop(plan: Plan) -> float:
+    """Seconds that the same steps take if Python asks for each."""
+    with Stepping(plan) as session:
+        begin = time.perf_counter()
+        while session.tick < plan.clock.stop:
+            session.step()
+        return time.perf_counter() - begin
+
+
 def mark(rows: list[dict[str, Any]], system: str, figures: dict[str, float]) -> None:
     """Add figures to the row of a system with recording on."""
     next(r for r in rows if (r["system"], r["master"], r["recording"]) == (system, "rovbrush", True)).update(figures)
@@ -111,6 +125,26 @@ def process_figures(fmus: Path | None) -> dict[str, float]:
             raise RunError(f"the nominal run in a process of its own failed: {done.stderr.strip()}")
         summary = json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
     return {key: summary[key] for key in ("start_s", "peak_memory_MB")}
+
+
+def rerun_figures(fmus: Path | None) -> dict[str, float]:
+    """Wall time [s] of 20 ms of the nominal run from Python, in a process of its own: loading, first and later runs."""
+    code = (
+        "import json, sys, time\nfrom rovbrush.orchestrator import load\ntimes = [time.perf_counter()]\n"
+        "system = load('nominal', stop='20 ms', fmus=sys.argv[1] or None)\ntimes.append(time.perf_counter())\n"
+        "for k in range(6):\n    system.set('motor.R', 0.1 + 0.001 * k).run()\n    times.append(time.perf_counter())\n"
+        "print(json.dumps([b - a for a, b in zip(times, times[1:])]))"
+    )
+    done = subprocess.run([sys.executable, "-c", code, str(fmus or "")], capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RunError(f"the nominal run from Python failed: {done.stderr.strip()}")
+    loading, first, *later = json.loads(done.stdout)
+    found = {"load_s": loading, "first_run_s": first, "next_run_s": statistics.median(later)}
+    console.print(
+        "nominal to 20 ms from Python: "
+        + ", ".join(f"{key.removesuffix('_s').replace('_', ' ')} {1e3 * value:.3g} ms" for key, value in found.items())
+    )
+    return found
 
 
 def show(rows: list[dict[str, Any]], parts: list[dict[str, Any]]) -> None:

@@ -79,6 +79,7 @@ def digest(system: System) -> str:
             str(c.period),
             sorted(c.parameters.items()),
             sorted(c.inputs.items()),
+            sorted((name, series.digest) for name, series in c.series.items()),
             {variable: astuple(crossing) for variable, crossing in c.fmu.crossings.items()},
         ]
         for name, c in system.components.items()

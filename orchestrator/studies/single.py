@@ -26,6 +26,7 @@ from ..request import Request
 from ..results import prepare_folder, write_results
 from ..run import Run
 from ..selection import select_recorded
+from ..series_file import with_files
 from ..session import Session
 from ..summary import comparison, summarize
 
@@ -39,13 +40,16 @@ def planned(
     boundaries: Sequence[str] = (),
     step: str = "",
     record: Sequence[str] = (),
+    inputs: Sequence[Path] = (),
 ) -> Plan:
     """Load a system, apply changes, values and a stop time, plan it and check what it wants reported.
 
     `boundaries`: components of which every input and output is recorded. `step`: see `load_system`. `record`: patterns
-    of what is recorded instead of what the system says. Raises InputError.
+    of what is recorded instead of what the system says. `inputs`: CSV files whose columns inputs follow. Raises
+    InputError.
     """
     system = changes.apply(load_system(name, fmus, step, stop)).with_values(values, "--set")
+    system = with_files(system, inputs)
     if record:
         system = select_recorded(system, record)
     for component in boundaries:
@@ -66,7 +70,7 @@ def plan_of(request: Request) -> Plan:
     changes = changes_of(request.replace, request.map_, request.period)
     return planned(
         request.system, assignments(list(request.set_)), request.stop, Path(request.fmus) if request.fmus else None,
-        changes, request.record_boundary, request.step, request.record,
+        changes, request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)),
     )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ FILES = loop_files(HERE)
 
 def test_the_loop_is_made_of_these_files() -> None:
     assert {path.stem for path in FILES} == {
-        *("execute", "exchange", "calls", "texts", "fmi_types", "operations", "iteration", "ecco")
+        *("execute", "exchange", "calls", "texts", "fmi_types", "operations", "iteration", "ecco", "lookup")
     }
 
 

@@ -1,0 +1,153 @@
+"""Systems, runs and results from Python, as short as on the command line.
+
+from rovbrush.orchestrator import load
+
+system = load("nominal", stop="2 s")
+result = system.set("motor.R", 0.1).run()
+result["brush.F_z"].plot()
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from .changes import Changes
+from .clock import duration
+from .errors import InputError
+from .explain import explain
+from .outcome import Result
+from .plan import Plan, make_plan
+from .reader import load_system
+from .reporting import check_reporting
+from .selection import select_recorded
+from .series_file import with_files, with_inputs
+from .stepping import Stepping, Time
+from .system import System
+
+Inputs = Mapping[str, Any] | str | Path
+Observer = Callable[[float, dict[str, Any]], object]
+
+
+def load(
+    name: str | Path,
+    *,
+    stop: Time = "",
+    fmus: str | Path | None = None,
+    replacements: Mapping[str, str | Path] | None = None,
+    mappings: Mapping[str, str | Path] | None = None,
+    periods: Mapping[str, str] | None = None,
+    record: Sequence[str] = (),
+    step: str = "",
+) -> Model:
+    """A system, by the name of a shipped one or by the path of a .toml, .ssp or .ssd file; FMUs are unpacked once.
+
+    `stop`: another stop time; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component: an
+    FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
+    recorded instead of what the system says; `step`: the period where an SSP states none.
+    Raises InputError or FmuError, as the command line does.
+    """
+    changes = Changes(
+        _paths(replacements), _paths(mappings), tuple((key, str(value)) for key, value in (periods or {}).items())
+    )
+    system = load_system(str(name), Path(fmus) if fmus else None, step, str(stop))
+    system = changes.apply(system)
+    return Model(select_recorded(system, record) if record else system).stopping(stop)
+
+
+def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:
+    return tuple((name, str(Path(path).absolute())) for name, path in (files or {}).items())
+
+
+class Model:
+    """A system that can be run, again and again. It never changes: `set` and `with_inputs` give another one."""
+
+    def __init__(self, system: System, planned: Plan | None = None) -> None:
+        self.system = system
+        self._planned = planned
+
+    @cached_property
+    def plan(self) -> Plan:
+        """What a run does, checked. Raises InputError."""
+        if self._planned is not None:
+            return replace(self._planned, system=self.system)
+        plan = make_plan(self.system)
+        check_reporting({".".join(key) for group in plan.groups for key in group.columns}, self.system)
+        return plan
+
+    def set(self, name: str | Mapping[str, object], value: object = None) -> Model:
+        """With a parameter, or an input that nothing drives: `set("motor.R", 0.1)`, `set({"motor.R": 0.1, ...})`.
+
+        The plan stays as it is. Raises InputError for an unknown name, a wrong type or a value out of range.
+        """
+        values = {name: value} if isinstance(name, str) else name
+        plain = {key: v.tolist() if hasattr(v, "tolist") else v for key, v in values.items()}
+        return Model(self.system.with_values(plain, "set"), self.__dict__.get("plan", self._planned))
+
+    def with_inputs(self, inputs: Inputs) -> Model:
+        """With inputs that follow tables: a CSV file, or by name (times [s], values), or one value; see `series`."""
+        if isinstance(inputs, (str, Path)):
+            return Model(with_files(self.system, [Path(inputs)], "inputs"))
+        return Model(with_inputs(self.system, inputs))
+
+    def stopping(self, stop: Time) -> Model:
+        """With another stop time, "2 s" or 2.0; the same model for an empty one."""
+        return Model(replace(self.system, stop=duration(stop, "stop"))) if stop else self
+
+    def run(
+        self,
+        *,
+        stop: Time = "",
+        inputs: Inputs | None = None,
+        observe: Observer | None = None,
+        every: Time | None = None,
+        signals: Iterable[str] = ("*",),
+        progress: Callable[[float], None] | None = None,
+    ) -> Result:
+        """Run from time 0 to the stop. Raises RunError if it ends before; its `result` is what was computed until then.
+
+        `stop`, `inputs`: see `stopping` and `with_inputs`. `observe` is called with the time [s] and the values of
+        `signals` (names of outputs, or patterns such as `motor.*`) by name, at time 0 and then `every` so often (a
+        multiple of the time in which the schedule repeats, which is the default); what it raises ends the run.
+        `progress` is called now and then with the time reached [s].
+        """
+        model = self.stopping(stop)
+        model = model.with_inputs(inputs) if inputs is not None else model
+        if observe is None and every is not None:
+            raise InputError("every = ... says how often to call an observer; give one with observe = ...")
+        with Stepping(model.plan) as session:
+            if observe is None:
+                session.finish(progress)
+            else:
+                _observed(session, observe, every, session.names(signals), progress)
+            result = session.result()
+        return result.require_good()
+
+    def start(self, *, stop: Time = "") -> Stepping:
+        """Load and initialize the FMUs, to be stepped by hand; use it in a `with` block."""
+        return Stepping(self.stopping(stop).plan)
+
+    def explain(self) -> str:
+        """What `rovbrush plan` prints."""
+        return explain(self.plan)
+
+
+def _observed(
+    session: Stepping, observe: Observer, every: Time | None, names: list[str], progress: Callable[[float], None] | None
+) -> None:
+    """Go to the stop, or a failure, and call the observer on the way."""
+    clock = session.plan.clock
+    ticks = clock.hyperperiod * (1 if every is None else session.cycles(every, "every"))
+    due = 0
+    while True:
+        if session.tick >= due or session.tick >= clock.stop:
+            observe(session.time, {name: session.get(name) for name in names})
+            due = session.tick // ticks * ticks + ticks
+        if session.tick >= clock.stop:
+            return
+        session.finish(progress, min(due, clock.stop))
+        if session.failure:
+            return

@@ -1,0 +1,82 @@
+"""What a run leaves, for Python: datasets, figures of merit, files."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .energy import require_energy
+from .errors import InputError, RunError, nearest
+from .netcdf import datasets, group_name
+from .results import prepare_folder, write_results
+from .run import Run
+from .summary import comparison, summarize
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class Result:
+    """Datasets, figures of merit and files of a run."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+
+    def require_good(self) -> Result:
+        """The result itself; RunError, which carries it, if the run ended early or its bonds made too much energy."""
+        try:
+            if self.run.failure:
+                raise RunError(self.run.failure)
+            require_energy(self.run)
+        except RunError as error:
+            error.result = self
+            raise
+        return self
+
+    @cached_property
+    def datasets(self) -> dict[str, xarray.Dataset]:
+        """One xarray dataset per rate, by a name such as `every_500_us`; variables carry unit and description."""
+        return datasets(self.run)
+
+    @cached_property
+    def dataset(self) -> xarray.Dataset:
+        """All signals in one dataset. Of several rates each has a time of its own, such as `time_500_us`."""
+        import xarray
+
+        found = self.datasets
+        if len(found) == 1:
+            return next(iter(found.values()))
+        named = {name: f"time_{name.removeprefix('every_')}" for name in found}
+        parts = [table.rename(time=named[name]) for name, table in found.items()]
+        variables = {key: variable for part in parts for key, variable in part.data_vars.items()}
+        return xarray.Dataset(variables, attrs={"complete": int(not self.run.failure)})
+
+    def __getitem__(self, name: str) -> xarray.DataArray:
+        """One signal over its own times, `result["brush.F_z"]`. Raises InputError for a name that is not recorded."""
+        for group, table in self.datasets.items():
+            if name in table and name != "time":
+                return table[name].assign_attrs(period=self.datasets[group].attrs["period"])
+        known = [str(key) for table in self.datasets.values() for key in table]
+        raise InputError(f"no recorded signal '{name}'{nearest(name, known)}")
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The figures of merit that the system file asks for, and what the run took."""
+        found: dict[str, Any] = dict(summarize(self.run))
+        return found
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write what `rovbrush run --out` writes; the paths. Raises InputError or RunError if that is not possible."""
+        prepare_folder(Path(folder), "another folder")
+        return write_results(self.run, Path(folder), {**self.summary, "comparison": self.comparison})
+
+    @property
+    def comparison(self) -> list[dict[str, Any]]:
+        """The run's numbers beside those of the system file."""
+        keys = ("label", "unit", "reference", "value", "ratio", "within")
+        return [{key: row[key] for key in keys} for row in comparison(self.run, self.summary)]
+
+    def __repr__(self) -> str:
+        shown = [group_name(self.run.plan, g) for g in range(len(self.run.plan.groups))]
+        return f"<Result of {self.run.plan.system.name} to {self.run.end:g} s: {', '.join(shown)}>"

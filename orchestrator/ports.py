@@ -1,0 +1,51 @@
+"""Single signals of a session, read and written without looking them up again."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+
+import numpy as np
+
+from .calls import exchange, exchange3
+from .fmi_types import function_type
+from .instance import Instance
+from .layout import Key
+from .memory import Memory
+from .plan import Plan
+
+LARGEST = sys.float_info.max
+
+
+def reader_of(plan: Plan, memory: Memory, key: Key) -> Callable[[], float] | None:
+    """What reads a double output from its cell; None for any other signal."""
+    slot = plan.layout.outputs.get(key)
+    if slot is None or memory.kind(key).dtype != np.float64:
+        return None
+    item = memory.z.item
+    return lambda: float(item(slot))
+
+
+def writer_of(instance: Instance, variable: str) -> Callable[[float], bool]:
+    """What sets a double input and says whether it was in range and the FMU took it; any other input it leaves."""
+    fmu = instance.fmu
+    kind = fmu.type_of(variable) if variable in fmu.variables else None
+    if kind is None or kind.dtype != np.float64 or variable in fmu.crossings or fmu.places[variable].count > 1:
+        return lambda value: False
+    bounds = (fmu.variables[variable].min, fmu.variables[variable].max)
+    low = float(bounds[0]) if bounds[0] is not None else -LARGEST
+    high = float(bounds[1]) if bounds[1] is not None else LARGEST
+    function = instance.address(f"{instance.prefix}Set{function_type(fmu.version, kind.name)}")
+    reference, cell = np.array([fmu.places[variable].reference], dtype=np.uint32), np.zeros(1)
+    at, to, pointer = reference.ctypes.data, cell.ctypes.data, instance.pointer
+    arrays = (reference, cell)  # alive as long as their addresses are in use
+
+    def write(value: float) -> bool:
+        if not low <= value <= high:
+            return False
+        arrays[1][0] = value
+        if fmu.version == 2:
+            return exchange(function, pointer, at, 1, to) <= 1
+        return exchange3(function, pointer, at, 1, to, 1) <= 1
+
+    return write

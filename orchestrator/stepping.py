@@ -1,0 +1,174 @@
+"""A session that is stepped by hand: for controllers in Python, reinforcement learning, hardware in the loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from contextlib import ExitStack
+from fractions import Fraction
+from functools import partial
+from types import TracebackType
+from typing import Any
+
+from .clock import duration, seconds_text
+from .errors import InputError, RunError, nearest
+from .execute import STOP_REQUEST
+from .interrupt import stop_on_interrupt
+from .layout import matches
+from .outcome import Result
+from .plan import Plan
+from .ports import reader_of, writer_of
+from .session import Session
+
+Time = str | float | Fraction
+
+
+class Stepping(Session):
+    """A run that goes on when it is told to.
+
+        with system.start() as session:
+            while session.time < 2.0:
+                session.set("motor.V_in", 12.0 - 0.1 * session.get("motor.omega_b"))
+                session.step()
+
+    A step is `period` [s] long, that in which the schedule repeats; with ECCO it is a macro step. What is set counts
+    from the step that comes next; outputs are those of the end of the last one. A name costs more the first time than
+    later. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are those of a run: RunError, FmuError.
+    """
+
+    def __init__(self, plan: Plan, interpreted: bool = False) -> None:
+        super().__init__(plan, interpreted)
+        self._readers: dict[str, Callable[[], Any]] = {}
+        self._writers: dict[str, Callable[[float], bool]] = {}
+        self._counts: dict[Time, int] = {}
+        self._last = plan.clock.stop // (1 if plan.adaptive else plan.clock.hyperperiod)  # no step is below a tick
+        self._guard = ExitStack()
+        self._guarded = False
+
+    @property
+    def period(self) -> float:
+        """Length of a step [s]; with ECCO that of the first."""
+        return self.plan.clock.time(self.plan.clock.hyperperiod)
+
+    @property
+    def stop(self) -> float:
+        """The time [s] behind which there are no steps."""
+        return self.plan.clock.time(self.plan.clock.stop)
+
+    def step(self, by: Time | None = None) -> None:
+        """Go on by one step, or by a time such as "10 ms" or 0.01, which must be a multiple of `period`.
+
+        Raises RunError if the run fails or has ended, InputError for a time that does not fit.
+        """
+        if by is not None and by not in self._counts:
+            self._counts[by] = self.cycles(by, "step")
+        count = 1 if by is None else self._counts[by]
+        self._require_alive()
+        if self.tick >= self.plan.clock.stop or self.at.cycle + count > self._last:
+            raise self._at_stop()
+        self.control[STOP_REQUEST] = 0
+        if self.plan.adaptive and by is not None:
+            until = min(self.tick + count * self.plan.clock.hyperperiod, self.plan.clock.stop)
+            self.advance(until_tick=until)
+        elif self._guarded:  # without what `advance` does around its blocks
+            end = self.at.cycle + count
+            while self.at.cycle < end and not self.failure:
+                self._run_block(end - self.at.cycle)
+        else:
+            self.advance(cycles=count)
+        self._settle()
+
+    def _settle(self) -> None:
+        """Raise what came up; a Ctrl-C between this step and the next one need not wait for it."""
+        if self.failure:
+            self.result().require_good()
+        if self._guarded:
+            if self.control[STOP_REQUEST]:
+                raise KeyboardInterrupt
+            self.control[STOP_REQUEST] = 1
+
+    def finish(self, progress: Callable[[float], None] | None = None, until_tick: int | None = None) -> None:
+        """Go on to a tick or to the stop, or until `failure` is set."""
+        self.control[STOP_REQUEST] = 0
+        self.advance(until_tick=until_tick, progress=progress)
+        if self._guarded and not self.failure:
+            self._settle()
+
+    def _at_stop(self) -> RunError:
+        return RunError(
+            f"t = {self.time:.9g} s: there is no whole step before the stop at "
+            f"{seconds_text(self.plan.system.stop)}; start with another stop time"
+        )
+
+    def result(self) -> Result:
+        """What was recorded so far."""
+        return Result(self.run())
+
+    def cycles(self, by: Time, what: str) -> int:
+        """How many steps a time has. Raises InputError if it is no whole number of them."""
+        seconds, period = duration(by, what), self.plan.clock.seconds(self.plan.clock.hyperperiod)
+        if (seconds / period).denominator == 1:
+            return int(seconds / period)
+        if self.plan.adaptive:
+            raise InputError(
+                f"{what} = {seconds_text(seconds)} is no multiple of the first step {seconds_text(period)}"
+            )
+        raise InputError(
+            f"{what} = {seconds_text(seconds)} is no multiple of {seconds_text(period)}, in which the schedule "
+            f"repeats; take a multiple, or components with other periods"
+        )
+
+    def get(self, name: str) -> Any:
+        """The value of `component.variable` now; of an array all values. Raises InputError for an unknown name."""
+        reader = self._readers.get(name)
+        if reader is None:
+            value = super().get(name)
+            component, _, variable = name.partition(".")
+            self._readers[name] = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
+            return value
+        return reader()
+
+    def set(self, name: str, value: object) -> None:
+        """Set an input that nothing drives, from the next step on; of an array a sequence of all values.
+
+        Raises InputError for an unknown name, a driven input, a parameter, a wrong type or a value out of range.
+        """
+        writer = self._writers.get(name)
+        if writer is not None and isinstance(value, float) and not self.failure and writer(value):
+            return
+        super().set(name, value)
+        if writer is None:
+            component, _, variable = name.partition(".")
+            self._writers[name] = writer_of(self.instances[component], variable)
+
+    def names(self, patterns: Iterable[str]) -> list[str]:
+        """The outputs and signals of the coupling that patterns such as `motor.*` name.
+
+        Raises InputError for one that names nothing.
+        """
+        known = [".".join(key) for key in (*self.plan.layout.outputs, *self.plan.layout.extras)]
+        found: list[str] = []
+        for pattern in patterns:
+            hits = [name for name in known if matches((pattern,), name)]
+            if not hits:
+                raise InputError(f"no output '{pattern}'{nearest(pattern, known)}")
+            found += hits
+        return list(dict.fromkeys(found))
+
+    def close(self) -> None:
+        """Give the FMUs back."""
+        self._readers.clear()
+        self._writers.clear()
+        super().close()
+
+    def __enter__(self) -> Stepping:
+        self._guard.enter_context(stop_on_interrupt(self.control))
+        self._guarded = True
+        self.control[STOP_REQUEST] = 1
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._guarded = False
+        self._guard.close()
+        super().__exit__(kind, error, trace)
