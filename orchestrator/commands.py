@@ -33,7 +33,7 @@ def build(
     ] = None,
     fmus: FmusOption = None,
     rows: Annotated[
-        int, typer.Option("--rows", min=0, help="Per-element outputs for this many rows: filaments of the brush.")
+        int, typer.Option("--rows", min=0, help="Per-element outputs for this many rows, of a component that has such.")
     ] = 0,
     native: Annotated[
         bool, typer.Option("--native", help="FMUs with no Python inside, FMI 2.0 and 3.0, into the subfolder native.")

@@ -2,8 +2,8 @@
 
     [variables]                                             # ours = theirs; what is not listed has the same name
     V_in = "supply.voltage"
-    u_thruster = "cmd"                                      # an array: u_thruster[1] is cmd[1], and so on
-    T_brush = { name = "tau", sign = -1, unit = "N.m" }     # the opposite direction; a unit that their FMU leaves out
+    valve = "cmd"                                           # an array: valve[1] is cmd[1], and so on
+    torque = { name  = "tau", sign = -1, unit = "N.m" }     # the opposite direction; a unit that their FMU leaves out
     W_gear = ""                                             # their FMU does not have it
 
     [inputs]                                                # their own inputs, in their units, held over the run

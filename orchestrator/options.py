@@ -13,7 +13,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
-    help="Multirate co-simulation of a hull-cleaning underwater vehicle, by FMUs.",
+    help="Multirate co-simulation by FMUs: any system of them, checked, planned, run.",
 )
 
 SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."
@@ -54,7 +54,7 @@ StepOption = Annotated[
 
 
 def assignments(options: list[str]) -> dict[str, object]:
-    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `brush.zeta=[0.02,0.03]`. Raises InputError."""
+    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError."""
     values: dict[str, object] = {}
     for option in options:
         name, equals, text = option.partition("=")
@@ -62,6 +62,6 @@ def assignments(options: list[str]) -> dict[str, object]:
             raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
         text = text.strip()
         if text.startswith("[") != text.endswith("]"):
-            raise InputError(f"--set {option}: a list needs both brackets, for instance brush.zeta=[0.02,0.03]")
+            raise InputError(f"--set {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
         values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
     return values

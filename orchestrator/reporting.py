@@ -23,7 +23,7 @@ def check_reporting(recorded: set[str], system: System) -> None:
     reporting, origin = system.reporting, system.path.name
     window = reporting["summary"].get("window", {})
     if not isinstance(window, dict):
-        raise InputError(f'{origin}: summary window must be a table such as {{ angle = "brush.theta_b", start = 5.0 }}')
+        raise InputError(f'{origin}: summary window must be a table such as {{ angle = "motor.angle", start = 5.0 }}')
     check_keys(window, WINDOW_KEYS, (), f"{origin}: summary window")
     check_numbers(window, ("start", "end"), f"{origin}: summary window")
     check_summary(recorded, reporting, origin)

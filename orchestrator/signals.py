@@ -42,7 +42,7 @@ class Signal:
 
 
 class Signals:
-    """All signals of a run; `signals["brush.F_z"]`."""
+    """All signals of a run; `signals["motor.torque"]`."""
 
     def __init__(self, run: Run) -> None:
         self.run = run

@@ -71,7 +71,7 @@ def sweep(
         typer.Option(
             "--vary",
             metavar="NAME=VALUES",
-            help="brush.mu_s=0.48:0.72:7 (low:high:count, :log for equal ratios) or brush.N_m=1,3; repeatable: a grid.",
+            help="motor.R=0.1:0.3:7 (low:high:count, :log for equal ratios) or motor.V_in=8,12; repeatable: a grid.",
         ),
     ] = [],  # noqa: B006
     out: OutOption = Path("results"),

@@ -1,8 +1,8 @@
 """What a system file asks to be reported of a run: figures of merit over a steady window, and comparisons.
 
     [summary]
-    window = { angle = "brush.theta_b", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
-    F_z_mean = "mean brush.F_z"                         # an operation and its signals
+    window = { angle = "motor.angle", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
+    load_mean = "mean motor.load"                        # an operation and its signals
 
 `window` may have an `end` [s] too; that of a run that ends at `start` or before is its second half. Over the window:
 `mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run: `peak`, the

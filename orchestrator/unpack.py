@@ -9,6 +9,7 @@ import stat
 import tempfile
 import zipfile
 import zlib
+from collections import Counter
 from pathlib import Path, PurePosixPath
 
 from platformdirs import user_cache_path
@@ -60,6 +61,9 @@ def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
         with zipfile.ZipFile(path) as archive:
             for entry in archive.infolist():
                 _check_entry(f"{kind} {path}", entry)
+            twice = [name for name, count in Counter(archive.namelist()).items() if count > 1]
+            if twice:
+                raise FmuError(f"{kind} {path}: entry '{twice[0]}' is there twice; refused")
             if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
                 raise FmuError(f"{kind} {path} would unpack to more than {LARGEST >> 30} GiB; refused")
             archive.extractall(temporary)
