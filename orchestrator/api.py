@@ -4,7 +4,7 @@ from rovbrush.orchestrator import load
 
 system = load("nominal", stop="2 s")
 result = system.set("motor.R", 0.1).run()
-result["brush.F_z"].plot()
+result["motor.i"].plot()
 """
 
 from __future__ import annotations

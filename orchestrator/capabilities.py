@@ -73,6 +73,8 @@ def remarks(component: Component) -> str:
         found.append("fixed step")
     if not fmu.can_save_state:
         found.append("cannot save its state")
+    if fmu.interface.needsExecutionTool:
+        found.append("needs its tool on this machine")
     if fmu.recommended_step is not None and fmu.recommended_step != component.period:
         found.append(f"made for {seconds_text(fmu.recommended_step)}")
     return "".join(f"; {text}" for text in found)

@@ -88,16 +88,20 @@ def plan(
     step: StepOption = "",
     fmus: FmusOption = None,
 ) -> None:
-    """Print what a run would do, without running it."""
+    """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
     from .changes import changes_of
     from .explain import explain
     from .plan import make_plan
     from .reader import load_system
+    from .rehearsal import loop_residuals
     from .series_file import with_files
 
     changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
     changed = with_files(changed.with_values(assignments(set_), "--set"), input_)
-    print(explain(make_plan(changed), None if all_operations else 40))
+    planned = make_plan(changed)
+    print(explain(planned, None if all_operations else 40))
+    for loop, residual in loop_residuals(planned).items():
+        print(f"\nat time 0, {loop}: residual {residual:.3g}, relative to the inputs")
 
 
 @app.command()

@@ -20,7 +20,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     system, clock = plan.system, plan.clock
     tick, again = seconds_text(clock.seconds(1)), seconds_text(clock.seconds(clock.hyperperiod))
     lines = [
-        f"system {system.name}: {system.description}",
+        f"system {system.name}" + (f": {system.description}" if system.description else ""),
         f"stop {seconds_text(system.stop)}; tick {tick}; "
         + (f"the first step is {again}" if plan.adaptive else f"the schedule repeats every {again}"),
         f"algorithm {system.algorithm}: {explain_algorithm(system.algorithm, system.iteration)}",
@@ -64,6 +64,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         )
     lines += ["", "initialization, in this order"]
     lines += [f"  {block.label}{' (solved as a whole)' if block.loop else ''}" for block in plan.start] or ["  nothing"]
+    if plan.layout.previous:
+        lines.append("  before the first step every 'previous' value is that of time 0")
     lines += ["", "recorded"]
     for group in plan.groups:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))

@@ -3,7 +3,7 @@
     [variables]                                             # ours = theirs; what is not listed has the same name
     V_in = "supply.voltage"
     valve = "cmd"                                           # an array: valve[1] is cmd[1], and so on
-    torque = { name  = "tau", sign = -1, unit = "N.m" }     # the opposite direction; a unit that their FMU leaves out
+    torque = { name = "tau", sign = -1, unit = "N.m" }      # the opposite direction; a unit that their FMU leaves out
     W_gear = ""                                             # their FMU does not have it
 
     [inputs]                                                # their own inputs, in their units, held over the run

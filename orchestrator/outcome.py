@@ -53,7 +53,7 @@ class Result:
         return xarray.Dataset(variables, attrs={"complete": int(not self.run.failure)})
 
     def __getitem__(self, name: str) -> xarray.DataArray:
-        """One signal over its own times, `result["brush.F_z"]`. Raises InputError for a name that is not recorded."""
+        """One signal over its own times, `result["motor.i"]`. Raises InputError for a name that is not recorded."""
         for group, table in self.datasets.items():
             if name in table and name != "time":
                 return table[name].assign_attrs(period=self.datasets[group].attrs["period"])

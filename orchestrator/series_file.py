@@ -63,7 +63,7 @@ def columns_of(path: Path, label: str) -> dict[str, Column]:
 
 
 def _heading(cell: str) -> tuple[str, str | None]:
-    """`brush.delta [mm]` as name and unit."""
+    """`motor.angle [deg]` as name and unit."""
     match = re.fullmatch(r"(.+?)\s+\[([^\[\]]+)\]", cell.strip())  # without a space it is an element, u[1]
     return (match[1], match[2]) if match else (cell.strip(), None)
 

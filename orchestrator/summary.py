@@ -2,7 +2,7 @@
 
     [summary]
     window = { angle = "motor.angle", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
-    load_mean = "mean motor.load"                        # an operation and its signals
+    load_mean = "mean motor.load"                     # an operation and its signals
 
 `window` may have an `end` [s] too; that of a run that ends at `start` or before is its second half. Over the window:
 `mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run: `peak`, the
@@ -86,7 +86,8 @@ def summarize(run: Run) -> dict[str, Any]:
     """All figures of merit of a run, as JSON-ready numbers; incomplete runs say so."""
     signals = Signals(run)
     specification = dict(run.plan.system.reporting["summary"])
-    begin, end, turns = steady_window(signals, specification.pop("window", {}))
+    window = specification.pop("window", {})
+    begin, end, turns = steady_window(signals, window)
     result: dict[str, Any] = {"complete": not run.failure}
     if run.failure:
         result["failure"] = run.failure
@@ -111,7 +112,8 @@ def summarize(run: Run) -> dict[str, Any]:
             f"{key}_J": getattr(books, key) for key in ("supplied", "lost", "stored", "coupling", "residual")
         }
     result["window_s"] = [begin, end]
-    result["window_turns"] = turns
+    if "angle" in window:
+        result["window_turns"] = turns
     result |= coupling(run, signals)
     result |= {"simulated_s": run.end, "wall_s": run.wall, "real_time_factor": run.end / run.wall if run.wall else 0.0}
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}

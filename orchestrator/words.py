@@ -33,6 +33,8 @@ from .operations import (
 )  # fmt: skip
 from .plan import Plan
 
+SHOWN = 6  # names of variables in one line, at most
+
 
 class Words:
     """What every operation of a plan does, with the names of its signals."""
@@ -136,8 +138,11 @@ class Words:
 
 
 def _types(fmu: Fmu, variables: list[str]) -> str:
-    """`3 values`, or where not all are floating point `2 Real, 1 Boolean`."""
+    """`u, v`, or of many `u, v, w and 9 more`; where not all are floating point behind `2 Real, 1 Boolean: `."""
     kinds = [kind for kind in map(fmu.type_of, variables) if kind is not None]
+    names = ", ".join(variables if len(variables) <= SHOWN else variables[: SHOWN - 1])
+    if len(variables) > SHOWN:
+        names += f" and {len(variables) - SHOWN + 1} more"
     if all(kind.real for kind in kinds):
-        return f"{len(variables)} values"
-    return ", ".join(f"{n} {name}" for name, n in Counter(kind.name for kind in kinds).items())
+        return names or "nothing"
+    return f"{', '.join(f'{n} {name}' for name, n in Counter(kind.name for kind in kinds).items())}: {names}"

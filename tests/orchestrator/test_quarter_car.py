@@ -79,7 +79,7 @@ def test_the_second_reading_and_its_reason_are_in_the_plan(tmp_path: Path, fmus:
     parts = {"w": ("wheel", "1 ms"), "c": ("chassis", "5 ms")}
     text = explain(plan_of(tmp_path, fmus, parts, ["c.v_c -> w.v_c", "w.F -> c.F"]))
     assert "w is read at both ends of its steps: F depends at once on v_c, which changes" in text
-    assert "get         w: 3 values as its step begins: F depends at once on v_c" in text
+    assert "get         w: F, z_w, J as its step begins: F depends at once on v_c" in text
     held = explain(plan_of(tmp_path, fmus, parts, ["c.v_c -> w.v_c (hold)", "w.F -> c.F"]))
     assert "as its step begins" not in held
 

@@ -193,3 +193,12 @@ def test_an_unreadable_file_is_named(fmus: Path, tmp_path: Path) -> None:
     path = Path(shutil.copy(fmus / "gain.fmu", tmp_path / "secret.fmu"))
     path.chmod(0)
     refused(path, "cannot be read")
+
+
+def test_an_archive_that_holds_an_entry_twice_is_refused(fmus: Path, tmp_path: Path) -> None:
+    """Two tools could read two different model descriptions from it."""
+    path = tmp_path / "twice.fmu"
+    shutil.copy(fmus / "gain.fmu", path)
+    with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate name"):
+        archive.writestr("modelDescription.xml", "<fmiModelDescription/>")
+    refused(path, "entry 'modelDescription.xml' is there twice; refused")
