@@ -43,7 +43,7 @@ def converge(
     period: PeriodOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
-    """Rerun a system with every period halved and quartered, and show how far its summary moves."""
+    """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
     from .changes import changes_of
     from .studies.convergence import converge as study
 
@@ -55,7 +55,7 @@ def bench(
     json_file: Annotated[Path | None, typer.Option("--json", help="Write the rows to this file.")] = None,
     fmus: FmusOption = None,
 ) -> None:
-    """Measure the cost of the master beside plain fmpy calls, in one run."""
+    """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
     from .studies.bench import bench as measure
 
     measure(json_file, fmus)
