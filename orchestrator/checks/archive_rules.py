@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import re
 import zipfile
-from collections import Counter
 from collections.abc import Iterator
 
 from .rows import Row, judged, listed
@@ -19,9 +18,6 @@ def archive_rows(subject: Subject) -> Iterator[Row]:
     """One row per rule on entries, dates, documentation, sources and binaries."""
     with zipfile.ZipFile(subject.path) as archive:
         entries = archive.infolist()
-    names = [entry.filename for entry in entries]
-    twice = [name for name, number in Counter(names).items() if number > 1]
-    yield judged(STAGE, "no entry twice", twice, f"{len(names)} entries", "twice", "pack it again", "error")
     yield from _reproducible(subject, entries)
     documented = (subject.folder / "documentation" / "index.html").is_file()
     yield judged(
