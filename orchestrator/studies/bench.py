@@ -13,7 +13,6 @@ import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -26,14 +25,14 @@ from ..results import prepare_folder, write_file, write_json
 from ..simulation import require_complete, simulate
 from ..stepping import Stepping
 from ..system import System
+from .bench_components import component_rows, show_components
 from .bench_floor import floor_loop
 from .bench_streaming import long_runs, show_long_runs
-from .bench_systems import Case, alone, cases
+from .bench_systems import Case, cases
 from .hosts import HOSTS, missing, run_host
 
 REPEATS = 5
 ELSEWHERE = 3  # repetitions in another master, each in a process of its own
-STEP = Fraction(1, 1000)  # s, of a component by itself
 
 
 def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
@@ -48,14 +47,11 @@ def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
         found = cases(Path(folder), fmus)
         for case in found:
             rows += measured(case, [host for host in HOSTS if host not in absent])
-        parts = [
-            {"component": name, "fmus": kind, "us_per_call": per_step(alone(system, name, STEP), floor_loop)}
-            for name in found[-1].system.components
-            for kind, system in (("native", found[-1].system), ("python", found[-2].system))
-        ]
+        parts = component_rows(native=found[-1].system, python=found[-2].system)
     mark(rows, "nominal", process_figures(fmus) | rerun_figures(fmus))
     streamed = long_runs()
-    show(rows, parts)
+    show(rows)
+    show_components(parts)
     show_long_runs(streamed)
     if json_file:
         write_file(json_file, lambda path: write_json(path, [*rows, *parts, *streamed]))
@@ -147,8 +143,8 @@ def rerun_figures(fmus: Path | None) -> dict[str, float]:
     return found
 
 
-def show(rows: list[dict[str, Any]], parts: list[dict[str, Any]]) -> None:
-    """Both tables on the terminal."""
+def show(rows: list[dict[str, Any]]) -> None:
+    """The systems and masters on the terminal."""
     table = Table(title=f"Cost per macro step, medians of {REPEATS} runs", title_justify="left")
     for heading in ("system", "master"):
         table.add_column(heading)
@@ -163,10 +159,3 @@ def show(rows: list[dict[str, Any]], parts: list[dict[str, Any]]) -> None:
         ]
         table.add_row(system, master, *costs, *extra)
     console.print(table)
-    single = Table(title="One component by itself, microseconds per call of 1 ms", title_justify="left")
-    for heading in ("component", "native FMU", "Python FMU"):
-        single.add_column(heading, justify="left" if heading == "component" else "right")
-    for name in dict.fromkeys(p["component"] for p in parts):
-        cost = {p["fmus"]: p["us_per_call"] for p in parts if p["component"] == name}
-        single.add_row(name, f"{cost['native']:.2f}", f"{cost['python']:.2f}")
-    console.print(single)

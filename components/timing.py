@@ -1,0 +1,40 @@
+"""What a component's kernel takes under Numba with no FMI around it: `rovbrush bench` compares the FMUs with it."""
+
+from __future__ import annotations
+
+import importlib
+import time
+from collections.abc import Mapping
+from typing import Any
+
+import numba
+
+from .slave import ComponentSlave
+
+
+@numba.njit
+def _repeat(count: int, step: Any, arguments: Any) -> None:
+    for _ in range(count):
+        step(*arguments)
+
+
+def seconds_per_step(name: str, values: Mapping[str, Any], period: float, steps: int) -> float:
+    """Wall time [s] of one call of the kernel's `step` over `period` [s], as a mean over `steps` calls.
+
+    `values`: parameters and inputs by the names of FMI 2.0 scalars; others keep their start values.
+    """
+    module = importlib.import_module(f"{__package__}.{name}.fmu")
+    declared: type[ComponentSlave] = next(
+        x for x in vars(module).values() if isinstance(x, type) and x.__module__ == module.__name__
+    )
+    component = declared(instance_name=name)
+    places = [element for v in declared.variables() for element in v.element_names]
+    component.set_real([places.index(key) for key in values], [float(value) for value in values.values()])
+    component.enter_initialization_mode()
+    component.exit_initialization_mode()
+    component.do_step(0.0, period)  # puts the inputs and the step size among the arguments
+    arguments = tuple(component.arguments)
+    _repeat(1, component.step_function, arguments)
+    begin = time.perf_counter()
+    _repeat(steps, component.step_function, arguments)
+    return (time.perf_counter() - begin) / steps

@@ -1,0 +1,59 @@
+"""What one component costs by itself: as native FMU, as Python FMU, and its kernel under Numba without FMI."""
+
+from __future__ import annotations
+
+import statistics
+from fractions import Fraction
+from importlib.metadata import entry_points
+from typing import Any
+
+from rich.table import Table
+
+from ..console import console
+from ..plan import make_plan
+from ..system import System
+from .bench_floor import floor_loop
+from .bench_systems import alone
+
+STEP = Fraction(1, 1000)  # s, of every call
+REPEATS = 7
+KINDS = {"native": "native FMU", "python": "Python FMU", "kernel": "kernel under Numba"}
+
+
+def component_rows(native: System, python: System) -> list[dict[str, Any]]:
+    """Microseconds per call for every component of a system of native and one of Python FMUs, measured in turns."""
+    timings = [entry.load() for entry in entry_points(group="rovbrush.timings")]
+    rows = []
+    for name in native.components:
+        single = {"native": alone(native, name, STEP), "python": alone(python, name, STEP)}
+        plans = {kind: make_plan(system) for kind, system in single.items()}
+        component = single["python"].components[name]
+        values = {**component.parameters, **component.inputs}
+        seconds: dict[str, list[float]] = {}
+        for _ in range(REPEATS):
+            for kind, plan in plans.items():
+                steps = plan.clock.stop // plan.clock.periods[name]
+                seconds.setdefault(kind, []).append(floor_loop(plan) / steps)
+            for timing in timings:  # of the package that the components come from, where it is installed
+                measured = timing(component.fmu.description.modelName, values, float(STEP), steps)
+                seconds.setdefault("kernel", []).append(measured)
+        rows += [
+            {"component": name, "life": kind, "us_per_call": 1e6 * statistics.median(found)}
+            for kind, found in seconds.items()
+        ]
+    return rows
+
+
+def show_components(rows: list[dict[str, Any]]) -> None:
+    """The rows on the terminal."""
+    table = Table(
+        title=f"One component by itself, microseconds per call of 1 ms, medians of {REPEATS} in turns",
+        title_justify="left",
+    )
+    table.add_column("component")
+    for heading in KINDS.values():
+        table.add_column(heading, justify="right")
+    for name in dict.fromkeys(row["component"] for row in rows):
+        cost = {row["life"]: f"{row['us_per_call']:.2f}" for row in rows if row["component"] == name}
+        table.add_row(name, *(cost.get(kind, "") for kind in KINDS))
+    console.print(table)
