@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 import sys
+from typing import NoReturn
 
 import typer
 
 from . import commands, exchange_commands, study_commands
 from .errors import RovbrushError
+from .guard import guarded
 from .options import app
 
-__all__ = ["commands", "exchange_commands", "main", "study_commands"]  # importing them registers the commands
+# Importing the commands registers them.
+__all__ = ["commands", "exchange_commands", "main", "program", "study_commands"]
 
 
-def main() -> None:
+LOADING = ("run", "plan", "converge")  # commands that load FMUs into their own process
+
+
+def program() -> NoReturn:
+    """The command as it is started from a shell: what loads FMUs is guarded against their crashes."""
+    if sys.argv[1:2] and sys.argv[1] in LOADING:
+        guarded(main)
+    main()
+
+
+def main() -> NoReturn:
     """Entry point: every error that a user can meet becomes one message on stderr and an exit code."""
     arguments = [a for a in sys.argv[1:] if a != "--debug"]
     debug = len(arguments) < len(sys.argv) - 1

@@ -9,11 +9,21 @@ import time
 from pathlib import Path
 
 _IMPORTED = time.time()
+_first: int | str = "self"  # the process whose start counts
+
+
+def began_with(pid: int) -> None:
+    """Count time from the start of another process, which made this one."""
+    global _first
+    _first = pid
 
 
 def seconds_since_start() -> float:
-    """Wall time since the process began [s]; where the system does not tell, since this module was imported."""
-    stat, uptime = Path("/proc/self/stat"), Path("/proc/uptime")
+    """Wall time since the process, or the one that made it, began [s].
+
+    Where the system does not tell: since this module was imported.
+    """
+    stat, uptime = Path(f"/proc/{_first}/stat"), Path("/proc/uptime")
     if stat.is_file() and uptime.is_file():
         started = float(stat.read_text().rsplit(")", 1)[1].split()[19]) / os.sysconf("SC_CLK_TCK")
         return float(uptime.read_text().split()[0]) - started

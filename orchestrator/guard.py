@@ -1,0 +1,72 @@
+"""The command line's work in a child process, so that an FMU that crashes there leaves a message and not just a code.
+
+The child does everything and prints where this process would. Signals that come here are passed on: the child is in
+a process group of its own, where the terminal's Ctrl-C does not reach it a second time.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import sys
+from collections.abc import Callable
+from typing import Any, NoReturn
+
+from . import process
+
+PASSED_ON = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if hasattr(signal, "SIGHUP") else ()
+INSISTED = 3  # Ctrl-C, how often until a child that does not listen is ended: an FMU may never return
+PR_SET_PDEATHSIG = 1  # <sys/prctl.h>
+ADVICE = (
+    'isolation = "process" under [components.NAME] of the system file gives a component a process of its own; '
+    "its crash is then reported by name, and what was computed is kept"
+)
+
+
+def guarded(work: Callable[[], NoReturn]) -> NoReturn:
+    """Do `work`, which ends its process, in a child, and end with its exit code; with 1 and a message if it crashed.
+
+    Where a system cannot fork, the work is done here.
+    """
+    if not hasattr(os, "fork"):
+        work()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    parent = os.getpid()
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.close(reader)
+        os.setpgid(0, 0)
+        if sys.platform == "linux":
+            ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # it does not outlive this process
+        process.began_with(parent)
+        try:
+            work()
+        finally:
+            os.write(writer, b"!")  # an FMU that ends the process does not come by here
+    os.close(writer)
+    code = _wait(child)
+    if code < 0 or not os.read(reader, 1):
+        how = f"exit code {code}"
+        if code < 0:
+            how = signal.Signals(-code).name if -code in set(signal.Signals) else f"signal {-code}"
+        print(f"error: an FMU ended the process of the run, or did not return ({how}); {ADVICE}", file=sys.stderr)
+        code = 1
+    sys.exit(code)
+
+
+def _wait(child: int) -> int:
+    """The child's exit code, negative for a signal; meanwhile signals are passed on to it."""
+    pressed = 0
+
+    def pass_on(number: int, _frame: Any) -> None:
+        nonlocal pressed
+        pressed += number == signal.SIGINT
+        os.kill(child, signal.SIGKILL if pressed >= INSISTED else number)
+
+    for number in PASSED_ON:
+        if signal.getsignal(number) is not signal.SIG_IGN:  # nohup, background jobs
+            signal.signal(number, pass_on)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
