@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import zipfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -121,6 +122,20 @@ def column(run: Run, name: str) -> tuple[np.ndarray, np.ndarray]:
 def last(run: Run, name: str) -> float:
     """The value of `component.variable` at the end of a run."""
     return float(column(run, name)[1][-1])
+
+
+def interrupted(command: Sequence[str], first_words: str) -> tuple[int, str]:
+    """Exit code and stderr of a command that gets Ctrl-C when a line of its output begins with these words."""
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None and process.stderr is not None
+        try:
+            while not process.stdout.readline().startswith(first_words):
+                assert process.poll() is None, process.stderr.read()
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=60)
+        finally:
+            process.kill()
+    return process.returncode, err
 
 
 def python(code: str, *arguments: str, timeout: float = 60.0, **environment: str) -> subprocess.CompletedProcess[str]:

@@ -7,27 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from helpers import Measured, build_fixture
+from helpers import FIXTURES, Measured, build_fixture
 from kernel_unit import KernelUnit
 from rovbrush.components.build import COMPONENTS, HERE, sources
 from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
 from rovbrush.orchestrator.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
 
-FOREIGN_MAP = """
-[variables]
-V_in = { name = "supply", unit = "V" }
-T_brush = { name = "load", sign = -1, unit = "N.m" }
-i = { name = "amps", unit = "A" }
-omega_b = { name = "speed", unit = "rpm" }
-R = "Ra"
-L_a = "La"
-K_t = "kt"
-K_e = "ke"
-B_m = "b"
-J_m = "Jrotor"
-J_b = "Jload"
-gear_ratio_per_stage = "ratio"
-"""
+FOREIGN_MAP = (FIXTURES / "foreign_motor.toml").read_text(encoding="utf-8")
 OWN = ("python", "fmi2", "fmi3")
 TESTS = [(name, test) for name in COMPONENTS for test in suite_of(name).tests]
 IDS = [f"{name}-{test.__name__.removeprefix('test_')}" for name, test in TESTS]

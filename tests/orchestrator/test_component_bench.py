@@ -11,27 +11,13 @@ from pathlib import Path
 
 import fmpy
 import pytest
-from helpers import build_fixture, edited, python
+from helpers import FIXTURES, build_fixture, edited, python
 from rovbrush.components.build import COMPONENTS
 from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
 from rovbrush.orchestrator.component_tests.verdicts import make_bench
 from rovbrush.orchestrator.errors import FmuError, InputError
 
-GOOD_MAP = """
-[variables]
-V_in = { name = "supply", unit = "V" }
-T_brush = { name = "load", sign = -1, unit = "N.m" }
-i = { name = "amps", unit = "A" }
-omega_b = { name = "speed", unit = "rpm" }
-R = "Ra"
-L_a = "La"
-K_t = "kt"
-K_e = "ke"
-B_m = "b"
-J_m = "Jrotor"
-J_b = "Jload"
-gear_ratio_per_stage = "ratio"
-"""
+GOOD_MAP = (FIXTURES / "foreign_motor.toml").read_text(encoding="utf-8")
 Mapped = Callable[..., Path]
 
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from helpers import system_text
+from helpers import interrupted, system_text
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies import single
@@ -63,18 +61,8 @@ def test_a_value_outside_its_bound_ends_with_1_when_checked(
 def test_an_interrupted_nominal_run_keeps_what_was_computed(fmus: Path, tmp_path: Path) -> None:
     command = [sys.executable, "-c", COMMAND, "run", "nominal", "--stop", "100 s", "--fmus", str(fmus), "--out",
                str(tmp_path)]  # fmt: skip
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ
-    ) as process:
-        assert process.stdout is not None and process.stderr is not None
-        try:
-            while not process.stdout.readline().startswith("running nominal"):
-                assert process.poll() is None, process.stderr.read()
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=60)
-        finally:
-            process.kill()
-    assert process.returncode == 1
+    code, err = interrupted(command, "running nominal")
+    assert code == 1
     assert "interrupted by the user at t = " in err and "marked incomplete" in err and "Traceback" not in err
     end = marked_incomplete(tmp_path, "interrupted by the user")
     assert 0.0 < end < 100.0

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import signal
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from helpers import system_text
+from helpers import interrupted, system_text
 from rovbrush.orchestrator.checkpoint import read_checkpoint
 from test_command_line import COMMAND, marked_incomplete, rovbrush
 
@@ -22,18 +20,8 @@ def test_a_run_goes_on_after_ctrl_c_and_ends_bitwise_as_one_that_was_not_interru
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     command = [*NOMINAL, "4 s", "--fmus", str(fmus), "--out"]
     assert rovbrush(monkeypatch, *command, whole) == 0
-    with subprocess.Popen(
-        [sys.executable, "-c", COMMAND, *command, str(parts)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        assert process.stdout is not None and process.stderr is not None
-        try:
-            while not process.stdout.readline().startswith("running nominal"):
-                assert process.poll() is None, process.stderr.read()
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=60)
-        finally:
-            process.kill()
-    assert process.returncode == 1 and f"go on with `rovbrush run --resume {parts}`" in err
+    code, err = interrupted([sys.executable, "-c", COMMAND, *command, str(parts)], "running nominal")
+    assert code == 1 and f"go on with `rovbrush run --resume {parts}`" in err
     assert 0.0 < marked_incomplete(parts, "interrupted by the user") < 4.0
     monkeypatch.chdir(tmp_path)
     capsys.readouterr()
