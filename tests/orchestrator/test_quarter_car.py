@@ -29,27 +29,38 @@ def worst(run: Run, d_c: float = REFERENCE["d_c"]) -> float:
     return float(np.max(np.abs(z_c - exact_z_c(times, d_c))))
 
 
-def test_the_exact_solution_is_the_published_one() -> None:
-    assert exact_z_c(np.linspace(0.0, 4.0, 401))[-1] == pytest.approx(REFERENCE["exact"]["z_c_at_4s"], abs=1e-8)
+def test_the_exact_solution_is_the_published_one(measured: Measured) -> None:
+    found, published = exact_z_c(np.linspace(0.0, 4.0, 401))[-1], REFERENCE["exact"]["z_c_at_4s"]
+    measured("quarter car: exact z_c(4 s) against the published value [m]", found - published, "1e-8")
+    assert found == pytest.approx(published, abs=1e-8)
 
 
 @pytest.mark.parametrize("step", ["1ms", "5ms", "10ms"])
-def test_jacobi_with_held_inputs_gives_the_published_digits(step: str, tmp_path: Path, fmus: Path) -> None:
+def test_jacobi_with_held_inputs_gives_the_published_digits(
+    step: str, tmp_path: Path, fmus: Path, measured: Measured
+) -> None:
     period = step.replace("ms", " ms")
     run = run_car(tmp_path, fmus, period, period, "hold", "hold", "jacobi")
-    assert last(run, "c.z_c") == pytest.approx(REFERENCE["jacobi_hold_exact_subsolvers_z_c_at_4s"][step], abs=1e-8)
-
-
-def test_several_rates_with_hold_give_the_published_error(tmp_path: Path, fmus: Path) -> None:
-    published = REFERENCE["multirate_5ms_1ms_max_error_z_c"]["jacobi, held"]
-    assert worst(run_car(tmp_path, fmus, "5 ms", "1 ms", "hold", "hold", "jacobi")) == pytest.approx(
-        published, rel=2e-3
+    found, published = last(run, "c.z_c"), REFERENCE["jacobi_hold_exact_subsolvers_z_c_at_4s"][step]
+    measured(
+        f"quarter car, Jacobi and hold, {period}: z_c(4 s) against the published value [m]", found - published, "1e-8"
     )
+    assert found == pytest.approx(published, abs=1e-8)
 
 
-def test_several_rates_with_linear_extrapolation_more_than_halve_it(tmp_path: Path, fmus: Path) -> None:
+def test_several_rates_with_hold_give_the_published_error(tmp_path: Path, fmus: Path, measured: Measured) -> None:
+    published = REFERENCE["multirate_5ms_1ms_max_error_z_c"]["jacobi, held"]
+    error = worst(run_car(tmp_path, fmus, "5 ms", "1 ms", "hold", "hold", "jacobi"))
+    measured("quarter car 5/1 ms, hold: largest error of z_c", error, "3.7e-3 m")
+    assert error == pytest.approx(published, rel=2e-3)
+
+
+def test_several_rates_with_linear_extrapolation_more_than_halve_it(
+    tmp_path: Path, fmus: Path, measured: Measured
+) -> None:
     """Held at the extrapolated middle of each fast step: 1.60e-3, as good as the published 1.63e-3."""
     error = worst(run_car(tmp_path, fmus, "5 ms", "1 ms", "linear", "hold", "jacobi"))
+    measured("quarter car 5/1 ms, linear: largest error of z_c", error, "1.6e-3 m")
     assert error == pytest.approx(1.596e-3, rel=1e-3)
     assert error <= REFERENCE["multirate_5ms_1ms_max_error_z_c"]["linear extrapolation of v_c to the wheel"]
 
