@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+
+from rovbrush.orchestrator.system import System
+
+Read = Callable[..., System]  # the fixture `read`
 
 XMLNS = " ".join(
     f'xmlns:{prefix}="http://ssp-standard.org/SSP1/SystemStructure{name}"'
@@ -95,3 +99,7 @@ def write_ssp_file(
         for name, content in (files or {}).items():
             archive.writestr(name, content)
     return path
+
+
+GAINS = component("a", "gain") + component("b", "gain")
+CHAIN = system(GAINS, connection("a.y", "b.u"))

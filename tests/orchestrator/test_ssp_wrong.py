@@ -1,0 +1,160 @@
+"""What an SSP has that is not supported, or wrong, is one error that says what and where."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import pytest
+from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.reader import load_system
+from ssp_files import (
+    CHAIN,
+    GAINS,
+    Read,
+    bindings,
+    component,
+    connection,
+    connectors,
+    document,
+    inline,
+    real,
+    system,
+)
+
+DRIVEN = component("a", "gain") + component("b", "gain", bindings(inline(real("u", "1"))))
+BOOLEAN = "<ssc:BooleanMappingTransformation><ssc:MapEntry source='true' target='false'/>"
+BOOLEAN += "</ssc:BooleanMappingTransformation>"
+DICTIONARY = '<ssd:SignalDictionaries><ssd:SignalDictionary name="bus" source="bus.ssb"/></ssd:SignalDictionaries>'
+WRONG = {
+    "signal dictionary": (system(GAINS, tail=DICTIONARY), r"<SignalDictionaries> in <System> is not supported"),
+    "signal dictionary reference": (
+        system('<ssd:SignalDictionaryReference name="bus" dictionary="d"/>'),
+        r"<SignalDictionaryReference> 'bus' in <Elements> is not supported",
+    ),
+    "boolean mapping": (
+        system(GAINS, connection("a.y", "b.u", BOOLEAN)),
+        r"<BooleanMappingTransformation> in <Connection> is not supported",
+    ),
+    "nested package": (
+        system(component("a", "gain", type="application/x-ssp-package")),
+        r"component 'a' is of type application/x-ssp-package; only FMUs",
+    ),
+    "model exchange": (system(component("a", "gain", implementation="ModelExchange")), r"ModelExchange is not supp"),
+    "remote FMU": (
+        system('<ssd:Component name="a" source="https://example.org/a.fmu"/>'),
+        r"component 'a': source 'https://example.org/a.fmu' is not inside the SSP; nothing is fetched",
+    ),
+    "FMU outside": (
+        system('<ssd:Component name="a" source="../../secret.fmu"/>'), r"'../../secret.fmu' leaves the folder"
+    ),
+    "missing FMU": (system(component("a", "lost")), r"no file 'resources/lost.fmu' in case.ssp"),
+    "fragment": (system('<ssd:Component name="a" source="#other"/>'), r"source '#other' refers to a part of a file"),
+    "unknown connector": (system(GAINS, connection("a.z", "b.u")), r"'a' has no connector 'z'"),
+    "unknown element": (system(GAINS, connection("c.y", "b.u")), r"there is no element 'c'"),
+    "output to output": (system(GAINS, connection("a.y", "b.y")), r"output and output cannot be connected here"),
+    "driven twice": (
+        system(GAINS, connection("a.y", "b.u") + connection("b.y", "b.u")), r"the second connection to the same"
+    ),
+    "kind of a connector": (
+        system(component("a", "gain", connectors(u="output"))),
+        r"connector 'u' of 'a' is of kind output, the FMU's variable of causality input",
+    ),
+    "connector of nothing": (system(component("a", "gain", connectors(q="input"))), r"the FMU has no such variable"),
+    "inout": (system(component("a", "gain", connectors(u="inout"))), r"of kind inout, which is not supported"),
+    "units that do not fit": (
+        system(component("a", "gain", bindings(inline(real("offset", "1", "m"))))), r"offset.*units do not fit: m"
+    ),
+    "value out of range": (
+        system(component("a", "gain", bindings(inline(real("k", "1e9"))))),
+        r"a\.k = 1e\+09 is out of range.*",
+    ),
+    "value of a driven input": (
+        system(DRIVEN, connection("a.y", "b.u")),
+        r"input b\.u is driven by a\.y -> b\.u and has a value too",
+    ),
+    "other parameter source": (
+        system(component("a", "gain", bindings('<ssd:ParameterBinding type="text/csv" source="a.csv"/>'))),
+        r"a parameter source of type text/csv is not supported",
+    ),
+    "two components of one name": (
+        system(component("a b", "gain") + component("a_b", "gain")), r"two components of case.ssp would be called 'a_b'"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_not_supported_or_wrong_is_one_error_that_says_what_and_where(case: str, read: Read) -> None:
+    top, message = WRONG[case]
+    with pytest.raises(InputError, match=message) as raised:
+        read(document(top))
+    assert "case.ssp" in str(raised.value)
+
+
+def test_ssp_2_elements_that_are_not_supported_are_errors_too(read: Read) -> None:
+    wire = connection("a.y", "b.u", more='startIndices="1"')
+    with pytest.raises(InputError, match=r"<Connection>: the attribute startIndices is not supported .*line"):
+        read(document(system(GAINS, wire), version="2.0"))
+    with pytest.raises(InputError, match=r"<Sorcery> in <System> is not supported"):
+        read(document(system(GAINS, tail="<ssd:Sorcery/>"), version="2.0"))
+
+
+LINEAR = system(GAINS, connection("a.y", "b.u", '<ssc:LinearTransformation factor="2"/>'))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('factor="2"', 'factor="two"', r"<LinearTransformation>: factor = 'two' is no finite number .*line"),
+        ('factor="2"', 'factor="NaN"', r"<LinearTransformation>: factor = 'NaN' is no finite number"),
+        (' startConnector="y"', "", r"<Connection>: the attribute startConnector is missing"),
+        ('stopTime="0.1"', 'stopTime="later"', r"stopTime = 'later' is no finite number"),
+        ('name="a" source', "source", r"<Component>: the attribute name is missing"),
+    ],
+)
+def test_what_no_schema_checks_in_ssp_2_is_checked_all_the_same(old: str, new: str, message: str, read: Read) -> None:
+    text = document(LINEAR, version="2.0")
+    assert old in text
+    with pytest.raises(InputError, match=message):
+        read(text.replace(old, new))
+
+
+def test_a_description_without_a_system_is_an_error(read: Read) -> None:
+    with pytest.raises(InputError, match=r"<SystemStructureDescription> has no <System>"):
+        read(document("", version="2.0"))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("<ssd:System", r"SystemStructure\.ssd is not well-formed XML"),
+        (
+            document(CHAIN).replace("<ssd:System ", "<ssd:Sistem ").replace("</ssd:System>", "</ssd:Sistem>"),
+            "no valid SSP",
+        ),
+        (document(CHAIN, version="3.0"), r"SSP version 3\.0 is not known; 1\.0 and 2\.0 are"),
+        (document(CHAIN, experiment='startTime="5" stopTime="6"'), r"a start time of 5 s is not supported"),
+        (
+            document(CHAIN).replace("?>\n", '?>\n<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]>'),
+            r"document type declaration, which can open files; refused",
+        ),
+    ],
+)
+def test_a_structure_description_that_is_no_ssp_is_refused(text: str, message: str, read: Read) -> None:
+    with pytest.raises(InputError, match=message):
+        read(text)
+
+
+def test_an_archive_without_a_structure_or_with_an_unsafe_entry_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "case.ssp"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("readme.txt", "")
+    with pytest.raises(InputError, match=r"case\.ssp has no SystemStructure\.ssd"):
+        load_system(str(path))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("../outside", "")
+    with pytest.raises(FmuError, match=r"SSP .*entry '\.\./outside' would leave the unpack folder"):
+        load_system(str(path))
+    path.write_bytes(b"no zip")
+    with pytest.raises(FmuError, match=r"SSP .* is not a readable zip archive"):
+        load_system(str(path))
