@@ -84,7 +84,7 @@ class Tables:
         ]
         owners = [str(k) for k, v in enumerate(self.variables) for _ in v.start]
         starts = [_number(x) for v in self.variables for x in v.start]
-        scratch = [str(a.scratch).lower() for a in self.arrays]
+        scratch = [str(a.scratch).lower() for a in self.arrays] or ["false"]  # C has no empty arrays
         return (
             "static const Variable variables[] = {\n"
             + "\n".join(rows)

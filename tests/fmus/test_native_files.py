@@ -15,7 +15,7 @@ import pytest
 from driven import DrivenFmu
 from fmpy.build import build_platform_binary
 from fmpy.validation import validate_fmu
-from helpers import Measured
+from helpers import FIXTURES, Measured
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.errors import BuildError
 from rovbrush.components.native.compile import PLATFORMS
@@ -77,6 +77,22 @@ def test_filaments_can_be_shown_by_the_native_brush_too(tmp_path: Path) -> None:
         seen.append(driven.slave.getReal([v.valueReference for v in variables if v.name.startswith("filament_")]))
     assert len(seen[0]) == 12 and any(seen[0])
     assert seen[0] == seen[1]
+
+
+def test_a_component_without_arrays_has_a_native_fmu_too(fmus: Path, tmp_path: Path) -> None:
+    if not any(map(shutil.which, PLATFORMS["linux64"].compilers)):
+        pytest.skip("no C compiler")
+    native = build(FIXTURES / "gain", tmp_path, 0, ("linux64",))
+    rows, seen = np.array([[1.0], [2.5], [-3.0]]), []
+    for k, path in enumerate([fmus / "gain.fmu", *native]):
+        driven = DrivenFmu(path, tmp_path / f"life{k}", {"k": 2.0})
+        driven.start({"u": 1.0})
+        state = driven.slave.getFMUState()
+        first = driven.run(rows, {"u": slice(0, 1)}, 1e-3)
+        driven.slave.setFMUState(state)
+        assert np.array_equal(driven.run(rows, {"u": slice(0, 1)}, 1e-3), first)
+        seen.append(first)
+    assert np.array_equal(seen[0], seen[1]) and np.array_equal(seen[0], seen[2])
 
 
 def test_missing_compiler_is_named_with_the_package_that_brings_it(tmp_path: Path) -> None:

@@ -21,8 +21,8 @@ Instance *instance_new(const char *name, const char *token, void *environment, A
     *instance = unborn;
     instance->name = malloc(strlen(unborn.name) + 1);
     instance->v = calloc(VECTOR_SIZE, sizeof(double));
-    instance->arrays = calloc((size_t)component.array_count, sizeof(double *));
-    instance->shapes = calloc((size_t)component.array_count, sizeof(Shape));
+    instance->arrays = calloc((size_t)component.array_count + 1, sizeof(double *)); /* none may give NULL */
+    instance->shapes = calloc((size_t)component.array_count + 1, sizeof(Shape));
     if (!instance->name || !instance->v || !instance->arrays || !instance->shapes) {
         instance_free(instance);
         return NULL;

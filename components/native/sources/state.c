@@ -43,7 +43,7 @@ static Status restore(Instance *instance, const char *bytes, size_t size) {
     Status status = STATUS_ERROR;
     Flags flags;
     double *v = malloc(sizeof(double) * VECTOR_SIZE);
-    Shape *shapes = malloc(sizeof(Shape) * (size_t)component.array_count);
+    Shape *shapes = malloc(sizeof(Shape) * ((size_t)component.array_count + 1));
     if (v && shapes && size >= head && memcmp(bytes, component.token, token) == 0) {
         memcpy(&flags, bytes + token, sizeof flags);
         memcpy(v, bytes + token + sizeof flags, sizeof(double) * VECTOR_SIZE);
