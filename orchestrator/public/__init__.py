@@ -1,0 +1,30 @@
+"""Multirate FMI co-simulation by FMUs, and a brush that cleans a hull.
+
+    import rovbrush
+
+    result = rovbrush.load("nominal").run(stop="2 s")
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Session", "__version__", "load"]
+
+
+def __getattr__(name: str) -> Any:
+    """What is imported when it is asked for, so that a command loads no more than it needs."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("rovbrush")
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = getattr(import_module(f"{__name__}.orchestrator"), {"Session": "Stepping"}.get(name, name))
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return __all__
