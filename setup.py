@@ -1,4 +1,4 @@
-"""The packages, found by their folders: `components/` is rovbrush.components, `orchestrator/` is rovbrush.orchestrator."""
+"""The packages, by their folders: components/ is rovbrush.components, orchestrator/ is rovbrush.orchestrator."""
 
 from setuptools import find_packages, setup
 

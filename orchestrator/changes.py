@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .clock import duration
 from .errors import InputError, nearest
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .mapping import VariableMapping, load_mapping
 from .swap import replace_component
 from .system import System

@@ -35,7 +35,7 @@ from .exchange import (
     step3,
     unpack,
 )  # fmt: skip
-from .fmi_types import FLOAT
+from .fmu.types import FLOAT
 from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (

@@ -10,7 +10,7 @@ import fmpy
 from fmpy import fmi2
 
 from .exit_guard import end_before_library_destructors
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .instance import refused
 from .loaded import LoadedInstance
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from fmpy import fmi3
 
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .instance import refused
 from .loaded import LoadedInstance
 

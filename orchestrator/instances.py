@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .fmi2_instance import Fmi2Instance
 from .fmi3_instance import Fmi3Instance
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .instance import Instance
 from .loaded import LoadedInstance
 from .system import Component

@@ -17,7 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .instance import Instance
 from .instances import load
 from .isolated_channel import CALL, ChannelClosedError, Shared, put_pointers, receive, send, texts_at

@@ -20,7 +20,7 @@ from contextlib import suppress
 from typing import Any
 
 from .errors import FmuError
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .instance import Instance, Value
 from .isolated_channel import (
     AT_REFERENCES,

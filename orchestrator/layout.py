@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .clock import Clock
-from .fmi_types import GROUPED
-from .fmu import Fmu
+from .fmu.fmu import Fmu
+from .fmu.types import GROUPED
 from .system import Bond, Connection, System
 from .transfer import HISTORY, Choice
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from .errors import FmuError
-from .fmi_types import function_type
-from .fmu import Fmu
+from .fmu.fmu import Fmu
+from .fmu.types import function_type
 from .instance import Instance, Value
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from .errors import FmuError
-from .fmi_types import function_type
-from .fmu import Fmu
+from .fmu.fmu import Fmu
+from .fmu.types import function_type
 from .instances import load
 
 

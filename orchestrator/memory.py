@@ -8,7 +8,7 @@ import numpy as np
 
 from .calls import STEP_FLAGS
 from .exchange import IN_PLACE
-from .fmi_types import TEXT, FmiType, decode, encode, function_type
+from .fmu.types import TEXT, FmiType, decode, encode, function_type
 from .instance import Instance, Value
 from .plan import Plan
 from .texts import Texts

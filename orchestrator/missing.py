@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from .errors import InputError, nearest
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .mapping import VariableMapping
 from .series import Series
 from .system import Component, Connection, System, Value

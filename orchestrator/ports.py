@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from .calls import exchange, exchange3
-from .fmi_types import function_type
+from .fmu.types import function_type
 from .instance import Instance
 from .layout import Key
 from .memory import Memory

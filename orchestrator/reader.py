@@ -13,7 +13,7 @@ from typing import Any
 from .algorithms import ALGORITHMS, ecco_of, iteration_of
 from .clock import duration
 from .errors import InputError, nearest
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .series_file import stated_series
 from .stated_units import stated_units
 from .system import Component, System, checked_values

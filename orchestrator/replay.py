@@ -13,9 +13,9 @@ from rich.table import Table
 
 from .clock import seconds_text
 from .console import console, progress
-from .crossing import REALS, Crossing
 from .errors import InputError, RunError, nearest
-from .fmu import parse_value
+from .fmu.crossing import REALS, Crossing
+from .fmu.fmu import parse_value
 from .lone_fmu import LoneFmu, Port
 from .mapping import VariableMapping, load_mapping
 from .recording import Recording, read_recording

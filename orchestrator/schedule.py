@@ -17,9 +17,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from .clock import seconds_text
-from .crossing import Crossing
 from .design import Constants, Design
 from .errors import InputError
+from .fmu.crossing import Crossing
 from .layout import Key
 from .operations import (
     ACCUMULATE,

@@ -20,8 +20,8 @@ import numpy as np
 
 from .clock import Clock, seconds_text
 from .errors import InputError
-from .fmi_types import FmiType, decode, encode
-from .fmu import Fmu, parse_value
+from .fmu.fmu import Fmu, parse_value
+from .fmu.types import FmiType, decode, encode
 from .lookup import held_at, value_at
 from .units import conversion
 

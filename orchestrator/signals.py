@@ -9,7 +9,7 @@ import numpy as np
 
 from .clock import Clock
 from .errors import InputError, nearest
-from .fmi_types import decode
+from .fmu.types import decode
 from .plan import Plan
 from .run import Run
 from .texts import Texts

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from .crossing import REALS
 from .errors import InputError, nearest
-from .fmu import Fmu
+from .fmu.crossing import REALS
+from .fmu.fmu import Fmu
 from .toml_file import TomlFile
 from .units import parse_unit
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .errors import RunError
-from .fmi_types import encode_cells
+from .fmu.types import encode_cells
 from .plan import Plan
 from .run import Run
 from .signals import instants, typed

@@ -13,9 +13,9 @@ from dataclasses import replace
 
 from fmpy.model_description import ModelVariable
 
-from .crossing import REALS, Crossing, crossing
 from .errors import InputError
-from .fmu import Fmu, parse_value
+from .fmu.crossing import REALS, Crossing, crossing
+from .fmu.fmu import Fmu, parse_value
 from .mapping import VariableMapping
 from .missing import Missing, leave_out
 from .system import Component, System, Value

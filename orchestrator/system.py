@@ -11,7 +11,7 @@ from typing import Any
 
 from .algorithms import Ecco, Iteration
 from .errors import InputError, nearest
-from .fmu import Fmu, parse_value
+from .fmu.fmu import Fmu, parse_value
 from .series import Series
 
 Value = float | int | bool | str

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from .errors import InputError, nearest
-from .fmi_types import mismatch
-from .fmu import Fmu
+from .fmu.fmu import Fmu
+from .fmu.types import mismatch
 from .system import Bond, Component, Connection, Requirement
 from .toml_file import TomlFile
 from .transfer import TRANSFERS

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from .clock import seconds_text
-from .fmu import Fmu
+from .fmu.fmu import Fmu
 from .operations import (
     ACCUMULATE,
     CONTROL,

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from fmpy.model_description import ModelVariable
 
-from ..crossing import Crossing, crossing
 from ..errors import InputError
-from ..fmu import Fmu
+from ..fmu.crossing import Crossing, crossing
+from ..fmu.fmu import Fmu
 from ..mapping import VariableMapping
 from .opened import whole_variables
 from .suites import Declared

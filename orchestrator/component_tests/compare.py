@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..errors import InputError, nearest
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from ..mapping import VariableMapping
 from .binding import REALS, WHOLES, Binding, bind
 from .opened import whole_variables

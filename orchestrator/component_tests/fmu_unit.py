@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import FmuError
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from ..instances import load
 from ..loaded import LoadedInstance
 from ..mapping import Value, VariableMapping

@@ -6,7 +6,7 @@ from typing import Any
 
 from fmpy.model_description import ModelVariable
 
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from ..loaded import LoadedInstance
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..errors import FmuError
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from ..mapping import VariableMapping, load_mapping
 from .compare import Comparison, compare
 from .fmu_unit import FmuUnit, first_line

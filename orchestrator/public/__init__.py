@@ -1,8 +1,8 @@
 """Multirate FMI co-simulation by FMUs, and a brush that cleans a hull.
 
-    import rovbrush
+import rovbrush
 
-    result = rovbrush.load("nominal").run(stop="2 s")
+result = rovbrush.load("nominal").run(stop="2 s")
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..errors import InputError, nearest
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from .archive import Archive
 from .document import Document, find, local, typed_child
 

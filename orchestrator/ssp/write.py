@@ -13,7 +13,7 @@ from fmpy.model_description import ModelVariable
 from lxml import etree
 
 from ..errors import InputError
-from ..fmu import Fmu
+from ..fmu.fmu import Fmu
 from ..results import prepare_folder, write_file
 from ..series import refuse_series
 from ..system import Component, Connection, System

@@ -14,9 +14,9 @@ from typing import Any
 from ..clock import seconds_text
 from ..errors import InputError, RunError
 from ..fmi2_instance import Fmi2Instance
+from ..fmu.archive import unpack
 from ..reader import load_system
 from ..system import System
-from ..unpack import unpack
 
 Output = tuple[str, str]
 

@@ -14,7 +14,7 @@ import pytest
 from lxml import etree
 from rovbrush.components.build import COMPONENTS
 from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 
 H = 1e-3
 every_component = pytest.mark.parametrize("name", COMPONENTS)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
 from rovbrush.orchestrator.loaded import LoadedInstance
 from test_native_equality import CASES

@@ -13,7 +13,7 @@ from fmpy.validation import validate_fmu
 from pythonfmu_instance import H, bounded, component_class, declared, every_component
 from rovbrush.components.interface import Variable
 from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.units import parse_unit
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from pythonfmu_instance import every_component, started, stir
 from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 
 
 @every_component

@@ -11,7 +11,7 @@ from native_build import feedthrough2, needs_gcc
 from rovbrush.orchestrator.capabilities import require_state, require_variable_steps
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.explain import explain
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
 from rovbrush.orchestrator.plan import make_plan
 from rovbrush.orchestrator.reader import load_system

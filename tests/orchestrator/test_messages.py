@@ -6,7 +6,7 @@ import gc
 from pathlib import Path
 
 from native_build import FAULTS2, feedthrough2, needs_gcc
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
 from rovbrush.orchestrator.loaded import LoadedInstance
 

@@ -15,7 +15,7 @@ from helpers import read_system
 from lxml import etree
 from rovbrush.orchestrator.cli import app
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan import make_plan
 from rovbrush.orchestrator.reader import load_system, shipped_systems
 from rovbrush.orchestrator.simulation import simulate

@@ -12,9 +12,9 @@ from pathlib import Path
 import fmpy
 import pytest
 from helpers import edited, python
-from rovbrush.orchestrator import unpack as unpacking
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import archive as unpacking
+from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 
 
 @pytest.fixture
@@ -157,7 +157,7 @@ def test_a_broken_component_source_is_an_error_with_its_reason(fmus: Path, tmp_p
     path = edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {kernel: b"import nonexistent_module_x\n"})
     # In a process of its own: the package keeps its name, and Python would find the one it has imported before.
     run = python(
-        "import sys; from rovbrush.orchestrator.fmu import *; from rovbrush.orchestrator.instances import load; "
+        "import sys; from rovbrush.orchestrator.fmu.fmu import *; from rovbrush.orchestrator.instances import load; "
         "load(Fmu.open(Path(sys.argv[1])), 'g')",
         str(path),
     )

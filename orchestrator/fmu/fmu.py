@@ -11,11 +11,11 @@ from pathlib import Path
 from attrs import evolve
 from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable
 
+from ..errors import InputError
+from .archive import unpack
 from .crossing import Crossing
 from .description import platform_folder, read_description, scalars_of
-from .errors import InputError
-from .fmi_types import TYPES, FmiType
-from .unpack import unpack
+from .types import TYPES, FmiType
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 
 from platformdirs import user_cache_path
 
-from .errors import FmuError
+from ..errors import FmuError
 
 LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
 

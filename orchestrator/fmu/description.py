@@ -11,7 +11,7 @@ import fmpy
 from attrs import evolve
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from .errors import FmuError
+from ..errors import FmuError
 
 LARGEST_XML = 64 << 20  # bytes
 LARGEST_ARRAY = 100_000  # elements; every one is a signal with a name
