@@ -10,7 +10,7 @@ from .books import key_of
 from .clock import Clock, seconds_text
 from .errors import InputError
 from .layout import Layout
-from .operations import CONTROL, GAUGE
+from .loop.operations import CONTROL, GAUGE
 from .schedule import Row, Schedule
 from .system import System
 

@@ -14,9 +14,9 @@ from fractions import Fraction
 from .clock import Clock, seconds_text
 from .design import Design
 from .errors import InputError
-from .iteration import AITKEN, NEWTON
 from .layout import Layout
-from .operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
+from .loop.iteration import AITKEN, NEWTON
+from .loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
 from .schedule import Row, Schedule
 from .system import Connection, System
 from .transfer import Choice

@@ -6,12 +6,12 @@ from itertools import groupby
 
 import numpy as np
 
-from .calls import STEP_FLAGS
-from .exchange import IN_PLACE
 from .fmu.types import TEXT, FmiType, decode, encode, function_type
 from .instance import Instance, Value
+from .loop.calls import STEP_FLAGS
+from .loop.exchange import IN_PLACE
+from .loop.texts import Texts
 from .plan import Plan
-from .texts import Texts
 
 Key = tuple[str, str]
 Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]

@@ -7,10 +7,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .calls import exchange, exchange3
 from .fmu.types import function_type
 from .instance import Instance
 from .layout import Key
+from .loop.calls import exchange, exchange3
 from .memory import Memory
 from .plan import Plan
 

@@ -10,8 +10,8 @@ import numpy as np
 
 from .errors import RunError
 from .initialize import Started
+from .loop.texts import Texts
 from .plan import Plan
-from .texts import Texts
 
 
 class Stored(Protocol):

@@ -21,7 +21,7 @@ from .design import Constants, Design
 from .errors import InputError
 from .fmu.crossing import Crossing
 from .layout import Key
-from .operations import (
+from .loop.operations import (
     ACCUMULATE,
     COLUMNS,
     COPY,
@@ -38,7 +38,7 @@ from .operations import (
     SET,
     STEP,
     WORK,
-)  # fmt: skip
+)
 from .system import Connection
 from .transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio
 

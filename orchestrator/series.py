@@ -22,7 +22,7 @@ from .clock import Clock, seconds_text
 from .errors import InputError
 from .fmu.fmu import Fmu, parse_value
 from .fmu.types import FmiType, decode, encode
-from .lookup import held_at, value_at
+from .loop.lookup import held_at, value_at
 from .units import conversion
 
 if TYPE_CHECKING:

@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from . import ecco, execute
 from .access import Access
-from .compiled import compiled_run
 from .errors import InputError, RunError
 from .failure import failure_of
 from .initialize import initialize
 from .instance import Instance
 from .instances import start
 from .interrupt import stop_on_interrupt
+from .loop import ecco, execute
+from .loop.compiled import compiled_run
 from .memory import Memory
 from .plan import Plan
 from .process import seconds_since_start

@@ -10,9 +10,9 @@ import numpy as np
 from .clock import Clock
 from .errors import InputError, nearest
 from .fmu.types import decode
+from .loop.texts import Texts
 from .plan import Plan
 from .run import Run
-from .texts import Texts
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,10 @@ import numpy as np
 
 from .errors import RunError
 from .fmu.types import encode_cells
+from .loop.texts import Texts
 from .plan import Plan
 from .run import Run
 from .signals import instants, typed
-from .texts import Texts
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
 NO_CACHE = 0  # bytes: what is written is not read again

@@ -6,7 +6,7 @@ from collections import Counter
 
 from .clock import seconds_text
 from .fmu.fmu import Fmu
-from .operations import (
+from .loop.operations import (
     ACCUMULATE,
     CONTROL,
     COPY,
@@ -30,7 +30,7 @@ from .operations import (
     SET,
     STEP,
     WORK,
-)  # fmt: skip
+)
 from .plan import Plan
 
 SHOWN = 6  # names of variables in one line, at most

@@ -7,9 +7,9 @@ from math import ceil
 
 import numpy as np
 
-from . import ecco, iteration
 from .adaptive import step_limits
 from .instance import Instance
+from .loop import ecco, iteration
 from .plan import Plan
 
 
@@ -51,7 +51,7 @@ def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
 
 def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
     """Give saved states back to the FMUs that are alive."""
-    from .calls import call_state
+    from .loop.calls import call_state
 
     for k, instance in enumerate(instances.values()):
         if space.states[k] and not instance.dead:

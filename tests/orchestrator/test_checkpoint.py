@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 from helpers import Part, edited, plan_of
 from native_build import built, needs_gcc
-from rovbrush.orchestrator import execute, recorder
+from rovbrush.orchestrator import recorder
 from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.loop import execute
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.results import write_netcdf

@@ -6,8 +6,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator import execute
-from rovbrush.orchestrator.compiled import compiled_run, loop_files, loop_hash
+from rovbrush.orchestrator.loop import execute
+from rovbrush.orchestrator.loop.compiled import compiled_run, loop_files, loop_hash
 
 HERE = Path(execute.__file__)
 FILES = loop_files(HERE)
@@ -15,18 +15,22 @@ FILES = loop_files(HERE)
 
 def test_the_loop_is_made_of_these_files() -> None:
     assert {path.stem for path in FILES} == {
-        *("execute", "exchange", "calls", "texts", "fmi_types", "operations", "iteration", "ecco", "lookup")
+        *("execute", "exchange", "calls", "texts", "types", "operations", "iteration", "ecco", "lookup")
     }
 
 
 @pytest.mark.parametrize("changed", [path.name for path in FILES])
 def test_a_change_in_any_of_them_gives_another_name_in_the_cache(changed: str, tmp_path: Path) -> None:
-    for path in FILES:
-        shutil.copy(path, tmp_path)
-    assert loop_hash(tmp_path / HERE.name) == loop_hash(HERE)
-    with (tmp_path / changed).open("a", encoding="utf-8") as file:
+    package = HERE.parent.parent
+    copied = [tmp_path / path.relative_to(package) for path in FILES]
+    for path, copy in zip(FILES, copied, strict=True):
+        copy.parent.mkdir(exist_ok=True)
+        shutil.copy(path, copy)
+    top = tmp_path / HERE.relative_to(package)
+    assert loop_hash(top) == loop_hash(HERE)
+    with next(copy for copy in copied if copy.name == changed).open("a", encoding="utf-8") as file:
         file.write("# changed\n")
-    assert loop_hash(tmp_path / HERE.name) != loop_hash(HERE)
+    assert loop_hash(top) != loop_hash(HERE)
 
 
 def test_numba_keeps_the_compiled_loop_under_that_name() -> None:

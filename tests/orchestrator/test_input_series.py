@@ -12,7 +12,7 @@ import pytest
 from helpers import Measured, column, last, read_system
 from native_build import built, needs_gcc
 from rovbrush.orchestrator.explain import explain
-from rovbrush.orchestrator.lookup import held_at, mean_over, value_at
+from rovbrush.orchestrator.loop.lookup import held_at, mean_over, value_at
 from rovbrush.orchestrator.plan import make_plan
 from rovbrush.orchestrator.series_file import with_files
 from rovbrush.orchestrator.simulation import require_complete, simulate

@@ -12,7 +12,7 @@ from helpers import column, last, plan_of, read_system, run_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.operations import NAMES
+from rovbrush.orchestrator.loop.operations import NAMES
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system import Component, Connection, System

@@ -10,7 +10,7 @@ from helpers import read_system
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.operations import STEP
+from rovbrush.orchestrator.loop.operations import STEP
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system import Bond, Component, Connection, System

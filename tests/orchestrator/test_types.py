@@ -12,10 +12,10 @@ from helpers import plan_of, run_of
 from native_build import built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.texts import Texts
 
 pytestmark = needs_gcc
 FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}

@@ -9,6 +9,7 @@ from math import isfinite
 
 import numpy as np
 
+from ..fmu.types import FLOAT
 from . import ecco
 from .calls import call_state, do_step, exchange, exchange3
 from .ecco import control as choose_step
@@ -35,7 +36,6 @@ from .exchange import (
     step3,
     unpack,
 )  # fmt: skip
-from .fmu.types import FLOAT
 from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
+from ..fmu.types import BOOLEAN, FLOAT, TEXT
 from .calls import do_step3
-from .fmu.types import BOOLEAN, FLOAT, TEXT
 from .texts import ADDRESS, OFFSETS, number_of
 
 FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT = range(9)  # columns of `components`

@@ -22,7 +22,7 @@ COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHIL
 
 
 def loop_files(top: Path) -> list[Path]:
-    """A file and all files of its folder from which it or they import, in alphabetical order."""
+    """A file and all files of the package from which it or they import, in alphabetical order."""
     found: set[Path] = set()
     waiting = [top]
     while waiting:
@@ -31,8 +31,9 @@ def loop_files(top: Path) -> list[Path]:
             found.add(path)
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
                 if isinstance(node, ast.ImportFrom) and node.level:
-                    names = [node.module] if node.module else [alias.name for alias in node.names]
-                    waiting += [path.with_name(f"{name}.py") for name in names]
+                    folder = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+                    names = [folder.with_suffix(".py"), *(folder / f"{alias.name}.py" for alias in node.names)]
+                    waiting += [file for file in names if file.is_file()]
     return sorted(found)
 
 
