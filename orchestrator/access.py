@@ -11,7 +11,7 @@ from .errors import InputError, nearest
 from .instance import Instance, Value
 from .memory import Memory
 from .plan import Plan
-from .system import checked_values
+from .system.model import checked_values
 
 
 class Access:

@@ -12,7 +12,7 @@ from .errors import InputError
 from .layout import Layout
 from .loop.operations import CONTROL, GAUGE
 from .schedule import Row, Schedule
-from .system import System
+from .system.model import System
 
 RESOLUTION = 1000  # ticks in the smallest step, at least
 

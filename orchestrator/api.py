@@ -15,18 +15,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from .changes import Changes
 from .clock import duration
 from .errors import InputError
 from .explain import explain
 from .outcome import Result
 from .plan import Plan, make_plan
-from .reader import load_system
 from .reporting import check_reporting
-from .selection import select_recorded
-from .series_file import with_files, with_inputs
 from .stepping import Stepping, Time
-from .system import System
+from .system.changes import Changes
+from .system.model import System
+from .system.reader import load_system
+from .system.selection import select_recorded
+from .system.series_file import with_files, with_inputs
 
 Inputs = Mapping[str, Any] | str | Path
 Observer = Callable[[float, dict[str, Any]], object]

@@ -15,7 +15,7 @@ from math import lcm
 from .clock import Clock
 from .errors import InputError
 from .layout import Key, Layout
-from .system import Bond, System
+from .system.model import Bond, System
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .clock import seconds_text
 from .errors import InputError
-from .system import Component, System
+from .system.model import Component, System
 
 
 def check_capabilities(system: System) -> None:

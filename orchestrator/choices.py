@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .clock import Clock, seconds_text
 from .errors import InputError
-from .system import Connection, System
+from .system.model import Connection, System
 from .transfer import CHANGING, Choice, choose
 
 

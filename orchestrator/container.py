@@ -25,8 +25,8 @@ from .clock import seconds_text
 from .errors import InputError, RunError
 from .plan import Plan
 from .results import prepare_folder, write_file
-from .series import refuse_series
-from .system import Component, System
+from .system.model import Component, System
+from .system.series import refuse_series
 
 End = tuple[str, str]
 

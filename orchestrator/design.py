@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from .books import Book
 from .clock import Clock
 from .layout import Group, Layout
-from .series import Series
 from .start import Block
-from .system import Connection, System
+from .system.model import Connection, System
+from .system.series import Series
 from .transfer import Choice
 
 

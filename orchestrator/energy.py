@@ -19,7 +19,7 @@ from .books import slug
 from .errors import RunError
 from .signals import Signals
 from .simulation import Run
-from .system import Bond
+from .system.model import Bond
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from .instance import Instance, Value
 from .layout import Key
 from .memory import Memory
 from .plan import Plan
-from .system import Connection
+from .system.model import Connection
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 

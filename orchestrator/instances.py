@@ -7,7 +7,7 @@ from .fmi3_instance import Fmi3Instance
 from .fmu.fmu import Fmu
 from .instance import Instance
 from .loaded import LoadedInstance
-from .system import Component
+from .system.model import Component
 
 
 def load(fmu: Fmu, name: str) -> LoadedInstance:

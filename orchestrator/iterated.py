@@ -18,7 +18,7 @@ from .layout import Layout
 from .loop.iteration import AITKEN, NEWTON
 from .loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
 from .schedule import Row, Schedule
-from .system import Connection, System
+from .system.model import Connection, System
 from .transfer import Choice
 
 LARGEST_NEWTON = 100  # unknowns: each costs a pass

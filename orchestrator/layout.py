@@ -12,7 +12,7 @@ import numpy as np
 from .clock import Clock
 from .fmu.fmu import Fmu
 from .fmu.types import GROUPED
-from .system import Bond, Connection, System
+from .system.model import Bond, Connection, System
 from .transfer import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable

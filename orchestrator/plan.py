@@ -15,9 +15,9 @@ from .design import Design
 from .iterated import IteratedSchedule, add_unknowns
 from .layout import make_groups, make_layout
 from .schedule import Schedule
-from .series import check_series
 from .start import start_order
-from .system import System
+from .system.model import System
+from .system.series import check_series
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,9 @@ from .errors import InputError, RunError, nearest
 from .fmu.crossing import REALS, Crossing
 from .fmu.fmu import parse_value
 from .lone_fmu import LoneFmu, Port
-from .mapping import VariableMapping, load_mapping
 from .recording import Recording, read_recording
-from .swap import crossing_between, own_values
+from .system.replace.mapping import VariableMapping, load_mapping
+from .system.replace.view import crossing_between, own_values
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Any
 
 from .errors import InputError, nearest
 from .summary import check_summary
-from .system import System
+from .system.model import System
 
 WINDOW_KEYS = {"angle", "start", "end"}
 COMPARE_KEYS = {"label", "value", "unit", "reference", "tolerance", "note"}

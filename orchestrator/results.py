@@ -20,8 +20,8 @@ from .errors import InputError, RunError
 from .explain import explain
 from .netcdf import datasets
 from .run import Run, Stored
-from .series import manifest_of
 from .signals import Signals
+from .system.series import manifest_of
 
 CSV_ROWS = 10_000  # that are text in memory at once
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")

@@ -39,7 +39,7 @@ from .loop.operations import (
     STEP,
     WORK,
 )
-from .system import Connection
+from .system.model import Connection
 from .transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio
 
 LARGEST = 5_000_000  # operations; 320 MB

@@ -44,8 +44,8 @@ def converge(
     fmus: FmusOption = None,
 ) -> None:
     """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
-    from .changes import changes_of
     from .studies.convergence import converge as study
+    from .system.changes import changes_of
 
     study(system, out, fmus, changes_of(replace, map_, period))
 
@@ -94,9 +94,9 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
-    from .changes import changes_of
     from .studies.sweep import Options
     from .studies.sweep import sweep as run_sweep
+    from .system.changes import changes_of
 
     changes = changes_of(replace, map_, period)
     options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes)

@@ -27,7 +27,7 @@ from .errors import InputError, nearest
 from .process import peak_memory
 from .signals import Signal, Signals
 from .simulation import Run
-from .system import System
+from .system.model import System
 
 OPERATIONS = {
     "mean": 1, "rms": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2, "positive": 1,

@@ -16,9 +16,9 @@ import numpy as np
 from rovbrush.components.archive import repack
 from rovbrush.components.build import build
 from rovbrush.orchestrator.plan import Plan, make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import Run, simulate
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
 
 FIXTURES = Path(__file__).parent / "fixtures"
 ROOT = Path(__file__).parent.parent

@@ -13,7 +13,7 @@ from fmpy.model_description import ModelVariable
 from ..errors import InputError
 from ..fmu.crossing import Crossing, crossing
 from ..fmu.fmu import Fmu
-from ..mapping import VariableMapping
+from ..system.replace.mapping import VariableMapping
 from .opened import whole_variables
 from .suites import Declared
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
-from ..mapping import VariableMapping
+from ..system.replace.mapping import VariableMapping
 from .binding import REALS, WHOLES, Binding, bind
 from .opened import whole_variables
 from .suites import Declared, Suite

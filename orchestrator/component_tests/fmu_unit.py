@@ -11,7 +11,7 @@ from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..instances import load
 from ..loaded import LoadedInstance
-from ..mapping import Value, VariableMapping
+from ..system.replace.mapping import Value, VariableMapping
 from .binding import Binding
 from .opened import initialize, is_fmi3, whole_variables
 from .suites import NotApplicableError

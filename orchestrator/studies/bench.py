@@ -24,7 +24,7 @@ from ..plan import Plan, make_plan
 from ..results import prepare_folder, write_file, write_json
 from ..simulation import require_complete, simulate
 from ..stepping import Stepping
-from ..system import System
+from ..system.model import System
 from .bench_components import component_rows, show_components
 from .bench_floor import floor_loop
 from .bench_streaming import long_runs, show_long_runs

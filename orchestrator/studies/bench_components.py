@@ -11,7 +11,7 @@ from rich.table import Table
 
 from ..console import console
 from ..plan import make_plan
-from ..system import System
+from ..system.model import System
 from .bench_floor import floor_loop
 from .bench_systems import alone
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 from pathlib import Path
 
 from ..errors import InputError
-from ..reader import fmu_folder, load_system
-from ..system import System
+from ..system.model import System
+from ..system.reader import fmu_folder, load_system
 from .native_fmu import ring
 
 TRIVIAL_FMU = """

@@ -13,11 +13,11 @@ import numpy as np
 from ..console import console
 from ..errors import RunError
 from ..plan import make_plan
-from ..reader import SYSTEMS
 from ..results import prepare_folder, write_file
 from ..simulation import require_complete, simulate
 from ..summary import summarize
-from ..system import System
+from ..system.model import System
+from ..system.reader import SYSTEMS
 from .single import planned
 
 SPECIFICATION = Path(__file__).with_name("calibration.toml")

@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from ..changes import UNCHANGED, Changes
 from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..plan import make_plan
@@ -27,6 +26,7 @@ from ..results import prepare_folder, write_file, write_json
 from ..signals import Signals
 from ..simulation import require_complete, simulate
 from ..summary import summarize
+from ..system.changes import UNCHANGED, Changes
 from .single import planned
 
 BOUND = 0.005  # largest relative change of a mean when every period is halved

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..console import console
 from ..container import differences, write_container
 from ..plan import Plan
-from ..ssp.write import write_ssp
+from ..system.ssp.write import write_ssp
 
 
 def export_ssp(plan: Plan, path: Path, version: str) -> Path:

@@ -15,8 +15,8 @@ from ..clock import seconds_text
 from ..errors import InputError, RunError
 from ..fmi2_instance import Fmi2Instance
 from ..fmu.archive import unpack
-from ..reader import load_system
-from ..system import System
+from ..system.model import System
+from ..system.reader import load_system
 
 Output = tuple[str, str]
 

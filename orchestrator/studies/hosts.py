@@ -17,8 +17,8 @@ from pathlib import Path
 
 from ..clock import seconds_text
 from ..errors import InputError, RunError
-from ..ssp.write import write_ssp
-from ..system import System
+from ..system.model import System
+from ..system.ssp.write import write_ssp
 from . import host_loops
 from .host_loops import load_tbb
 

@@ -16,16 +16,16 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from ..changes import UNCHANGED, Changes
 from ..clock import duration
 from ..energy import require_energy
 from ..errors import InputError, RunError
 from ..plan import Plan, make_plan
 from ..process import peak_memory
-from ..reader import load_system
 from ..simulation import require_complete, simulate
 from ..summary import check_summary, figure_units, summarize
-from ..system import System
+from ..system.changes import UNCHANGED, Changes
+from ..system.model import System
+from ..system.reader import load_system
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads

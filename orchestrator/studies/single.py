@@ -9,7 +9,6 @@ from math import ceil
 from pathlib import Path
 
 from ..boundary import write_boundary
-from ..changes import UNCHANGED, Changes, changes_of
 from ..checkpoint import Checkpoint, read_checkpoint, unserializable, write_checkpoint
 from ..clock import duration
 from ..console import console, print_comparison, print_notes, print_summary, progress
@@ -19,16 +18,17 @@ from ..fingerprint import require_unchanged
 from ..interrupt import stop_on_interrupt
 from ..options import assignments
 from ..plan import Plan, make_plan
-from ..reader import load_system
 from ..recorder import IN_MEMORY
 from ..reporting import check_reporting
-from ..request import Request
 from ..results import prepare_folder, write_results
 from ..run import Run
-from ..selection import select_recorded
-from ..series_file import with_files
 from ..session import Session
 from ..summary import comparison, summarize
+from ..system.changes import UNCHANGED, Changes, changes_of
+from ..system.reader import load_system
+from ..system.request import Request
+from ..system.selection import select_recorded
+from ..system.series_file import with_files
 
 
 def planned(

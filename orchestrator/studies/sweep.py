@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 from rich.markup import escape
 from rich.table import Table as Printed
 
-from ..changes import UNCHANGED, Changes
 from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..results import prepare_folder
 from ..summary import figure_units
+from ..system.changes import UNCHANGED, Changes
 from .design import Design, make_design, vary_entries
 from .point import Job, digest, load
 from .points import Points, Table, header, write_table

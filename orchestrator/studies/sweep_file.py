@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError, nearest
-from ..reader import SYSTEMS, shipped_systems
+from ..system.reader import SYSTEMS, shipped_systems
 from ..toml_file import TomlFile
 
 SWEEPS = Path(__file__).parent / "sweeps"

@@ -17,10 +17,10 @@ from rovbrush.orchestrator.cli import app
 from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import Run, simulate
-from rovbrush.orchestrator.ssp.write import write_ssp
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 pytest.importorskip("fmu_manipulation_toolbox", reason="fmu-manipulation-toolbox is not installed")
 

@@ -16,10 +16,10 @@ import pytest
 from helpers import Measured
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.studies.hosts import HOSTS, HostRun, missing, run_host
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
 
 PERIOD = Fraction(1, 512)
 STEPS = 100

@@ -9,9 +9,9 @@ import pytest
 from fmpy.validation import validate_fmu
 from rovbrush.components.build import HERE, build
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.system.reader import load_system
 
 SYSTEM = """
 stop_time = "20 ms"

@@ -6,7 +6,7 @@ import zipfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
 
 Read = Callable[..., System]  # the fixture `read`
 

@@ -14,8 +14,8 @@ from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2
 
 pytestmark = needs_gcc

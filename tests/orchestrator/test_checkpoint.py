@@ -15,10 +15,10 @@ from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import execute
 from rovbrush.orchestrator.plan import Plan, make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.results import write_netcdf
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.system.reader import load_system
 from test_session import ALGORITHMS, car
 from test_types import FREE2, FREE3, WIRES2, WIRES3
 

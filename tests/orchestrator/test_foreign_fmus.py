@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 from helpers import edited, read_system, system_text
-from rovbrush.orchestrator.changes import changes_of
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.plan import Plan, make_plan
-from rovbrush.orchestrator.reader import load_system
+from rovbrush.orchestrator.system.changes import changes_of
+from rovbrush.orchestrator.system.reader import load_system
 
 PARTS = {
     "w": ("wave", "10 ms", {"c0": 0.3, "a": 2.0, "w": 9.0}),

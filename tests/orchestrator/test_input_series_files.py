@@ -17,10 +17,10 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.plan import make_plan
 from rovbrush.orchestrator.results import manifest, write_csv
-from rovbrush.orchestrator.series_file import with_files, with_inputs
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.ssp.write import write_ssp
 from rovbrush.orchestrator.studies.point import digest
+from rovbrush.orchestrator.system.series_file import with_files, with_inputs
+from rovbrush.orchestrator.system.ssp.write import write_ssp
 from series_cases import ROWS, VALUES, one, planned
 
 

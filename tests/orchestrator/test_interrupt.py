@@ -17,7 +17,7 @@ CODE = """
 import json, signal, sys
 from pathlib import Path
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
+from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
 
 def progress(time):

@@ -14,9 +14,9 @@ from rovbrush.components.build import build
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2, FREE3, WIRES2, WIRES3
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.mapping import VariableMapping, load_mapping
+from rovbrush.orchestrator.system.replace.mapping import VariableMapping, load_mapping
 
 GOOD = """\
 [variables]

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import NAMES
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.system import Component, Connection, System
+from rovbrush.orchestrator.system.model import Component, Connection, System
 
 CONTROLLER_REST = (  # the inputs of the controller but for `p`
     *("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "q", "r"),

@@ -13,7 +13,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import STEP
 from rovbrush.orchestrator.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.system import Bond, Component, Connection, System
+from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
 
 PERIODS = (Fraction(1, 8), Fraction(1, 4), Fraction(3, 8), Fraction(5, 8))
 TRANSFERS = ("", "hold", "linear", "quadratic", "interpolate", "mean")

@@ -9,8 +9,8 @@ import pytest
 from helpers import edited, last, read_system, run_of, system_text
 from rovbrush.orchestrator.errors import FmuError, InputError, RovbrushError
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
 
 GOOD = """\
 # A gain is a gain again: words like k, u and y stand in comments too, before the lines that count.

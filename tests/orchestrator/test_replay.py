@@ -12,13 +12,13 @@ import pytest
 from fmpy.util import read_csv, read_ref_opt_file
 from helpers import edited, system_text
 from rovbrush.orchestrator.boundary import write_boundary
-from rovbrush.orchestrator.changes import changes_of
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.recording import read_recording
 from rovbrush.orchestrator.replay import replay
 from rovbrush.orchestrator.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.changes import changes_of
 
 PARTS = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 90.0}),

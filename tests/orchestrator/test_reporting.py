@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.reader import SYSTEMS, shipped_systems
 from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.reader import SYSTEMS, shipped_systems
 
 MORE = """
 [[compare]]

@@ -10,12 +10,12 @@ from typing import Any
 
 import pytest
 from helpers import system_text
-from rovbrush.orchestrator.algorithms import Ecco, Iteration
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.ssp.write import write_ssp
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.settings import Ecco, Iteration
+from rovbrush.orchestrator.system.ssp.write import write_ssp
 from test_ssp_export import assert_equal_plans, plain
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

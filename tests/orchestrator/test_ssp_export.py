@@ -17,11 +17,11 @@ from rovbrush.orchestrator.cli import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system, shipped_systems
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.ssp.document import Document, validate
-from rovbrush.orchestrator.ssp.write import write_ssp
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system, shipped_systems
+from rovbrush.orchestrator.system.ssp.document import Document, validate
+from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 # Fields that need not survive: where the files are, and what is said of a swap. Every other one must, new ones too.
 LEFT_OUT = {"path", "notes", "where"}

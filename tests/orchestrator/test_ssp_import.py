@@ -10,9 +10,9 @@ import pytest
 from helpers import last, read_system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
 from ssp_files import (
     CHAIN,
     GAINS,

@@ -8,10 +8,10 @@ import pytest
 from helpers import last
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan import make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
-from rovbrush.orchestrator.ssp.write import write_ssp
-from rovbrush.orchestrator.system import System
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 SYSTEM = """\
 stop_time = "1 s"

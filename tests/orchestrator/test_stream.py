@@ -17,14 +17,14 @@ from rovbrush.orchestrator import recorder
 from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan import Plan, make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.results import write_results
-from rovbrush.orchestrator.selection import select_recorded
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.studies.native_fmu import ring
 from rovbrush.orchestrator.summary import summarize
+from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.selection import select_recorded
 from test_session import ALGORITHMS, car
 from test_types import FREE2, FREE3, WIRES2, WIRES3
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import edited, read_system
-from rovbrush.orchestrator.changes import changes_of
 from rovbrush.orchestrator.energy import ledger
 from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.plan import Plan, make_plan
-from rovbrush.orchestrator.reader import load_system
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.system.changes import changes_of
+from rovbrush.orchestrator.system.reader import load_system
 
 PARTS = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 9.0}),

@@ -21,7 +21,7 @@ import numpy as np
 from numba import njit
 from rovbrush.components.kernels import compiled
 from rovbrush.components.slave import ComponentSlave
-from rovbrush.orchestrator.system import Component, System
+from rovbrush.orchestrator.system.model import Component, System
 from scipy.integrate import solve_ivp
 
 TO_CONTROLLER = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")

@@ -11,13 +11,13 @@ import pytest
 from fixtures.modelica.build import build_dc_motor
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.orchestrator.boundary import write_boundary
-from rovbrush.orchestrator.changes import Changes, changes_of
 from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.replay import replay
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.summary import summarize
+from rovbrush.orchestrator.system.changes import Changes, changes_of
 
 MOTOR_MAP = FIXTURES / "modelica" / "map.toml"
 WATCHED = ("motor.omega_b", "motor.i", "brush.F_z", "brush.T_brush")

@@ -10,17 +10,17 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from .algorithms import ALGORITHMS, ecco_of, iteration_of
-from .clock import duration
-from .errors import InputError, nearest
-from .fmu.fmu import Fmu
+from ..clock import duration
+from ..errors import InputError, nearest
+from ..fmu.fmu import Fmu
+from ..toml_file import TomlFile
+from .connections import bond_of, check_drivers, connections_of, requirement_of
+from .model import Component, System, checked_values
 from .series_file import stated_series
+from .settings import ALGORITHMS, ecco_of, iteration_of
 from .stated_units import stated_units
-from .system import Component, System, checked_values
-from .toml_file import TomlFile
-from .wiring import bond_of, check_drivers, connections_of, requirement_of
 
-SYSTEMS = Path(__file__).parent / "systems"
+SYSTEMS = Path(__file__).parent.parent / "systems"
 KEYS = {
     *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
     *("iteration", "ecco", "record", "require", "summary", "balance", "compare", "figures"),
@@ -39,7 +39,7 @@ def fmu_folder() -> Path:
     chosen = os.environ.get("ROVBRUSH_FMUS")
     if chosen:
         return Path(chosen)
-    checkout = Path(__file__).parent.parent
+    checkout = Path(__file__).parent.parent.parent
     if (checkout / "pyproject.toml").is_file():
         return checkout / "fmus"
     from platformdirs import user_data_path

@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError, nearest
-from .recording import csv_rows
+from ..errors import InputError, nearest
+from ..recording import csv_rows
+from ..units import conversion
+from .model import Component, System, checked_values
 from .series import Series, series_of
-from .system import Component, System, checked_values
-from .units import conversion
 
 KEYS = ("csv", "column", "time", "values", "unit")
 

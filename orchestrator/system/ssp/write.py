@@ -12,11 +12,11 @@ from typing import Any
 from fmpy.model_description import ModelVariable
 from lxml import etree
 
-from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..results import prepare_folder, write_file
+from ...errors import InputError
+from ...fmu.fmu import Fmu
+from ...results import prepare_folder, write_file
+from ..model import Component, Connection, System
 from ..series import refuse_series
-from ..system import Component, Connection, System
 from .annotations import annotate, component_keys, connection_keys, system_keys
 from .document import NAMESPACES, validate
 from .hints import NAMESPACE as OSP

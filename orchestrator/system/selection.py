@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from .errors import InputError, nearest
-from .layout import matches
-from .system import System
+from ..errors import InputError, nearest
+from ..layout import matches
+from .model import System
 
 
 def select_recorded(system: System, patterns: Sequence[str]) -> System:

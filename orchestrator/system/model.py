@@ -9,10 +9,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from .algorithms import Ecco, Iteration
-from .errors import InputError, nearest
-from .fmu.fmu import Fmu, parse_value
+from ..errors import InputError, nearest
+from ..fmu.fmu import Fmu, parse_value
 from .series import Series
+from .settings import Ecco, Iteration
 
 Value = float | int | bool | str
 

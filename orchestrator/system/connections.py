@@ -7,13 +7,13 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .errors import InputError, nearest
-from .fmu.fmu import Fmu
-from .fmu.types import mismatch
-from .system import Bond, Component, Connection, Requirement
-from .toml_file import TomlFile
-from .transfer import TRANSFERS
-from .units import conversion
+from ..errors import InputError, nearest
+from ..fmu.fmu import Fmu
+from ..fmu.types import mismatch
+from ..toml_file import TomlFile
+from ..transfer import TRANSFERS
+from ..units import conversion
+from .model import Bond, Component, Connection, Requirement
 
 BOND_KEYS = {"name", "effort", "flow", "sign", "impulse", "displacement", "limit", "limit_relative"}
 

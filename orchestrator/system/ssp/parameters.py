@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ..errors import InputError
+from ...errors import InputError
 from .archive import Archive
 from .document import MAPPINGS, Document, find, local, typed_child
 from .structure import Element

@@ -10,11 +10,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .errors import InputError, nearest
-from .fmu.fmu import Fmu
+from ...errors import InputError, nearest
+from ...fmu.fmu import Fmu
+from ..model import Component, Connection, System, Value
+from ..series import Series
 from .mapping import VariableMapping
-from .series import Series
-from .system import Component, Connection, System, Value
 
 
 @dataclass(frozen=True)

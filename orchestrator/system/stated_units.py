@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from .errors import InputError, nearest
-from .fmu.crossing import REALS
-from .fmu.fmu import Fmu
-from .toml_file import TomlFile
-from .units import parse_unit
+from ..errors import InputError, nearest
+from ..fmu.crossing import REALS
+from ..fmu.fmu import Fmu
+from ..toml_file import TomlFile
+from ..units import parse_unit
 
 
 def stated_units(file: TomlFile, component: str, entry: object, fmu: Fmu, heading: str) -> dict[str, str]:

@@ -13,12 +13,12 @@ from dataclasses import replace
 
 from fmpy.model_description import ModelVariable
 
-from .errors import InputError
-from .fmu.crossing import REALS, Crossing, crossing
-from .fmu.fmu import Fmu, parse_value
+from ...errors import InputError
+from ...fmu.crossing import REALS, Crossing, crossing
+from ...fmu.fmu import Fmu, parse_value
+from ..model import Component, System, Value
 from .mapping import VariableMapping
 from .missing import Missing, leave_out
-from .system import Component, System, Value
 
 ROLES = ("input", "output", "parameter", "calculatedParameter")
 OWN = "theirs."  # what stands in front of the names of their variables that we do not know

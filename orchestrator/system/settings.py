@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from .clock import duration
-from .errors import InputError, nearest
-from .toml_file import TomlFile
+from ..clock import duration
+from ..errors import InputError, nearest
+from ..toml_file import TomlFile
 
 ALGORITHMS = ("gauss-seidel", "jacobi", "iterated", "ecco")
 METHODS = ("aitken", "newton")

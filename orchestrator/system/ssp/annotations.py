@@ -15,8 +15,8 @@ from typing import Any
 
 from lxml import etree
 
-from ..clock import seconds_text
-from ..system import Bond, Component, Connection, Requirement, System
+from ...clock import seconds_text
+from ..model import Bond, Component, Connection, Requirement, System
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from .clock import duration
-from .errors import InputError, nearest
-from .fmu.fmu import Fmu
-from .mapping import VariableMapping, load_mapping
-from .swap import replace_component
-from .system import System
+from ..clock import duration
+from ..errors import InputError, nearest
+from ..fmu.fmu import Fmu
+from .model import System
+from .replace.mapping import VariableMapping, load_mapping
+from .replace.view import replace_component
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from ..errors import InputError
-from ..fmu.archive import unpack
+from ...errors import InputError
+from ...fmu.archive import unpack
 
 SUFFIXES = (".ssp", ".ssd")
 STRUCTURE = "SystemStructure.ssd"

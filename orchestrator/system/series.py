@@ -18,15 +18,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .clock import Clock, seconds_text
-from .errors import InputError
-from .fmu.fmu import Fmu, parse_value
-from .fmu.types import FmiType, decode, encode
-from .loop.lookup import held_at, value_at
-from .units import conversion
+from ..clock import Clock, seconds_text
+from ..errors import InputError
+from ..fmu.fmu import Fmu, parse_value
+from ..fmu.types import FmiType, decode, encode
+from ..loop.lookup import held_at, value_at
+from ..units import conversion
 
 if TYPE_CHECKING:
-    from .system import System
+    from .model import System
 
 ROUNDING = 1e-12  # relative: by so much the last time of a table may miss the stop
 

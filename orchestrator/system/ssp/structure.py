@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..errors import InputError, nearest
-from ..fmu.fmu import Fmu
+from ...errors import InputError, nearest
+from ...fmu.fmu import Fmu
 from .archive import Archive
 from .document import Document, find, local, typed_child
 

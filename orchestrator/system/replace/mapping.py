@@ -24,9 +24,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .errors import InputError, nearest
-from .toml_file import TomlFile
-from .units import parse_unit
+from ...errors import InputError, nearest
+from ...toml_file import TomlFile
+from ...units import parse_unit
 
 TABLES = ("variables", "inputs", "parameters")
 ENTRY_KEYS = ("name", "sign", "unit")

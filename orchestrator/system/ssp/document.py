@@ -9,7 +9,7 @@ from typing import Any
 import fmpy.ssp
 from lxml import etree
 
-from ..errors import InputError
+from ...errors import InputError
 
 BASE = "http://ssp-standard.org/SSP1/SystemStructure"
 NAMESPACES = {

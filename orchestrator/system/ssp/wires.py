@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import InputError
-from ..wiring import Link
+from ...errors import InputError
+from ..connections import Link
 from .annotations import annotated
 from .document import Document, find
 from .structure import GIVING, Connector, Element

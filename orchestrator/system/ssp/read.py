@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from ..errors import InputError
-from ..toml_file import TomlFile
+from ...errors import InputError
+from ...toml_file import TomlFile
 from .annotations import annotated
 from .archive import Archive
 from .document import Document, find

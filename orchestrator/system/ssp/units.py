@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import InputError
-from ..units import conversion
+from ...errors import InputError
+from ...units import conversion
 from .document import Document, find
 
 BASE_UNITS = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")

@@ -1,0 +1,1 @@
+"""Somebody else's FMU in the place of a component: its names, units and directions, and what it lacks."""
