@@ -10,7 +10,7 @@ import numpy as np
 from .errors import InputError, nearest
 from .instance import Instance, Value
 from .memory import Memory
-from .plan import Plan
+from .plan.plan import Plan
 from .system.model import checked_values
 
 

@@ -17,9 +17,9 @@ from typing import Any
 
 from .clock import duration
 from .errors import InputError
-from .explain import explain
 from .outcome import Result
-from .plan import Plan, make_plan
+from .plan.explain import explain
+from .plan.plan import Plan, make_plan
 from .reporting import check_reporting
 from .stepping import Stepping, Time
 from .system.changes import Changes

@@ -26,7 +26,7 @@ import numpy as np
 from .errors import InputError, RunError
 from .fingerprint import fingerprint, require_unchanged
 from .instance import Instance
-from .plan import Plan
+from .plan.plan import Plan
 from .session import Position, Session
 
 FORMAT = 1

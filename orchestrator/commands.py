@@ -89,8 +89,8 @@ def plan(
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
-    from .explain import explain
-    from .plan import make_plan
+    from .plan.explain import explain
+    from .plan.plan import make_plan
     from .rehearsal import loop_residuals
     from .system.changes import changes_of
     from .system.reader import load_system

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .books import slug
 from .errors import RunError
+from .plan.books import slug
 from .signals import Signals
 from .simulation import Run
 from .system.model import Bond

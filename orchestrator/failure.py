@@ -8,7 +8,7 @@ import numpy as np
 
 from .instance import STATUS, Instance
 from .loop import ecco, exchange, execute, iteration
-from .plan import Plan
+from .plan.plan import Plan
 from .workspace import Workspace
 
 REPORTED = {

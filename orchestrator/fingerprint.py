@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from .errors import InputError
-from .plan import Plan
+from .plan.plan import Plan
 
 
 def fingerprint(plan: Plan) -> dict[str, Any]:

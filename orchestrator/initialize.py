@@ -9,9 +9,9 @@ import numpy as np
 
 from .errors import FmuError, InputError
 from .instance import Instance, Value
-from .layout import Key
 from .memory import Memory
-from .plan import Plan
+from .plan.layout import Key
+from .plan.plan import Plan
 from .system.model import Connection
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1

@@ -11,7 +11,7 @@ from .instance import Instance, Value
 from .loop.calls import STEP_FLAGS
 from .loop.exchange import IN_PLACE
 from .loop.texts import Texts
-from .plan import Plan
+from .plan.plan import Plan
 
 Key = tuple[str, str]
 Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .clock import seconds_text
-from .plan import Plan
+from .plan.plan import Plan
 from .run import Run
 from .signals import Signals
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from .fmu.types import function_type
 from .instance import Instance
-from .layout import Key
 from .loop.calls import exchange, exchange3
 from .memory import Memory
-from .plan import Plan
+from .plan.layout import Key
+from .plan.plan import Plan
 
 LARGEST = sys.float_info.max
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from .errors import InputError
 from .memory import Memory
-from .plan import Plan
+from .plan.plan import Plan
 from .run import Stored
 from .stream import Stream
 

@@ -6,7 +6,7 @@ from .initialize import initialize
 from .instance import Instance
 from .instances import start
 from .memory import Memory
-from .plan import Plan
+from .plan.plan import Plan
 
 
 def loop_residuals(plan: Plan) -> dict[str, float]:

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from .errors import InputError, RunError
-from .explain import explain
 from .netcdf import datasets
+from .plan.explain import explain
 from .run import Run, Stored
 from .signals import Signals
 from .system.series import manifest_of

@@ -11,7 +11,7 @@ import numpy as np
 from .errors import RunError
 from .initialize import Started
 from .loop.texts import Texts
-from .plan import Plan
+from .plan.plan import Plan
 
 
 class Stored(Protocol):

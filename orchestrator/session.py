@@ -21,7 +21,7 @@ from .interrupt import stop_on_interrupt
 from .loop import ecco, execute
 from .loop.compiled import compiled_run
 from .memory import Memory
-from .plan import Plan
+from .plan.plan import Plan
 from .process import seconds_since_start
 from .recorder import Recorder
 from .run import Run

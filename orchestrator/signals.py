@@ -11,7 +11,7 @@ from .clock import Clock
 from .errors import InputError, nearest
 from .fmu.types import decode
 from .loop.texts import Texts
-from .plan import Plan
+from .plan.plan import Plan
 from .run import Run
 
 

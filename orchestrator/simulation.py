@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .interrupt import stop_on_interrupt
-from .plan import Plan
+from .plan.plan import Plan
 from .run import Run, require_complete
 from .session import Session
 

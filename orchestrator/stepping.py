@@ -12,10 +12,10 @@ from typing import Any
 from .clock import duration, seconds_text
 from .errors import InputError, RunError, nearest
 from .interrupt import stop_on_interrupt
-from .layout import matches
 from .loop.execute import STOP_REQUEST
 from .outcome import Result
-from .plan import Plan
+from .plan.layout import matches
+from .plan.plan import Plan
 from .ports import reader_of, writer_of
 from .session import Session
 

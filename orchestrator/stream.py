@@ -15,7 +15,7 @@ import numpy as np
 from .errors import RunError
 from .fmu.types import encode_cells
 from .loop.texts import Texts
-from .plan import Plan
+from .plan.plan import Plan
 from .run import Run
 from .signals import instants, typed
 

@@ -21,9 +21,9 @@ from typing import Any
 
 import numpy as np
 
-from .books import coupling_unit
 from .energy import balance, ledger, over_limits
 from .errors import InputError, nearest
+from .plan.books import coupling_unit
 from .process import peak_memory
 from .signals import Signal, Signals
 from .simulation import Run

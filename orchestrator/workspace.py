@@ -7,10 +7,10 @@ from math import ceil
 
 import numpy as np
 
-from .adaptive import step_limits
 from .instance import Instance
 from .loop import ecco, iteration
-from .plan import Plan
+from .plan.algorithms.ecco import step_limits
+from .plan.plan import Plan
 
 
 @dataclass

@@ -10,7 +10,7 @@ from typing import Any
 from rich.table import Table
 
 from ..console import console
-from ..plan import make_plan
+from ..plan.plan import make_plan
 from ..system.model import System
 from .bench_floor import floor_loop
 from .bench_systems import alone

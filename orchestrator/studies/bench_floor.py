@@ -10,7 +10,7 @@ import numpy as np
 
 from ..fmi2_instance import Fmi2Instance
 from ..loop.calls import do_step, exchange
-from ..plan import Plan
+from ..plan.plan import Plan
 
 SET, GET, STEP, INSTANCE, IN_REFS, IN_COUNT, OUT_REFS, OUT_COUNT, VALUES = range(9)
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..console import console
 from ..errors import RunError
-from ..plan import make_plan
+from ..plan.plan import make_plan
 from ..results import prepare_folder, write_file
 from ..simulation import require_complete, simulate
 from ..summary import summarize

@@ -20,7 +20,7 @@ from rich.table import Table
 
 from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
-from ..plan import make_plan
+from ..plan.plan import make_plan
 from ..plots import new_figure
 from ..results import prepare_folder, write_file, write_json
 from ..signals import Signals

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..console import console
 from ..container import differences, write_container
-from ..plan import Plan
+from ..plan.plan import Plan
 from ..system.ssp.write import write_ssp
 
 

@@ -19,7 +19,7 @@ from typing import Any
 from ..clock import duration
 from ..energy import require_energy
 from ..errors import InputError, RunError
-from ..plan import Plan, make_plan
+from ..plan.plan import Plan, make_plan
 from ..process import peak_memory
 from ..simulation import require_complete, simulate
 from ..summary import check_summary, figure_units, summarize

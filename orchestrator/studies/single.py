@@ -17,7 +17,7 @@ from ..errors import InputError, RovbrushError, RunError, nearest
 from ..fingerprint import require_unchanged
 from ..interrupt import stop_on_interrupt
 from ..options import assignments
-from ..plan import Plan, make_plan
+from ..plan.plan import Plan, make_plan
 from ..recorder import IN_MEMORY
 from ..reporting import check_reporting
 from ..results import prepare_folder, write_results

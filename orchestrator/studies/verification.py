@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..plan import make_plan
+from ..plan.plan import make_plan
 from ..simulation import require_complete, simulate
 from ..summary import summarize
 from . import elastica

@@ -10,8 +10,8 @@ from typing import Any
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
 from ..fmu.types import mismatch
+from ..plan.formulas import TRANSFERS
 from ..toml_file import TomlFile
-from ..transfer import TRANSFERS
 from ..units import conversion
 from .model import Bond, Component, Connection, Requirement
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..errors import InputError, nearest
-from ..layout import matches
+from ..plan.layout import matches
 from .model import System
 
 

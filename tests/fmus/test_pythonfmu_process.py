@@ -51,7 +51,7 @@ def test_instances_can_be_made_and_freed_many_times(fmus: Path) -> None:
 
 RUN = """
 import sys
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
 from pathlib import Path

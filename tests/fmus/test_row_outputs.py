@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 from rovbrush.components.build import HERE, build
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from helpers import read_system
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.series_file import with_inputs
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from helpers import Part, plan_of, python, system_text
 from rovbrush.orchestrator import FmuError, InputError, Model, RovbrushError, RunError, load
-from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.loop.compiled import compiled_run
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.simulation import simulate
 
 LOOP: dict[str, Part] = {

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 from helpers import plan_of, read_system, system_text
 from native_build import feedthrough2, needs_gcc
-from rovbrush.orchestrator.capabilities import require_state, require_variable_steps
 from rovbrush.orchestrator.errors import FmuError, InputError
-from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.capabilities import require_state, require_variable_steps
+from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2

@@ -14,7 +14,7 @@ from rovbrush.orchestrator import recorder
 from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import execute
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results import write_netcdf
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import Run, simulate

@@ -11,7 +11,7 @@ import xarray
 from helpers import Measured, column, edited, plan_of, read_system, run_of
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.studies.single import planned

@@ -11,7 +11,7 @@ import pytest
 from helpers import Measured, column, last, plan_of, run_of, system_text
 from quarter_car import energy_made_by_holding
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.simulation import Run
 from rovbrush.orchestrator.studies.single import run_system
 from rovbrush.orchestrator.summary import summarize

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from helpers import edited, read_system, system_text
 from rovbrush.orchestrator.errors import RovbrushError
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.system.changes import changes_of
 from rovbrush.orchestrator.system.reader import load_system
 

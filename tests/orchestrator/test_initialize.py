@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.simulation import simulate
 
 

@@ -9,7 +9,7 @@ import pytest
 from helpers import last, read_system
 from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system.changes import Changes

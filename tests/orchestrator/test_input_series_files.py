@@ -14,8 +14,8 @@ import xarray
 from helpers import column, last, plan_of, read_system, run_of, system_text
 from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results import manifest, write_csv
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.studies.point import digest

@@ -16,7 +16,7 @@ from rovbrush.orchestrator.simulation import simulate
 CODE = """
 import json, signal, sys
 from pathlib import Path
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.simulation import simulate
 

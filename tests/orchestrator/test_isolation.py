@@ -18,7 +18,7 @@ from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.instances import load
 from rovbrush.orchestrator.isolated_instance import IsolatedInstance
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2, FREE3, WIRES2, WIRES3

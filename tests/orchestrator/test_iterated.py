@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from helpers import Measured, column, edited, last, plan_of, run_of
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.simulation import Run, simulate
 from test_quarter_car import worst
 

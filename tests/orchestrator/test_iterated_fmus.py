@@ -12,8 +12,8 @@ from helpers import FIXTURES, plan_of, run_of, system_text
 from native_build import built, needs_gcc
 from rovbrush.components.build import build
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.system.reader import load_system

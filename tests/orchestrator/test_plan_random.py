@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import STEP
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
 

@@ -9,7 +9,7 @@ import pytest
 from helpers import edited, plan_of, run_of, system_text
 from native_build import needs_gcc
 from rovbrush.orchestrator import cli
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.rehearsal import loop_residuals
 from rovbrush.orchestrator.studies.native_fmu import feedthrough
 from rovbrush.orchestrator.summary import summarize

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from helpers import Measured, column, last, plan_of, run_of
 from quarter_car import REFERENCE, exact
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.simulation import Run
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from helpers import edited, last, read_system, run_of, system_text
 from rovbrush.orchestrator.errors import FmuError, InputError, RovbrushError
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 

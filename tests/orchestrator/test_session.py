@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from helpers import Part, plan_of
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.plan import Plan
+from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import Run, simulate
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from helpers import last
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system

@@ -16,7 +16,7 @@ from native_build import built, needs_gcc
 from rovbrush.orchestrator import recorder
 from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.signals import Signals

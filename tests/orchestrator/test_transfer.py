@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
+from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.plan.formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
 from rovbrush.orchestrator.simulation import Run
-from rovbrush.orchestrator.transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio
 
 SINE = {"a": 1.0, "w": 5.0}
 

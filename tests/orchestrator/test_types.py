@@ -11,8 +11,8 @@ import xarray
 from helpers import plan_of, run_of
 from native_build import built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.explain import explain
 from rovbrush.orchestrator.loop.texts import Texts
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import simulate

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator.plan import Plan
+from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from helpers import Measured
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.studies.calibration import SPECIFICATION
 from rovbrush.orchestrator.summary import summarize

@@ -12,7 +12,7 @@ import pytest
 from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.plan import make_plan
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from helpers import Measured
 from monolithic import Monolithic, Solution
-from rovbrush.orchestrator.plan import Plan
+from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.signals import Signals
 
 STOP = 5.0  # s

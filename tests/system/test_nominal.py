@@ -17,7 +17,7 @@ import pytest
 import xarray
 from helpers import Measured
 from matplotlib.image import imread
-from rovbrush.orchestrator.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results import write_results
 from rovbrush.orchestrator.signals import Signals
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate

@@ -11,15 +11,15 @@ from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 
-from .clock import Clock, seconds_text
-from .design import Design
-from .errors import InputError
-from .layout import Layout
-from .loop.iteration import AITKEN, NEWTON
-from .loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
-from .schedule import Row, Schedule
-from .system.model import Connection, System
-from .transfer import Choice
+from ...clock import Clock, seconds_text
+from ...errors import InputError
+from ...loop.iteration import AITKEN, NEWTON
+from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
+from ...system.model import Connection, System
+from ..design import Design
+from ..formulas import Choice
+from ..layout import Layout
+from ..schedule import Row, Schedule
 
 LARGEST_NEWTON = 100  # unknowns: each costs a pass
 

@@ -16,12 +16,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .clock import seconds_text
-from .design import Constants, Design
-from .errors import InputError
-from .fmu.crossing import Crossing
-from .layout import Key
-from .loop.operations import (
+from ..clock import seconds_text
+from ..errors import InputError
+from ..fmu.crossing import Crossing
+from ..loop.operations import (
     ACCUMULATE,
     COLUMNS,
     COPY,
@@ -39,8 +37,10 @@ from .loop.operations import (
     STEP,
     WORK,
 )
-from .system.model import Connection
-from .transfer import linear_ratio, mean_tail, quadratic_weights, value_ratio
+from ..system.model import Connection
+from .design import Constants, Design
+from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
+from .layout import Key
 
 LARGEST = 5_000_000  # operations; 320 MB
 Row = tuple[int, ...]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from .clock import Clock, seconds_text
-from .errors import InputError
-from .system.model import Connection, System
-from .transfer import CHANGING, Choice, choose
+from ..clock import Clock, seconds_text
+from ..errors import InputError
+from ..system.model import Connection, System
+from .formulas import CHANGING, Choice, choose
 
 
 def discrete(system: System, end: tuple[str, str]) -> bool:

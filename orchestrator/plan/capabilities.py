@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .clock import seconds_text
-from .errors import InputError
-from .system.model import Component, System
+from ..clock import seconds_text
+from ..errors import InputError
+from ..system.model import Component, System
 
 
 def check_capabilities(system: System) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from ..clock import Clock
+from ..system.model import Connection, System
+from ..system.series import Series
 from .books import Book
-from .clock import Clock
+from .formulas import Choice
 from .layout import Group, Layout
 from .start import Block
-from .system.model import Connection, System
-from .system.series import Series
-from .transfer import Choice
 
 
 @dataclass(frozen=True)

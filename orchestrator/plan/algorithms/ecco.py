@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import gcd, lcm
 
-from .books import key_of
-from .clock import Clock, seconds_text
-from .errors import InputError
-from .layout import Layout
-from .loop.operations import CONTROL, GAUGE
-from .schedule import Row, Schedule
-from .system.model import System
+from ...clock import Clock, seconds_text
+from ...errors import InputError
+from ...loop.operations import CONTROL, GAUGE
+from ...system.model import System
+from ..books import key_of
+from ..layout import Layout
+from ..schedule import Row, Schedule
 
 RESOLUTION = 1000  # ticks in the smallest step, at least
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from .clock import seconds_text
-from .fmu.fmu import Fmu
-from .loop.operations import (
+from ..clock import seconds_text
+from ..fmu.fmu import Fmu
+from ..loop.operations import (
     ACCUMULATE,
     CONTROL,
     COPY,

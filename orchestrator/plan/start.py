@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
-from .system.model import Connection, System
+from ..system.model import Connection, System
 
 
 @dataclass(frozen=True)

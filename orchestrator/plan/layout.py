@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .clock import Clock
-from .fmu.fmu import Fmu
-from .fmu.types import GROUPED
-from .system.model import Bond, Connection, System
-from .transfer import HISTORY, Choice
+from ..clock import Clock
+from ..fmu.fmu import Fmu
+from ..fmu.types import GROUPED
+from ..system.model import Bond, Connection, System
+from .formulas import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable
 

@@ -6,18 +6,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .adaptive import AdaptiveSchedule, adaptive_clock, add_times
+from ..clock import make_clock
+from ..system.model import System
+from ..system.series import check_series
+from .algorithms.ecco import AdaptiveSchedule, adaptive_clock, add_times
+from .algorithms.iterated import IteratedSchedule, add_unknowns
 from .books import check_names, make_books
 from .capabilities import check_capabilities
-from .choices import check_leaders, choices_of, leaders_of, order_of, rereads_of, samplers_of
-from .clock import make_clock
 from .design import Design
-from .iterated import IteratedSchedule, add_unknowns
 from .layout import make_groups, make_layout
 from .schedule import Schedule
 from .start import start_order
-from .system.model import System
-from .system.series import check_series
+from .transfers import check_leaders, choices_of, leaders_of, order_of, rereads_of, samplers_of
 
 
 @dataclass(frozen=True)

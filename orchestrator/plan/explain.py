@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import inf
 
+from ..clock import seconds_text
+from ..system.series import series_in_words
+from ..system.settings import explain_algorithm
 from .capabilities import remarks
-from .clock import seconds_text
 from .plan import Plan
-from .system.series import series_in_words
-from .system.settings import explain_algorithm
 from .words import Words
 
 

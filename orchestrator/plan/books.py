@@ -12,10 +12,10 @@ import re
 from dataclasses import dataclass
 from math import lcm
 
-from .clock import Clock
-from .errors import InputError
+from ..clock import Clock
+from ..errors import InputError
+from ..system.model import Bond, System
 from .layout import Key, Layout
-from .system.model import Bond, System
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""One class per algorithm that couples the components."""
