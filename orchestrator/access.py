@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from .errors import InputError, nearest
-from .instance import Instance, Value
 from .memory import Memory
+from .participant.base import Instance, Value
 from .plan.plan import Plan
 from .system.model import checked_values
 

@@ -25,7 +25,7 @@ import numpy as np
 
 from .errors import InputError, RunError
 from .fingerprint import fingerprint, require_unchanged
-from .instance import Instance
+from .participant.base import Instance
 from .plan.plan import Plan
 from .session import Position, Session
 

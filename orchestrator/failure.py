@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .instance import STATUS, Instance
 from .loop import ecco, exchange, execute, iteration
+from .participant.base import STATUS, Instance
 from .plan.plan import Plan
 from .workspace import Workspace
 

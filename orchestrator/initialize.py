@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .errors import FmuError, InputError
-from .instance import Instance, Value
 from .memory import Memory
+from .participant.base import Instance, Value
 from .plan.layout import Key
 from .plan.plan import Plan
 from .system.model import Connection

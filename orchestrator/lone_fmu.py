@@ -10,7 +10,7 @@ from typing import Any
 from .errors import FmuError
 from .fmu.fmu import Fmu
 from .fmu.types import function_type
-from .instances import load
+from .participant.opening import load
 
 
 class LoneFmu:

@@ -7,10 +7,10 @@ from itertools import groupby
 import numpy as np
 
 from .fmu.types import TEXT, FmiType, decode, encode, function_type
-from .instance import Instance, Value
 from .loop.calls import STEP_FLAGS
 from .loop.exchange import IN_PLACE
 from .loop.texts import Texts
+from .participant.base import Instance, Value
 from .plan.plan import Plan
 
 Key = tuple[str, str]

@@ -8,9 +8,9 @@ from collections.abc import Callable
 import numpy as np
 
 from .fmu.types import function_type
-from .instance import Instance
 from .loop.calls import exchange, exchange3
 from .memory import Memory
+from .participant.base import Instance
 from .plan.layout import Key
 from .plan.plan import Plan
 

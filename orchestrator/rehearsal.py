@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from .initialize import initialize
-from .instance import Instance
-from .instances import start
 from .memory import Memory
+from .participant.base import Instance
+from .participant.opening import start
 from .plan.plan import Plan
 
 

@@ -15,12 +15,12 @@ from .access import Access
 from .errors import InputError, RunError
 from .failure import failure_of
 from .initialize import initialize
-from .instance import Instance
-from .instances import start
 from .interrupt import stop_on_interrupt
 from .loop import ecco, execute
 from .loop.compiled import compiled_run
 from .memory import Memory
+from .participant.base import Instance
+from .participant.opening import start
 from .plan.plan import Plan
 from .process import seconds_since_start
 from .recorder import Recorder

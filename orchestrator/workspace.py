@@ -7,8 +7,8 @@ from math import ceil
 
 import numpy as np
 
-from .instance import Instance
 from .loop import ecco, iteration
+from .participant.base import Instance
 from .plan.algorithms.ecco import step_limits
 from .plan.plan import Plan
 

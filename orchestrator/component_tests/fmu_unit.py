@@ -9,8 +9,8 @@ import numpy as np
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
-from ..instances import load
-from ..loaded import LoadedInstance
+from ..participant.loaded import LoadedInstance
+from ..participant.opening import load
 from ..system.replace.mapping import Value, VariableMapping
 from .binding import Binding
 from .opened import initialize, is_fmi3, whole_variables

@@ -7,7 +7,7 @@ from typing import Any
 from fmpy.model_description import ModelVariable
 
 from ..fmu.fmu import Fmu
-from ..loaded import LoadedInstance
+from ..participant.loaded import LoadedInstance
 
 
 def is_fmi3(fmu: Fmu) -> bool:

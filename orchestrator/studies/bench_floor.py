@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..fmi2_instance import Fmi2Instance
 from ..loop.calls import do_step, exchange
+from ..participant.fmi2 import Fmi2Instance
 from ..plan.plan import Plan
 
 SET, GET, STEP, INSTANCE, IN_REFS, IN_COUNT, OUT_REFS, OUT_COUNT, VALUES = range(9)

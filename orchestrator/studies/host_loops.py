@@ -13,8 +13,8 @@ from typing import Any
 
 from ..clock import seconds_text
 from ..errors import InputError, RunError
-from ..fmi2_instance import Fmi2Instance
 from ..fmu.archive import unpack
+from ..participant.fmi2 import Fmi2Instance
 from ..system.model import System
 from ..system.reader import load_system
 

@@ -12,7 +12,7 @@ import numpy as np
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 from fmpy.fmi3 import FMU3Slave
-from rovbrush.orchestrator.exit_guard import end_before_library_destructors
+from rovbrush.orchestrator.participant.exit_guard import end_before_library_destructors
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "components"))
 from lives import Instance, component

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from lxml import etree
 from rovbrush.components.build import COMPONENTS
-from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
 H = 1e-3
 every_component = pytest.mark.parametrize("name", COMPONENTS)

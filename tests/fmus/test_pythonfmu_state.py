@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 from pythonfmu_instance import every_component, started, stir
-from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
 
 @every_component

@@ -9,7 +9,7 @@ from helpers import column, edited, plan_of
 from native_build import FAULTS3, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
-from rovbrush.orchestrator.instances import load
+from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.simulation import simulate
 from test_types import FREE3
 

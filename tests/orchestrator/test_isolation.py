@@ -16,8 +16,8 @@ from helpers import column, read_system, system_text
 from native_build import FAULTS2, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
-from rovbrush.orchestrator.instances import load
-from rovbrush.orchestrator.isolated_instance import IsolatedInstance
+from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
+from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.system.reader import load_system
@@ -123,7 +123,7 @@ def test_states_travel_between_here_and_there(native: Path) -> None:
 def test_a_process_never_outlives_its_master(native: Path, tmp_path: Path) -> None:
     code = (
         "import sys, time; from pathlib import Path; from rovbrush.orchestrator.fmu.fmu import Fmu;"
-        "from rovbrush.orchestrator.isolated_instance import IsolatedInstance;"
+        "from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance;"
         "i = IsolatedInstance(Fmu.open(Path(sys.argv[1])), 'i', 60.0); print(i.process.pid, flush=True); time.sleep(60)"
     )
     master = subprocess.Popen([sys.executable, "-c", code, str(native / "feedthrough2.fmu")], stdout=subprocess.PIPE)

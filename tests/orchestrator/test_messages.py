@@ -7,8 +7,8 @@ from pathlib import Path
 
 from native_build import FAULTS2, feedthrough2, needs_gcc
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
-from rovbrush.orchestrator.instances import load
-from rovbrush.orchestrator.loaded import LoadedInstance
+from rovbrush.orchestrator.participant.loaded import LoadedInstance
+from rovbrush.orchestrator.participant.opening import load
 
 
 def warning(path: Path, name: str) -> LoadedInstance:

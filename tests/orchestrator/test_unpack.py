@@ -143,7 +143,7 @@ def test_a_missing_binary_names_the_platforms_that_are_there(fmus: Path, tmp_pat
 
 
 def test_a_broken_binary_is_an_error_with_the_component_name(fmus: Path, tmp_path: Path) -> None:
-    from rovbrush.orchestrator.fmi2_instance import Fmi2Instance as Instance
+    from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
     own = f"binaries/{fmpy.platform}/gain{fmpy.sharedLibraryExtension}"
     fmu = Fmu.open(edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: b"no library"}))
@@ -157,7 +157,8 @@ def test_a_broken_component_source_is_an_error_with_its_reason(fmus: Path, tmp_p
     path = edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {kernel: b"import nonexistent_module_x\n"})
     # In a process of its own: the package keeps its name, and Python would find the one it has imported before.
     run = python(
-        "import sys; from rovbrush.orchestrator.fmu.fmu import *; from rovbrush.orchestrator.instances import load; "
+        "import sys; from rovbrush.orchestrator.fmu.fmu import *; "
+        "from rovbrush.orchestrator.participant.opening import load; "
         "load(Fmu.open(Path(sys.argv[1])), 'g')",
         str(path),
     )

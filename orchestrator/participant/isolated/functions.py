@@ -6,7 +6,7 @@ import ctypes
 from dataclasses import dataclass
 from typing import Any
 
-from .fmu.types import TYPES, function_type
+from ...fmu.types import TYPES, function_type
 
 POINTER, DOUBLE, SIZE_T, INT, BOOL = ctypes.c_void_p, ctypes.c_double, ctypes.c_size_t, ctypes.c_int, ctypes.c_bool
 

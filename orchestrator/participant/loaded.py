@@ -6,10 +6,10 @@ import ctypes
 from collections.abc import Mapping
 from typing import Any
 
-from .errors import FmuError
-from .fmu.fmu import Fmu
-from .fmu.types import function_type
-from .instance import Instance, Value
+from ..errors import FmuError
+from ..fmu.fmu import Fmu
+from ..fmu.types import function_type
+from .base import Instance, Value
 
 
 class LoadedInstance(Instance):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from .fmi2_instance import Fmi2Instance
-from .fmi3_instance import Fmi3Instance
-from .fmu.fmu import Fmu
-from .instance import Instance
+from ..fmu.fmu import Fmu
+from ..system.model import Component
+from .base import Instance
+from .fmi2 import Fmi2Instance
+from .fmi3 import Fmi3Instance
 from .loaded import LoadedInstance
-from .system.model import Component
 
 
 def load(fmu: Fmu, name: str) -> LoadedInstance:
@@ -18,7 +18,7 @@ def load(fmu: Fmu, name: str) -> LoadedInstance:
 def start(component: Component) -> Instance:
     """The instance of a component, in a process of its own where the system file says so."""
     if component.isolation == "process":
-        from .isolated_instance import IsolatedInstance
+        from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout))
     return load(component.fmu, component.name)

@@ -6,8 +6,8 @@ from typing import Any
 
 from fmpy import fmi3
 
-from .fmu.fmu import Fmu
-from .instance import refused
+from ..fmu.fmu import Fmu
+from .base import refused
 from .loaded import LoadedInstance
 
 

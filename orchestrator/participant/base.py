@@ -7,8 +7,8 @@ from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
-from .errors import FmuError
-from .fmu.fmu import Fmu
+from ..errors import FmuError
+from ..fmu.fmu import Fmu
 
 STATUS = {0: "OK", 1: "Warning", 2: "Discard", 3: "Error", 4: "Fatal", 5: "Pending"}
 Value = float | int | bool | str

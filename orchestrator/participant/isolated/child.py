@@ -1,6 +1,6 @@
 """The process of one isolated FMU: does what it is told until its pipe closes, and never outlives its master.
 
-python -m rovbrush.orchestrator.isolated_child PIPE_IN PIPE_OUT MEMORY MASTER_PID FMU DIGEST NAME
+python -m rovbrush.orchestrator.participant.isolated.child PIPE_IN PIPE_OUT MEMORY MASTER_PID FMU DIGEST NAME
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from .fmu.fmu import Fmu
-from .instance import Instance
-from .instances import load
-from .isolated_channel import CALL, ChannelClosedError, Shared, put_pointers, receive, send, texts_at
-from .isolated_functions import Function, functions
+from ...fmu.fmu import Fmu
+from ..base import Instance
+from ..opening import load
+from .channel import CALL, ChannelClosedError, Shared, put_pointers, receive, send, texts_at
+from .functions import Function, functions
 
 PR_SET_PDEATHSIG = 1
 

@@ -19,10 +19,10 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-from .errors import FmuError
-from .fmu.fmu import Fmu
-from .instance import Instance, Value
-from .isolated_channel import (
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ..base import Instance, Value
+from .channel import (
     AT_REFERENCES,
     AT_VALUES,
     CALL,
@@ -35,8 +35,8 @@ from .isolated_channel import (
     receive,
     send,
     texts_at,
-)  # fmt: skip
-from .isolated_functions import Function, functions
+)
+from .functions import Function, functions
 
 STARTING = 120.0  # s for Python and the FMU to start, at least
 CLOSING = 2.0  # s
@@ -67,7 +67,7 @@ class IsolatedInstance(Instance):
         to_child, self._out = os.pipe()
         self._in, from_child = os.pipe()
         ends = (to_child, from_child, memory)
-        command = [sys.executable, "-m", f"{__package__}.isolated_child", *map(str, ends), str(os.getpid())]
+        command = [sys.executable, "-m", f"{__package__}.child", *map(str, ends), str(os.getpid())]
         self.process = subprocess.Popen(
             [*command, str(self.fmu.path), self.fmu.digest, self.name],
             pass_fds=ends,

@@ -9,9 +9,9 @@ from weakref import WeakValueDictionary
 import fmpy
 from fmpy import fmi2
 
+from ..fmu.fmu import Fmu
+from .base import refused
 from .exit_guard import end_before_library_destructors
-from .fmu.fmu import Fmu
-from .instance import refused
 from .loaded import LoadedInstance
 
 # The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all

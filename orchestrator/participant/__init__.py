@@ -1,0 +1,1 @@
+"""Whatever takes part in a run: its life, its calls, its faults."""
