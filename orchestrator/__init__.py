@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .api import Model, load
     from .errors import FmuError, InputError, RovbrushError, RunError
-    from .outcome import Result
+    from .results.result import Result
     from .stepping import Stepping
 
 __all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "load"]

@@ -17,10 +17,10 @@ from typing import Any
 
 from .clock import duration
 from .errors import InputError
-from .outcome import Result
 from .plan.explain import explain
 from .plan.plan import Plan, make_plan
-from .reporting import check_reporting
+from .results.requested import check_reporting
+from .results.result import Result
 from .stepping import Stepping, Time
 from .system.changes import Changes
 from .system.model import System

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .results import write_file
+from .results.files import write_file
 from .simulation import Run
 from .system.replace.view import OWN
 

@@ -24,7 +24,7 @@ from typing import Any
 from .clock import seconds_text
 from .errors import InputError, RunError
 from .plan.plan import Plan
-from .results import prepare_folder, write_file
+from .results.files import prepare_folder, write_file
 from .system.model import Component, System
 from .system.series import refuse_series
 

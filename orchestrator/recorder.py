@@ -11,7 +11,7 @@ import numpy as np
 from .errors import InputError
 from .memory import Memory
 from .plan.plan import Plan
-from .run import Stored
+from .results.tables import Stored
 from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with

@@ -24,7 +24,7 @@ from .participant.opening import start
 from .plan.plan import Plan
 from .process import seconds_since_start
 from .recorder import Recorder
-from .run import Run
+from .results.tables import Run
 from .workspace import free_states, make_workspace
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals

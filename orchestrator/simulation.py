@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from .interrupt import stop_on_interrupt
 from .plan.plan import Plan
-from .run import Run, require_complete
+from .results.tables import Run, require_complete
 from .session import Session
 
 __all__ = ["Run", "require_complete", "simulate"]

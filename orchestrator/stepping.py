@@ -13,10 +13,10 @@ from .clock import duration, seconds_text
 from .errors import InputError, RunError, nearest
 from .interrupt import stop_on_interrupt
 from .loop.execute import STOP_REQUEST
-from .outcome import Result
 from .plan.layout import matches
 from .plan.plan import Plan
 from .ports import reader_of, writer_of
+from .results.result import Result
 from .session import Session
 
 Time = str | float | Fraction

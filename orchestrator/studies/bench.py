@@ -21,7 +21,7 @@ from rich.table import Table
 from ..console import console
 from ..errors import RunError
 from ..plan.plan import Plan, make_plan
-from ..results import prepare_folder, write_file, write_json
+from ..results.files import prepare_folder, write_file, write_json
 from ..simulation import require_complete, simulate
 from ..stepping import Stepping
 from ..system.model import System

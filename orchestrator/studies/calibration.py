@@ -13,9 +13,9 @@ import numpy as np
 from ..console import console
 from ..errors import RunError
 from ..plan.plan import make_plan
-from ..results import prepare_folder, write_file
+from ..results.files import prepare_folder, write_file
+from ..results.summary import summarize
 from ..simulation import require_complete, simulate
-from ..summary import summarize
 from ..system.model import System
 from ..system.reader import SYSTEMS
 from .single import planned

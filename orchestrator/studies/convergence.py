@@ -21,11 +21,11 @@ from rich.table import Table
 from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..plan.plan import make_plan
-from ..plots import new_figure
-from ..results import prepare_folder, write_file, write_json
-from ..signals import Signals
+from ..results.files import prepare_folder, write_file, write_json
+from ..results.plots import new_figure
+from ..results.signals import Signals
+from ..results.summary import summarize
 from ..simulation import require_complete, simulate
-from ..summary import summarize
 from ..system.changes import UNCHANGED, Changes
 from .single import planned
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ..results import plain_value
-from ..signals import Signals
+from ..results.files import plain_value
+from ..results.signals import Signals
+from ..results.summary import summarize
 from ..simulation import Run, require_complete, simulate
-from ..summary import summarize
 from .single import planned
 
 

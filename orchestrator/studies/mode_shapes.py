@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..plots import new_figure
+from ..results.plots import new_figure
 from .beam import shape
 
 if TYPE_CHECKING:

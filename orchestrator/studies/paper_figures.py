@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..plots import new_figure
+from ..results.plots import new_figure
 from .lab import Case
 from .mode_shapes import mode_shapes
 

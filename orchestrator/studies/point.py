@@ -17,12 +17,12 @@ from pathlib import Path
 from typing import Any
 
 from ..clock import duration
-from ..energy import require_energy
 from ..errors import InputError, RunError
 from ..plan.plan import Plan, make_plan
 from ..process import peak_memory
+from ..results.energy import require_energy
+from ..results.summary import check_summary, figure_units, summarize
 from ..simulation import require_complete, simulate
-from ..summary import check_summary, figure_units, summarize
 from ..system.changes import UNCHANGED, Changes
 from ..system.model import System
 from ..system.reader import load_system

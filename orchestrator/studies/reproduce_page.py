@@ -8,8 +8,8 @@ from importlib.metadata import version
 from typing import Any
 
 from ..report import Html, element, image, join, page, table
-from ..results import PACKAGES
-from ..summary import comparison
+from ..results.files import PACKAGES
+from ..results.summary import comparison
 from .claims import VERDICTS
 from .interactive import energy, motion
 from .lab import Lab

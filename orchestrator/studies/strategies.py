@@ -15,11 +15,11 @@ import numpy as np
 from rich.table import Table
 
 from ..console import console, progress
-from ..plots import new_figure
-from ..results import plain_value, prepare_folder, write_file, write_json
-from ..signals import Signal, Signals
+from ..results.files import plain_value, prepare_folder, write_file, write_json
+from ..results.plots import new_figure
+from ..results.signals import Signal, Signals
+from ..results.summary import summarize
 from ..simulation import Run, require_complete, simulate
-from ..summary import summarize
 from .single import planned
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from rich.table import Table as Printed
 
 from ..console import console, print_notes, progress
 from ..errors import InputError, RunError
-from ..results import prepare_folder
-from ..summary import figure_units
+from ..results.files import prepare_folder
+from ..results.summary import figure_units
 from ..system.changes import UNCHANGED, Changes
 from .design import Design, make_design, vary_entries
 from .point import Job, digest, load

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..plan.plan import make_plan
+from ..results.summary import summarize
 from ..simulation import require_complete, simulate
-from ..summary import summarize
 from . import elastica
 from .beam import centrifugal_frequencies
 from .lab import Case, Lab
@@ -104,7 +104,7 @@ def text(value: float) -> str:
 
 def elastica_figure(bent: elastica.Bending, reached: float) -> Figure:
     """Errors over the deflection; `reached` is the largest deflection of the nominal run."""
-    from ..plots import new_figure
+    from ..results.plots import new_figure
 
     figure, (axis,) = new_figure("Bending model against the exact elastica under a tip load")
     figure.set_size_inches(8.0, 4.4)

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import execute
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results import write_netcdf
+from rovbrush.orchestrator.results.files import write_netcdf
 from rovbrush.orchestrator.session import Session
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.system.reader import load_system

@@ -50,7 +50,7 @@ def test_table_and_figure_are_written(tmp_path: Path, fmus: Path) -> None:
 
 
 def test_what_does_not_converge_has_no_error_bar() -> None:
-    from rovbrush.orchestrator.signals import Signal
+    from rovbrush.orchestrator.results.signals import Signal
 
     time = np.linspace(0.0, 1.0, 5)
     for scale, bar in ((1.0, None), (0.5, 2.0), (0.0, None)):

@@ -12,10 +12,10 @@ from helpers import Measured, column, edited, plan_of, read_system, run_of
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.results import write_results
+from rovbrush.orchestrator.results.files import write_results
+from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.simulation import Run, simulate
 from rovbrush.orchestrator.studies.single import planned
-from rovbrush.orchestrator.summary import summarize
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c", "sign": -1.0}

@@ -16,7 +16,7 @@ from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.results import manifest, write_csv
+from rovbrush.orchestrator.results.files import manifest, write_csv
 from rovbrush.orchestrator.simulation import simulate
 from rovbrush.orchestrator.studies.point import digest
 from rovbrush.orchestrator.system.series_file import with_files, with_inputs

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import edited, read_system
-from rovbrush.orchestrator.energy import ledger
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.results.energy import ledger
+from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.system.changes import changes_of
 from rovbrush.orchestrator.system.reader import load_system

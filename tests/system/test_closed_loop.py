@@ -13,11 +13,11 @@ from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.studies.strategies import BAND, MODES, force_on_hull, held, strategies
-from rovbrush.orchestrator.summary import summarize
 from rovbrush.orchestrator.system.reader import load_system
 
 Table = dict[str, dict[str, dict[str, float]]]

@@ -13,10 +13,10 @@ from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.replay import replay
-from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
-from rovbrush.orchestrator.summary import summarize
 from rovbrush.orchestrator.system.changes import Changes, changes_of
 
 MOTOR_MAP = FIXTURES / "modelica" / "map.toml"

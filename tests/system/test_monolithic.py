@@ -7,7 +7,7 @@ import pytest
 from helpers import Measured
 from monolithic import Monolithic, Solution
 from rovbrush.orchestrator.plan.plan import Plan
-from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.results.signals import Signals
 
 STOP = 5.0  # s
 TURNS = 8  # the last 3.2 s; the speed settles within 1 s

@@ -18,12 +18,12 @@ import xarray
 from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results import write_results
-from rovbrush.orchestrator.signals import Signals
+from rovbrush.orchestrator.results.files import write_results
+from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.summary import comparison, summarize
 from rovbrush.orchestrator.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.convergence import converge
 from rovbrush.orchestrator.studies.single import planned
-from rovbrush.orchestrator.summary import comparison, summarize
 
 KEYS = (
     "F_z_mean", "F_x_mean", "T_brush_mean", "omega_b_mean", "pitch_rate_mean", "pitch_rate_peak", "blade_pass_hz",

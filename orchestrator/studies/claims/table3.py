@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...signals import Signal
-from ...summary import comparison
+from ...results.signals import Signal
+from ...results.summary import comparison
 from ..lab import Case, Lab
 from .claim import Check, Finding, at_least, at_most, claim, near
 

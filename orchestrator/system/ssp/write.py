@@ -14,7 +14,7 @@ from lxml import etree
 
 from ...errors import InputError
 from ...fmu.fmu import Fmu
-from ...results import prepare_folder, write_file
+from ...results.files import prepare_folder, write_file
 from ..model import Component, Connection, System
 from ..series import refuse_series
 from .annotations import annotate, component_keys, connection_keys, system_keys

@@ -6,12 +6,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..errors import InputError, RunError, nearest
 from .energy import require_energy
-from .errors import InputError, RunError, nearest
+from .files import prepare_folder, write_results
 from .netcdf import datasets, group_name
-from .results import prepare_folder, write_results
-from .run import Run
 from .summary import comparison, summarize
+from .tables import Run
 
 if TYPE_CHECKING:
     import xarray

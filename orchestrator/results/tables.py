@@ -8,10 +8,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .errors import RunError
-from .initialize import Started
-from .loop.texts import Texts
-from .plan.plan import Plan
+from ..errors import RunError
+from ..initialize import Started
+from ..loop.texts import Texts
+from ..plan.plan import Plan
 
 
 class Stored(Protocol):

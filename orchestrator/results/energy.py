@@ -15,11 +15,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import RunError
-from .plan.books import slug
+from ..errors import RunError
+from ..plan.books import slug
+from ..simulation import Run
+from ..system.model import Bond
 from .signals import Signals
-from .simulation import Run
-from .system.model import Bond
 
 
 @dataclass(frozen=True)

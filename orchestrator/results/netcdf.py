@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .clock import seconds_text
-from .plan.plan import Plan
-from .run import Run
+from ..clock import seconds_text
+from ..plan.plan import Plan
 from .signals import Signals
+from .tables import Run
 
 if TYPE_CHECKING:
     import xarray

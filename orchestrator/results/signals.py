@@ -7,12 +7,12 @@ from functools import cached_property
 
 import numpy as np
 
-from .clock import Clock
-from .errors import InputError, nearest
-from .fmu.types import decode
-from .loop.texts import Texts
-from .plan.plan import Plan
-from .run import Run
+from ..clock import Clock
+from ..errors import InputError, nearest
+from ..fmu.types import decode
+from ..loop.texts import Texts
+from ..plan.plan import Plan
+from .tables import Run
 
 
 @dataclass(frozen=True)

@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError, RunError
+from ..errors import InputError, RunError
+from ..plan.explain import explain
+from ..system.series import manifest_of
 from .netcdf import datasets
-from .plan.explain import explain
-from .run import Run, Stored
 from .signals import Signals
-from .system.series import manifest_of
+from .tables import Run, Stored
 
 CSV_ROWS = 10_000  # that are text in memory at once
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")

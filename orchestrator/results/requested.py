@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePath
 from typing import Any
 
-from .errors import InputError, nearest
+from ..errors import InputError, nearest
+from ..system.model import System
 from .summary import check_summary
-from .system.model import System
 
 WINDOW_KEYS = {"angle", "start", "end"}
 COMPARE_KEYS = {"label", "value", "unit", "reference", "tolerance", "note"}

@@ -1,0 +1,1 @@
+"""What a run leaves: its tables, figures of merit, files and figures."""
