@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .api import Model, load
     from .errors import FmuError, InputError, RovbrushError, RunError
     from .results.result import Result
-    from .stepping import Stepping
+    from .run.stepping import Stepping
 
 __all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "load"]
 _PLACES = {"load": "api", "Model": "api", "Result": "outcome", "Stepping": "stepping"}

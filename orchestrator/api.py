@@ -21,7 +21,7 @@ from .plan.explain import explain
 from .plan.plan import Plan, make_plan
 from .results.requested import check_reporting
 from .results.result import Result
-from .stepping import Stepping, Time
+from .run.stepping import Stepping, Time
 from .system.changes import Changes
 from .system.model import System
 from .system.reader import load_system

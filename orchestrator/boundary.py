@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from .results.files import write_file
-from .simulation import Run
+from .run.simulation import Run
 from .system.replace.view import OWN
 
 HEAD = ("name", "causality", "value", "unit")

@@ -91,7 +91,7 @@ def plan(
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
     from .plan.explain import explain
     from .plan.plan import make_plan
-    from .rehearsal import loop_residuals
+    from .run.rehearsal import loop_residuals
     from .system.changes import changes_of
     from .system.reader import load_system
     from .system.series_file import with_files

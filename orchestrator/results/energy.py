@@ -17,7 +17,7 @@ import numpy as np
 
 from ..errors import RunError
 from ..plan.books import slug
-from ..simulation import Run
+from ..run.simulation import Run
 from ..system.model import Bond
 from .signals import Signals
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from ..simulation import Run
+from ..run.simulation import Run
 from .signals import Signals
 
 if TYPE_CHECKING:

@@ -24,7 +24,7 @@ import numpy as np
 from ..errors import InputError, nearest
 from ..plan.books import coupling_unit
 from ..process import peak_memory
-from ..simulation import Run
+from ..run.simulation import Run
 from ..system.model import System
 from .energy import balance, ledger, over_limits
 from .signals import Signal, Signals

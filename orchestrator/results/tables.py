@@ -9,9 +9,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..errors import RunError
-from ..initialize import Started
 from ..loop.texts import Texts
 from ..plan.plan import Plan
+from ..run.initialize import Started
 
 
 class Stored(Protocol):

@@ -22,8 +22,8 @@ from ..console import console
 from ..errors import RunError
 from ..plan.plan import Plan, make_plan
 from ..results.files import prepare_folder, write_file, write_json
-from ..simulation import require_complete, simulate
-from ..stepping import Stepping
+from ..run.simulation import require_complete, simulate
+from ..run.stepping import Stepping
 from ..system.model import System
 from .bench_components import component_rows, show_components
 from .bench_floor import floor_loop

@@ -15,7 +15,7 @@ from ..errors import RunError
 from ..plan.plan import make_plan
 from ..results.files import prepare_folder, write_file
 from ..results.summary import summarize
-from ..simulation import require_complete, simulate
+from ..run.simulation import require_complete, simulate
 from ..system.model import System
 from ..system.reader import SYSTEMS
 from .single import planned

@@ -25,7 +25,7 @@ from ..results.files import prepare_folder, write_file, write_json
 from ..results.plots import new_figure
 from ..results.signals import Signals
 from ..results.summary import summarize
-from ..simulation import require_complete, simulate
+from ..run.simulation import require_complete, simulate
 from ..system.changes import UNCHANGED, Changes
 from .single import planned
 

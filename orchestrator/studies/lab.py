@@ -13,7 +13,7 @@ import numpy as np
 from ..results.files import plain_value
 from ..results.signals import Signals
 from ..results.summary import summarize
-from ..simulation import Run, require_complete, simulate
+from ..run.simulation import Run, require_complete, simulate
 from .single import planned
 
 

@@ -22,7 +22,7 @@ from ..plan.plan import Plan, make_plan
 from ..process import peak_memory
 from ..results.energy import require_energy
 from ..results.summary import check_summary, figure_units, summarize
-from ..simulation import require_complete, simulate
+from ..run.simulation import require_complete, simulate
 from ..system.changes import UNCHANGED, Changes
 from ..system.model import System
 from ..system.reader import load_system

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..boundary import write_boundary
 from ..errors import RovbrushError
-from ..simulation import require_complete, simulate
+from ..run.simulation import require_complete, simulate
 from .single import planned
 
 RUNS = Path(__file__).with_suffix(".toml")

@@ -9,21 +9,21 @@ from math import ceil
 from pathlib import Path
 
 from ..boundary import write_boundary
-from ..checkpoint import Checkpoint, read_checkpoint, unserializable, write_checkpoint
 from ..clock import duration
 from ..console import console, print_comparison, print_notes, print_summary, progress
 from ..errors import InputError, RovbrushError, RunError, nearest
-from ..fingerprint import require_unchanged
-from ..interrupt import stop_on_interrupt
 from ..options import assignments
 from ..plan.plan import Plan, make_plan
-from ..recorder import IN_MEMORY
 from ..results.energy import require_energy
 from ..results.files import prepare_folder, write_results
 from ..results.requested import check_reporting
 from ..results.summary import comparison, summarize
 from ..results.tables import Run
-from ..session import Session
+from ..run.checkpoint import Checkpoint, read_checkpoint, unserializable, write_checkpoint
+from ..run.fingerprint import require_unchanged
+from ..run.interrupt import stop_on_interrupt
+from ..run.recorder import IN_MEMORY
+from ..run.session import Session
 from ..system.changes import UNCHANGED, Changes, changes_of
 from ..system.reader import load_system
 from ..system.request import Request

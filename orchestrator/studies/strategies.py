@@ -19,7 +19,7 @@ from ..results.files import plain_value, prepare_folder, write_file, write_json
 from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
-from ..simulation import Run, require_complete, simulate
+from ..run.simulation import Run, require_complete, simulate
 from .single import planned
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..plan.plan import make_plan
 from ..results.summary import summarize
-from ..simulation import require_complete, simulate
+from ..run.simulation import require_complete, simulate
 from . import elastica
 from .beam import centrifugal_frequencies
 from .lab import Case, Lab

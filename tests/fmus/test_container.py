@@ -17,7 +17,7 @@ from rovbrush.orchestrator.cli import app
 from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.run.simulation import Run, simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp

@@ -9,7 +9,7 @@ import pytest
 from helpers import last, plan_of, run_of
 from pythonfmu_instance import started
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 
 def test_an_exception_in_a_step_names_component_time_and_traceback_and_the_process_lives(

@@ -53,7 +53,7 @@ RUN = """
 import sys
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from pathlib import Path
 run = simulate(make_plan(load_system(sys.argv[1], Path(sys.argv[2]))), interpreted=True)
 print("END" + run.failure.replace(chr(10), " "))

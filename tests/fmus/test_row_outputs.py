@@ -10,7 +10,7 @@ from fmpy.validation import validate_fmu
 from rovbrush.components.build import HERE, build
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 
 SYSTEM = """

@@ -14,7 +14,7 @@ from helpers import Part, plan_of, python, system_text
 from rovbrush.orchestrator import FmuError, InputError, Model, RovbrushError, RunError, load
 from rovbrush.orchestrator.loop.compiled import compiled_run
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 LOOP: dict[str, Part] = {
     "g": ("gain", "1 ms", {"k": -1.0, "offset": 0.0}),

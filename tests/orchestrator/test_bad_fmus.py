@@ -11,7 +11,7 @@ from native_build import FAULTS2, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import description
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from test_types import FREE2
 
 pytestmark = needs_gcc

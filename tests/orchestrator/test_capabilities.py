@@ -14,7 +14,7 @@ from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.capabilities import require_state, require_variable_steps
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2
 

@@ -10,7 +10,7 @@ from native_build import FAULTS3, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import load
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from test_types import FREE3
 
 pytestmark = needs_gcc

@@ -8,7 +8,7 @@ import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 
 def test_feedthrough_chains_settle_whatever_the_order_of_the_file(tmp_path: Path, fmus: Path) -> None:

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import last, read_system
-from rovbrush.orchestrator.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.session import Session
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint
+from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.changes import Changes
 from series_cases import ROWS, VALUES, one, planned
 

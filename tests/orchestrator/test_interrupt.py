@@ -11,14 +11,14 @@ from pathlib import Path
 
 import pytest
 from helpers import Part, plan_of, system_text
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 CODE = """
 import json, signal, sys
 from pathlib import Path
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 def progress(time):
     print("at", time, flush=True)

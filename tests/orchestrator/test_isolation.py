@@ -19,7 +19,7 @@ from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.run.simulation import Run, simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2, FREE3, WIRES2, WIRES3
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import NAMES
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import Component, Connection, System
 
 CONTROLLER_REST = (  # the inputs of the controller but for `p`

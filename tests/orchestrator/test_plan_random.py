@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import STEP
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
 
 PERIODS = (Fraction(1, 8), Fraction(1, 4), Fraction(3, 8), Fraction(5, 8))

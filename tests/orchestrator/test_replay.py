@@ -16,7 +16,7 @@ from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.recording import read_recording
 from rovbrush.orchestrator.replay import replay
-from rovbrush.orchestrator.simulation import require_complete, simulate
+from rovbrush.orchestrator.run.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.changes import changes_of
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from helpers import system_text
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.settings import Ecco, Iteration

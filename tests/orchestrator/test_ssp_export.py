@@ -17,7 +17,7 @@ from rovbrush.orchestrator.cli import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system, shipped_systems
 from rovbrush.orchestrator.system.ssp.document import Document, validate

@@ -10,7 +10,7 @@ import pytest
 from helpers import last, read_system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from ssp_files import (

@@ -13,15 +13,15 @@ import pytest
 import xarray
 from helpers import Measured, Part, plan_of
 from native_build import built, needs_gcc
-from rovbrush.orchestrator import recorder
 from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.session import Session
-from rovbrush.orchestrator.simulation import Run, simulate
+from rovbrush.orchestrator.run import recorder
+from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.simulation import Run, simulate
 from rovbrush.orchestrator.studies.native_fmu import ring
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.selection import select_recorded

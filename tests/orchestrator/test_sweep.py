@@ -11,7 +11,7 @@ import xarray
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.results.summary import figure_units, summarize
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.design import make_design
 from rovbrush.orchestrator.studies.point import Job, load, needed
 from rovbrush.orchestrator.studies.single import planned

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc
 FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 
 

@@ -9,7 +9,7 @@ import pytest
 from helpers import Measured
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.simulation import simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.calibration import SPECIFICATION
 from rovbrush.orchestrator.system.reader import SYSTEMS, load_system
 

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.studies.strategies import BAND, MODES, force_on_hull, held, strategies
 from rovbrush.orchestrator.system.reader import load_system

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.replay import replay
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.simulation import require_complete, simulate
+from rovbrush.orchestrator.run.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.changes import Changes, changes_of
 

@@ -23,10 +23,10 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError, RunError
+from ..errors import InputError, RunError
+from ..participant.base import Instance
+from ..plan.plan import Plan
 from .fingerprint import fingerprint, require_unchanged
-from .participant.base import Instance
-from .plan.plan import Plan
 from .session import Position, Session
 
 FORMAT = 1

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .loop import ecco, exchange, execute, iteration
-from .participant.base import STATUS, Instance
-from .plan.plan import Plan
+from ..loop import ecco, exchange, execute, iteration
+from ..participant.base import STATUS, Instance
+from ..plan.plan import Plan
 from .workspace import Workspace
 
 REPORTED = {

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .loop import execute
+from ..loop import execute
 
 
 @contextmanager

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ..plan.plan import Plan
+from ..results.tables import Run, require_complete
 from .interrupt import stop_on_interrupt
-from .plan.plan import Plan
-from .results.tables import Run, require_complete
 from .session import Session
 
 __all__ = ["Run", "require_complete", "simulate"]

@@ -7,10 +7,10 @@ from math import ceil
 
 import numpy as np
 
-from .loop import ecco, iteration
-from .participant.base import Instance
-from .plan.algorithms.ecco import step_limits
-from .plan.plan import Plan
+from ..loop import ecco, iteration
+from ..participant.base import Instance
+from ..plan.algorithms.ecco import step_limits
+from ..plan.plan import Plan
 
 
 @dataclass
@@ -51,7 +51,7 @@ def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
 
 def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
     """Give saved states back to the FMUs that are alive."""
-    from .loop.calls import call_state
+    from ..loop.calls import call_state
 
     for k, instance in enumerate(instances.values()):
         if space.states[k] and not instance.dead:

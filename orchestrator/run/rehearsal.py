@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from ..participant.base import Instance
+from ..participant.opening import start
+from ..plan.plan import Plan
 from .initialize import initialize
 from .memory import Memory
-from .participant.base import Instance
-from .participant.opening import start
-from .plan.plan import Plan
 
 
 def loop_residuals(plan: Plan) -> dict[str, float]:

@@ -9,14 +9,14 @@ from functools import partial
 from types import TracebackType
 from typing import Any
 
-from .clock import duration, seconds_text
-from .errors import InputError, RunError, nearest
+from ..clock import duration, seconds_text
+from ..errors import InputError, RunError, nearest
+from ..loop.execute import STOP_REQUEST
+from ..plan.layout import matches
+from ..plan.plan import Plan
+from ..results.result import Result
 from .interrupt import stop_on_interrupt
-from .loop.execute import STOP_REQUEST
-from .plan.layout import matches
-from .plan.plan import Plan
 from .ports import reader_of, writer_of
-from .results.result import Result
 from .session import Session
 
 Time = str | float | Fraction

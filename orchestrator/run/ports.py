@@ -7,12 +7,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .fmu.types import function_type
-from .loop.calls import exchange, exchange3
+from ..fmu.types import function_type
+from ..loop.calls import exchange, exchange3
+from ..participant.base import Instance
+from ..plan.layout import Key
+from ..plan.plan import Plan
 from .memory import Memory
-from .participant.base import Instance
-from .plan.layout import Key
-from .plan.plan import Plan
 
 LARGEST = sys.float_info.max
 

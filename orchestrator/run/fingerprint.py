@@ -6,8 +6,8 @@ import hashlib
 from collections.abc import Mapping
 from typing import Any
 
-from .errors import InputError
-from .plan.plan import Plan
+from ..errors import InputError
+from ..plan.plan import Plan
 
 
 def fingerprint(plan: Plan) -> dict[str, Any]:

@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from .errors import RunError
-from .fmu.types import encode_cells
-from .loop.texts import Texts
-from .plan.plan import Plan
-from .results.signals import instants, typed
-from .results.tables import Run
+from ..errors import RunError
+from ..fmu.types import encode_cells
+from ..loop.texts import Texts
+from ..plan.plan import Plan
+from ..results.signals import instants, typed
+from ..results.tables import Run
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
 NO_CACHE = 0  # bytes: what is written is not read again
@@ -51,7 +51,7 @@ class Stream:
 
     def _create(self, tables: list[np.ndarray]) -> None:
         """The file with the first rows; how it looks is left to xarray."""
-        from .results.netcdf import datasets
+        from ..results.netcdf import datasets
 
         found = datasets(Run(self.plan, tables, failure="being written", texts=self.texts))
         for k, (name, dataset) in enumerate(found.items()):
@@ -62,7 +62,7 @@ class Stream:
             )  # fmt: skip
 
     def _extend(self, tables: list[np.ndarray]) -> None:
-        from .results.netcdf import group_name
+        from ..results.netcdf import group_name
 
         for g, table in enumerate(tables):
             group, first = self._open()[group_name(self.plan, g)], self.rows[g]
@@ -88,7 +88,7 @@ class Stream:
 
     def values(self, group: int, column: int) -> np.ndarray:
         """All values of one signal, in its own type."""
-        from .results.netcdf import group_name
+        from ..results.netcdf import group_name
 
         key = self.plan.groups[group].columns[column]
         self.close()
@@ -115,7 +115,7 @@ class Stream:
 
     def finish(self, path: Path, complete: bool) -> None:
         """Say how the run ended, and rename the file. Raises OSError if the disk refuses."""
-        from .results.netcdf import group_name
+        from ..results.netcdf import group_name
 
         for g in range(len(self.plan.groups)):
             attributes = self._open()[group_name(self.plan, g)].attrs

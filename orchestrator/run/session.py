@@ -11,20 +11,20 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import InputError, RunError
+from ..loop import ecco, execute
+from ..loop.compiled import compiled_run
+from ..participant.base import Instance
+from ..participant.opening import start
+from ..plan.plan import Plan
+from ..process import seconds_since_start
+from ..results.tables import Run
 from .access import Access
-from .errors import InputError, RunError
 from .failure import failure_of
 from .initialize import initialize
 from .interrupt import stop_on_interrupt
-from .loop import ecco, execute
-from .loop.compiled import compiled_run
 from .memory import Memory
-from .participant.base import Instance
-from .participant.opening import start
-from .plan.plan import Plan
-from .process import seconds_since_start
 from .recorder import Recorder
-from .results.tables import Run
 from .workspace import free_states, make_workspace
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError, nearest
+from ..errors import InputError, nearest
+from ..participant.base import Instance, Value
+from ..plan.plan import Plan
+from ..system.model import checked_values
 from .memory import Memory
-from .participant.base import Instance, Value
-from .plan.plan import Plan
-from .system.model import checked_values
 
 
 class Access:

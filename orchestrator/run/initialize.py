@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .errors import FmuError, InputError
+from ..errors import FmuError, InputError
+from ..participant.base import Instance, Value
+from ..plan.layout import Key
+from ..plan.plan import Plan
+from ..system.model import Connection
 from .memory import Memory
-from .participant.base import Instance, Value
-from .plan.layout import Key
-from .plan.plan import Plan
-from .system.model import Connection
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 

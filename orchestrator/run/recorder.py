@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from .errors import InputError
+from ..errors import InputError
+from ..plan.plan import Plan
+from ..results.tables import Stored
 from .memory import Memory
-from .plan.plan import Plan
-from .results.tables import Stored
 from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
