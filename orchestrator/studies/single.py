@@ -8,10 +8,10 @@ from dataclasses import fields, replace
 from math import ceil
 from pathlib import Path
 
-from ..boundary import write_boundary
 from ..clock import duration
 from ..console import console, print_comparison, print_notes, print_summary, progress
 from ..errors import InputError, RovbrushError, RunError, nearest
+from ..exchange.recordings.write import write_boundary
 from ..options import assignments
 from ..plan.plan import Plan, make_plan
 from ..results.energy import require_energy

@@ -10,8 +10,8 @@ import pytest
 from helpers import FIXTURES, Measured, build_fixture
 from kernel_unit import KernelUnit
 from rovbrush.components.build import COMPONENTS, HERE, sources
-from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
-from rovbrush.orchestrator.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
+from rovbrush.orchestrator.exchange.component_tests.suites import NotApplicableError, suite_of
+from rovbrush.orchestrator.exchange.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
 
 FOREIGN_MAP = (FIXTURES / "foreign_motor.toml").read_text(encoding="utf-8")
 OWN = ("python", "fmi2", "fmi3")

@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 from helpers import edited
 from rovbrush.components.build import COMPONENTS
-from rovbrush.orchestrator.checks import external
-from rovbrush.orchestrator.checks.archive_rules import archive_rows, loadable_row
-from rovbrush.orchestrator.checks.chain import check_fmu
-from rovbrush.orchestrator.checks.description_rules import capability_rows, description_rows
-from rovbrush.orchestrator.checks.rows import Row
-from rovbrush.orchestrator.checks.subject import open_subject
-from rovbrush.orchestrator.checks.unit_rules import unit_rows
+from rovbrush.orchestrator.exchange.checks import external
+from rovbrush.orchestrator.exchange.checks.archive_rules import archive_rows, loadable_row
+from rovbrush.orchestrator.exchange.checks.chain import check_fmu
+from rovbrush.orchestrator.exchange.checks.description_rules import capability_rows, description_rows
+from rovbrush.orchestrator.exchange.checks.rows import Row
+from rovbrush.orchestrator.exchange.checks.subject import open_subject
+from rovbrush.orchestrator.exchange.checks.unit_rules import unit_rows
 
 K = '<Real unit="1" min="-1000000.0" max="1000000.0" nominal="1.0" start="1.0"/>'
 Edit = Callable[..., Path]

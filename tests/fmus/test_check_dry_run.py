@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 from helpers import build_fixture, edited
-from rovbrush.orchestrator.checks import good_manners, misuse
-from rovbrush.orchestrator.checks.dry_run import run_rules
-from rovbrush.orchestrator.checks.rows import Row
+from rovbrush.orchestrator.exchange.checks import good_manners, misuse
+from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
+from rovbrush.orchestrator.exchange.checks.rows import Row
 
 STATES = {
     'canGetAndSetFMUstate="false"': 'canGetAndSetFMUstate="true"',

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from helpers import Measured, column, python, read_system
 from rovbrush.orchestrator.cli import app
-from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import Run, simulate
 from rovbrush.orchestrator.system.model import System

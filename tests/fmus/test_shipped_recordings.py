@@ -9,15 +9,15 @@ import pytest
 from helpers import ROOT, Measured
 from rovbrush.components.build import COMPONENTS
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.recording import read_recording
-from rovbrush.orchestrator.replay import replay
-from rovbrush.orchestrator.studies.recordings import main, record_all
+from rovbrush.orchestrator.exchange.recordings.read import read_recording
+from rovbrush.orchestrator.exchange.recordings.replay import replay
+from rovbrush.orchestrator.exchange.recordings.shipped import main, record_all
 
 FOLDER = ROOT / "fmus" / "recordings"
 # Another C library rounds sin, exp and others differently in the last digit, which the steps carry on; residuals of
 # energy are small differences of joules, hence the same bound as an absolute one.
 TOLERANCE = 1e-9
-RENEW = "run `python -m rovbrush.orchestrator.studies.recordings`"
+RENEW = "run `python -m rovbrush.orchestrator.exchange.recordings.shipped`"
 ENDINGS = ("in.csv", "ref.csv", "ref.opt", "parameters.csv")
 # What stays as it is: the speed of the constant drive, the share of modes that are off, and what needs another run.
 AT_REST = {

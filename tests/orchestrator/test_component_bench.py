@@ -13,9 +13,9 @@ import fmpy
 import pytest
 from helpers import FIXTURES, build_fixture, edited, python
 from rovbrush.components.build import COMPONENTS
-from rovbrush.orchestrator.component_tests.suites import NotApplicableError, suite_of
-from rovbrush.orchestrator.component_tests.verdicts import make_bench
 from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.exchange.component_tests.suites import NotApplicableError, suite_of
+from rovbrush.orchestrator.exchange.component_tests.verdicts import make_bench
 
 GOOD_MAP = (FIXTURES / "foreign_motor.toml").read_text(encoding="utf-8")
 Mapped = Callable[..., Path]
@@ -232,7 +232,7 @@ def test_plugin_runs_beside_other_tests_and_obeys_k(motor: Path, mapped: Mapped,
 
 
 def test_plugin_imports_nothing_heavy() -> None:
-    code = "import sys, rovbrush.orchestrator.pytest_plugin; print(*sorted(sys.modules))"
+    code = "import sys, rovbrush.orchestrator.exchange.pytest_plugin; print(*sorted(sys.modules))"
     loaded = set(python(code).stdout.split())
     assert not loaded & {"numpy", "numba", "scipy", "fmpy", "pythonfmu", "rich", "typer", "rovbrush.components"}
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 import xarray
 from helpers import column, last, plan_of, read_system, run_of, system_text
-from rovbrush.orchestrator.container import write_container
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.files import manifest, write_csv

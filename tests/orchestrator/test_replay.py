@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from fmpy.util import read_csv, read_ref_opt_file
 from helpers import edited, system_text
-from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.recording import read_recording
-from rovbrush.orchestrator.replay import replay
+from rovbrush.orchestrator.exchange.recordings.read import read_recording
+from rovbrush.orchestrator.exchange.recordings.replay import replay
+from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.run.simulation import require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.changes import changes_of

@@ -13,8 +13,8 @@ import pytest
 import xarray
 from helpers import Measured, Part, plan_of
 from native_build import built, needs_gcc
-from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import InputError, RunError
+from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals

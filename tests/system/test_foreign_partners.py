@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from fixtures.modelica.build import build_dc_motor
 from helpers import FIXTURES, Measured, build_fixture
-from rovbrush.orchestrator.boundary import write_boundary
 from rovbrush.orchestrator.errors import RunError
-from rovbrush.orchestrator.replay import replay
+from rovbrush.orchestrator.exchange.recordings.replay import replay
+from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.simulation import require_complete, simulate

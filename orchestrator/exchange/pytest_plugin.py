@@ -32,8 +32,8 @@ def pytest_collection_modifyitems(session: pytest.Session, config: pytest.Config
         return
     if path is None or component is None:
         raise pytest.UsageError("--fmu FILE and --as NAME go together")
+    from ..errors import RovbrushError
     from .component_tests.verdicts import TOLERANCE, make_bench
-    from .errors import RovbrushError
 
     granted = config.getoption("--fmu-tolerance")
     try:
@@ -67,7 +67,7 @@ class InterfaceItem(pytest.Item):
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         """The reason alone: the code of the suite tells a reader nothing about the FMU."""
-        from .errors import FmuError
+        from ..errors import FmuError
 
         if isinstance(excinfo.value, (AssertionError, FmuError)):
             return f"{(type(self).__doc__ if not hasattr(self, 'claim') else self.claim)}\n{excinfo.value}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from ..errors import FmuError
+from ...errors import FmuError
 from .archive_rules import archive_rows, loadable_row
 from .description_rules import capability_rows, description_rows
 from .dry_run import dry_run_rows

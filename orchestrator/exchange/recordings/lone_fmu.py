@@ -7,10 +7,10 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from .errors import FmuError
-from .fmu.fmu import Fmu
-from .fmu.types import function_type
-from .participant.opening import load
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ...fmu.types import function_type
+from ...participant.opening import load
 
 
 class LoneFmu:

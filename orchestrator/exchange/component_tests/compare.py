@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from ..errors import InputError, nearest
-from ..fmu.fmu import Fmu
-from ..system.replace.mapping import VariableMapping
+from ...errors import InputError, nearest
+from ...fmu.fmu import Fmu
+from ...system.replace.mapping import VariableMapping
 from .binding import REALS, WHOLES, Binding, bind
 from .opened import whole_variables
 from .suites import Declared, Suite

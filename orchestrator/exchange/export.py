@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..console import console
-from ..container import differences, write_container
 from ..plan.plan import Plan
 from ..system.ssp.write import write_ssp
+from .container import differences, write_container
 
 
 def export_ssp(plan: Plan, path: Path, version: str) -> Path:

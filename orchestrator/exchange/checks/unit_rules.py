@@ -9,8 +9,8 @@ from typing import Any
 import pint
 from fmpy.model_description import Unit
 
-from ..errors import InputError
-from ..units import parse_unit
+from ...errors import InputError
+from ...units import parse_unit
 from .rows import Row, judged
 from .subject import REALS, Subject
 

@@ -11,9 +11,9 @@ from typing import Any
 import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..errors import FmuError
-from ..fmu.archive import unpack
-from ..fmu.description import safe_xml
+from ...errors import FmuError
+from ...fmu.archive import unpack
+from ...fmu.description import safe_xml
 
 REALS = ("Real", "Float64", "Float32")
 STEP = 1e-3  # s, where the FMU suggests none

@@ -1,6 +1,7 @@
-"""The recordings that are handed over with the FMUs, one per component, as `recordings.toml` says.
+"""The recordings that are handed over with the FMUs, one per component, as `shipped.toml` says.
 
-`python -m rovbrush.orchestrator.studies.recordings [FMUS [FOLDER]]` makes them anew, by native FMUs of FMI 2.0.
+`python -m rovbrush.orchestrator.exchange.recordings.shipped [FMUS [FOLDER]]` makes them anew, by native FMUs of
+FMI 2.0.
 """
 
 from __future__ import annotations
@@ -9,10 +10,10 @@ import sys
 import tomllib
 from pathlib import Path
 
-from ..boundary import write_boundary
-from ..errors import RovbrushError
-from ..run.simulation import require_complete, simulate
-from .single import planned
+from ...errors import RovbrushError
+from ...run.simulation import require_complete, simulate
+from ...studies.single import planned
+from .write import write_boundary
 
 RUNS = Path(__file__).with_suffix(".toml")
 FMUS = Path("fmus")

@@ -1,4 +1,4 @@
-"""The process that an FMU under check runs in: `python -m rovbrush.orchestrator.checks.child FMU REPORT RULE...`.
+"""The process of an FMU under check: `python -m rovbrush.orchestrator.exchange.checks.child FMU REPORT RULE...`.
 
 Appends the row of each rule to REPORT as a JSON line when the rule ends, so that whoever started the process knows
 which one a crash came from. Ends after whatever may have left the FMU in disorder: the next rule needs a new process.

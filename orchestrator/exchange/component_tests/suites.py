@@ -6,7 +6,7 @@ from collections.abc import Callable
 from importlib.metadata import entry_points
 from typing import Any, Protocol
 
-from ..errors import InputError, nearest
+from ...errors import InputError, nearest
 
 GROUP = "rovbrush.behaviours"
 

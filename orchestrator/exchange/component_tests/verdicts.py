@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from ..errors import FmuError
-from ..fmu.fmu import Fmu
-from ..system.replace.mapping import VariableMapping, load_mapping
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ...system.replace.mapping import VariableMapping, load_mapping
 from .compare import Comparison, compare
 from .fmu_unit import FmuUnit, first_line
 from .suites import NotApplicableError, Suite, claim_of, suite_of

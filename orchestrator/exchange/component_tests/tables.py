@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from ..errors import RunError
+from ...errors import RunError
 from .verdicts import Bench, Verdict, make_bench
 
 WIDTH = 100

@@ -6,8 +6,8 @@ from typing import Any
 
 from fmpy.model_description import ModelVariable
 
-from ..fmu.fmu import Fmu
-from ..participant.loaded import LoadedInstance
+from ...fmu.fmu import Fmu
+from ...participant.loaded import LoadedInstance
 
 
 def is_fmi3(fmu: Fmu) -> bool:

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .results.files import write_file
-from .run.simulation import Run
-from .system.replace.view import OWN
+from ...results.files import write_file
+from ...run.simulation import Run
+from ...system.replace.view import OWN
 
 HEAD = ("name", "causality", "value", "unit")
 TOLERANCE = 1e-6  # RelTol of a recording: between solvers of ordinary accuracy, not between bits

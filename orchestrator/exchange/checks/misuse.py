@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fmpy.model_description import ModelVariable
 
-from ..participant.base import STATUS
+from ...participant.base import STATUS
 from .rows import Row
 from .subject import REALS, Subject, bounds
 from .tried import FATAL, REFUSED, Tried

@@ -16,7 +16,7 @@ from fmpy import fmi2, fmi3
 from fmpy.fmi1 import FMICallException
 from fmpy.model_description import ModelVariable
 
-from ..participant.base import STATUS
+from ...participant.base import STATUS
 from .subject import REALS, Subject, bounds, numbers, size
 
 REFUSED = 2  # statuses from here on (Discard, Error, Fatal) refuse a call

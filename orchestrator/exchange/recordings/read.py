@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .errors import InputError, nearest
+from ...errors import InputError, nearest
 
 REQUIRED = ("StartTime", "StopTime", "StepSize", "RelTol")
 

@@ -17,7 +17,7 @@ from .rows import Row
 from .subject import Subject
 
 PATIENCE = 300.0  # s per process; a first run may compile for half a minute
-CHILD = "rovbrush.orchestrator.checks.child"
+CHILD = "rovbrush.orchestrator.exchange.checks.child"
 
 
 def dry_run_rows(subject: Subject) -> Iterator[Row]:

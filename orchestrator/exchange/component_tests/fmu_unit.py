@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import FmuError
-from ..fmu.fmu import Fmu
-from ..participant.loaded import LoadedInstance
-from ..participant.opening import load
-from ..system.replace.mapping import Value, VariableMapping
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ...participant.loaded import LoadedInstance
+from ...participant.opening import load
+from ...system.replace.mapping import Value, VariableMapping
 from .binding import Binding
 from .opened import initialize, is_fmi3, whole_variables
 from .suites import NotApplicableError

@@ -11,15 +11,15 @@ from fmpy.model_description import ModelVariable
 from rich.markup import escape
 from rich.table import Table
 
-from .clock import seconds_text
-from .console import console, progress
-from .errors import InputError, RunError, nearest
-from .fmu.crossing import REALS, Crossing
-from .fmu.fmu import parse_value
+from ...clock import seconds_text
+from ...console import console, progress
+from ...errors import InputError, RunError, nearest
+from ...fmu.crossing import REALS, Crossing
+from ...fmu.fmu import parse_value
+from ...system.replace.mapping import VariableMapping, load_mapping
+from ...system.replace.view import crossing_between, own_values
 from .lone_fmu import LoneFmu, Port
-from .recording import Recording, read_recording
-from .system.replace.mapping import VariableMapping, load_mapping
-from .system.replace.view import crossing_between, own_values
+from .read import Recording, read_recording
 
 
 @dataclass(frozen=True)

@@ -21,12 +21,12 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from .clock import seconds_text
-from .errors import InputError, RunError
-from .plan.plan import Plan
-from .results.files import prepare_folder, write_file
-from .system.model import Component, System
-from .system.series import refuse_series
+from ..clock import seconds_text
+from ..errors import InputError, RunError
+from ..plan.plan import Plan
+from ..results.files import prepare_folder, write_file
+from ..system.model import Component, System
+from ..system.series import refuse_series
 
 End = tuple[str, str]
 

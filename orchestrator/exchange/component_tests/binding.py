@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from fmpy.model_description import ModelVariable
 
-from ..errors import InputError
-from ..fmu.crossing import Crossing, crossing
-from ..fmu.fmu import Fmu
-from ..system.replace.mapping import VariableMapping
+from ...errors import InputError
+from ...fmu.crossing import Crossing, crossing
+from ...fmu.fmu import Fmu
+from ...system.replace.mapping import VariableMapping
 from .opened import whole_variables
 from .suites import Declared
 

@@ -1,0 +1,1 @@
+"""What crosses the boundary of a component: written, read, replayed."""
