@@ -66,7 +66,7 @@ def build(
 @app.command()
 def systems() -> None:
     """List the shipped systems and sweeps."""
-    from .studies.sweep_file import SWEEPS, shipped_sweeps
+    from .studies.sweep.file import SWEEPS, shipped_sweeps
     from .system.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():

@@ -56,7 +56,7 @@ def bench(
     fmus: FmusOption = None,
 ) -> None:
     """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
-    from .studies.bench import bench as measure
+    from .studies.bench.bench import bench as measure
 
     measure(json_file, fmus)
 
@@ -94,8 +94,8 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
-    from .studies.sweep import Options
-    from .studies.sweep import sweep as run_sweep
+    from .studies.sweep.sweep import Options
+    from .studies.sweep.sweep import sweep as run_sweep
     from .system.changes import changes_of
 
     changes = changes_of(replace, map_, period)

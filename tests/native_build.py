@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator.studies import native_fmu
+from rovbrush.orchestrator.studies.bench import native_fmu
 
 NATIVE = Path(__file__).parent / "fixtures" / "native"
 needs_gcc = pytest.mark.skipif(native_fmu.compiler() is None, reason="no C compiler: native FMUs cannot be built")

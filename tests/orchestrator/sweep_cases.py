@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from helpers import Part, system_text
 from rovbrush.orchestrator.cli import main
-from rovbrush.orchestrator.studies.design import Design, make_design, vary_entries
+from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
 from rovbrush.orchestrator.system.reader import load_system
 
 SUMMARY = '\n[summary]\nwindow = { start = 0.005 }\nx_last = "last x.x"\ny_mean = "mean x.held"\n'

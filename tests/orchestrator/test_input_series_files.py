@@ -18,7 +18,7 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.files import manifest, write_csv
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.point import digest
+from rovbrush.orchestrator.studies.sweep.point import digest
 from rovbrush.orchestrator.system.series_file import with_files, with_inputs
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from series_cases import ROWS, VALUES, one, planned

@@ -22,7 +22,7 @@ from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import Run, simulate
-from rovbrush.orchestrator.studies.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.selection import select_recorded
 from test_session import ALGORITHMS, car

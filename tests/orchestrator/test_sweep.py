@@ -12,11 +12,11 @@ from helpers import system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.results.summary import figure_units, summarize
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.design import make_design
-from rovbrush.orchestrator.studies.point import Job, load, needed
 from rovbrush.orchestrator.studies.single import planned
-from rovbrush.orchestrator.studies.sweep import Options, sweep
-from rovbrush.orchestrator.studies.sweep_file import shipped_sweeps, sweep_file
+from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.file import shipped_sweeps, sweep_file
+from rovbrush.orchestrator.studies.sweep.point import Job, load, needed
+from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from sweep_cases import design_of, plain_case, rovbrush

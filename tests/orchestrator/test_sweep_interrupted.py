@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import xarray
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from sweep_cases import begun, lines, plain_case, running
 
 

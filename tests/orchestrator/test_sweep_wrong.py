@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.points import Points
-from rovbrush.orchestrator.studies.sweep import Options, sweep
-from rovbrush.orchestrator.studies.sweep_file import sweep_file
+from rovbrush.orchestrator.studies.sweep.file import sweep_file
+from rovbrush.orchestrator.studies.sweep.points import Points
+from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from sweep_cases import lines, rovbrush
 
 

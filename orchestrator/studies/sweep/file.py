@@ -18,9 +18,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..errors import InputError, nearest
-from ..system.reader import SYSTEMS, shipped_systems
-from ..toml_file import TomlFile
+from ...errors import InputError, nearest
+from ...system.reader import SYSTEMS, shipped_systems
+from ...toml_file import TomlFile
 
 SWEEPS = Path(__file__).parent / "sweeps"
 KEYS = {"description", "system", "stop_time", "random", "seed", "set", "vary", "summary"}

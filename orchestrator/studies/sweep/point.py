@@ -16,16 +16,16 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from ..clock import duration
-from ..errors import InputError, RunError
-from ..plan.plan import Plan, make_plan
-from ..process import peak_memory
-from ..results.energy import require_energy
-from ..results.summary import check_summary, figure_units, summarize
-from ..run.simulation import require_complete, simulate
-from ..system.changes import UNCHANGED, Changes
-from ..system.model import System
-from ..system.reader import load_system
+from ...clock import duration
+from ...errors import InputError, RunError
+from ...plan.plan import Plan, make_plan
+from ...process import peak_memory
+from ...results.energy import require_energy
+from ...results.summary import check_summary, figure_units, summarize
+from ...run.simulation import require_complete, simulate
+from ...system.changes import UNCHANGED, Changes
+from ...system.model import System
+from ...system.reader import load_system
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads

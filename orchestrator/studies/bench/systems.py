@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from ..errors import InputError
-from ..system.model import System
-from ..system.reader import fmu_folder, load_system
+from ...errors import InputError
+from ...system.model import System
+from ...system.reader import fmu_folder, load_system
 from .native_fmu import ring
 
 TRIVIAL_FMU = """

@@ -18,18 +18,18 @@ from typing import Any
 
 from rich.table import Table
 
-from ..console import console
-from ..errors import RunError
-from ..plan.plan import Plan, make_plan
-from ..results.files import prepare_folder, write_file, write_json
-from ..run.simulation import require_complete, simulate
-from ..run.stepping import Stepping
-from ..system.model import System
-from .bench_components import component_rows, show_components
-from .bench_floor import floor_loop
-from .bench_streaming import long_runs, show_long_runs
-from .bench_systems import Case, cases
+from ...console import console
+from ...errors import RunError
+from ...plan.plan import Plan, make_plan
+from ...results.files import prepare_folder, write_file, write_json
+from ...run.simulation import require_complete, simulate
+from ...run.stepping import Stepping
+from ...system.model import System
+from .components import component_rows, show_components
+from .floor import floor_loop
 from .hosts import HOSTS, missing, run_host
+from .streaming import long_runs, show_long_runs
+from .systems import Case, cases
 
 REPEATS = 5
 ELSEWHERE = 3  # repetitions in another master, each in a process of its own

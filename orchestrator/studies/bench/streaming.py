@@ -13,8 +13,8 @@ from typing import Any
 
 from rich.table import Table
 
-from ..console import console
-from ..errors import RunError
+from ...console import console
+from ...errors import RunError
 from .native_fmu import ring
 
 STEPS = (1_000_000, 10_000_000)

@@ -8,7 +8,7 @@ import threading
 from concurrent.futures import Executor, Future
 from typing import Any, Self
 
-from ..errors import InputError, RunError
+from ...errors import InputError, RunError
 from .point import Job, Record, load, run_point
 from .workers import AHEAD
 

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ..clock import seconds_text
-from ..errors import InputError, RunError
-from ..fmu.archive import unpack
-from ..participant.fmi2 import Fmi2Instance
-from ..system.model import System
-from ..system.reader import load_system
+from ...clock import seconds_text
+from ...errors import InputError, RunError
+from ...fmu.archive import unpack
+from ...participant.fmi2 import Fmi2Instance
+from ...system.model import System
+from ...system.reader import load_system
 
 Output = tuple[str, str]
 

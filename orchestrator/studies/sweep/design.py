@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import InputError
-from ..system.model import System, Value, checked_values
+from ...errors import InputError
+from ...system.model import System, Value, checked_values
 
 LARGEST = 1_000_000  # points; a larger design is a typing error
 DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected

@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Any
 from rich.markup import escape
 from rich.table import Table as Printed
 
-from ..console import console, print_notes, progress
-from ..errors import InputError, RunError
-from ..results.files import prepare_folder
-from ..results.summary import figure_units
-from ..system.changes import UNCHANGED, Changes
+from ...console import console, print_notes, progress
+from ...errors import InputError, RunError
+from ...results.files import prepare_folder
+from ...results.summary import figure_units
+from ...system.changes import UNCHANGED, Changes
 from .design import Design, make_design, vary_entries
+from .file import sweep_file
 from .point import Job, digest, load
 from .points import Points, Table, header, write_table
-from .sweep_file import sweep_file
 from .workers import LocalWorkers, Workers, computed, cores
 
 if TYPE_CHECKING:

@@ -9,11 +9,11 @@ from typing import Any
 
 from rich.table import Table
 
-from ..console import console
-from ..plan.plan import make_plan
-from ..system.model import System
-from .bench_floor import floor_loop
-from .bench_systems import alone
+from ...console import console
+from ...plan.plan import make_plan
+from ...system.model import System
+from .floor import floor_loop
+from .systems import alone
 
 STEP = Fraction(1, 1000)  # s, of every call
 REPEATS = 7

@@ -1,0 +1,1 @@
+"""What the master costs, beside other masters and the bare calls."""

@@ -1,0 +1,1 @@
+"""A system run over ranges of parameters: points, workers, one dataset."""
