@@ -29,7 +29,7 @@ def calibrate(
     fmus: FmusOption = None,
 ) -> None:
     """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""
-    from .studies.calibration import calibrate as fit
+    from .paper.calibration import calibrate as fit
 
     fit(out, fmus)
 
@@ -112,7 +112,7 @@ def reproduce(
     fmus: FmusOption = None,
 ) -> None:
     """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
-    from .studies.reproduce import reproduce as study
+    from .paper.reproduce import reproduce as study
 
     study(out, fmus, claim or ())
 
@@ -120,6 +120,6 @@ def reproduce(
 @app.command()
 def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
     """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
-    from .studies.strategies import strategies as study
+    from .paper.strategies import strategies as study
 
     study(out, assignments(set_), fmus)

@@ -18,7 +18,7 @@ def figures(run: Run) -> Iterator[tuple[str, Figure]]:
     An entry has `file`, `title` and `signals`, or a `kind` that a study draws; optional: `from`, `to` [s] and
     `reference` (a value drawn as a dashed line).
     """
-    from ..studies.mode_shapes import mode_shapes
+    from ..paper.mode_shapes import mode_shapes
 
     signals = Signals(run)
     for entry in run.plan.system.reporting["figures"]:

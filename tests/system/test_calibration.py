@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 from helpers import Measured
+from rovbrush.orchestrator.paper.calibration import SPECIFICATION
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.calibration import SPECIFICATION
 from rovbrush.orchestrator.system.reader import SYSTEMS, load_system
 
 WANTED = tomllib.loads(SPECIFICATION.read_text(encoding="utf-8"))

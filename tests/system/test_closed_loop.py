@@ -12,12 +12,12 @@ import pytest
 from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.paper.strategies import BAND, MODES, force_on_hull, held, strategies
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
 from rovbrush.orchestrator.studies.single import planned
-from rovbrush.orchestrator.studies.strategies import BAND, MODES, force_on_hull, held, strategies
 from rovbrush.orchestrator.system.reader import load_system
 
 Table = dict[str, dict[str, dict[str, float]]]

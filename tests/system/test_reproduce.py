@@ -16,13 +16,13 @@ import pytest
 from helpers import ROOT, Measured
 from rovbrush.orchestrator.cli import main
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.report import Html, element, page, table
-from rovbrush.orchestrator.studies import elastica, energy_flow, references, reproduce, verification
-from rovbrush.orchestrator.studies.beam import centrifugal_frequencies, shape, slope, slope_integrals
-from rovbrush.orchestrator.studies.claims import CLAIMS, VERDICTS, Check, Finding
-from rovbrush.orchestrator.studies.claims.claim import at_least, at_most, near, within
-from rovbrush.orchestrator.studies.lab import Case, Lab
-from rovbrush.orchestrator.studies.motion import Motion, rotation
+from rovbrush.orchestrator.paper import elastica, energy_flow, references, reproduce, verification
+from rovbrush.orchestrator.paper.beam import centrifugal_frequencies, shape, slope, slope_integrals
+from rovbrush.orchestrator.paper.claims import CLAIMS, VERDICTS, Check, Finding
+from rovbrush.orchestrator.paper.claims.claim import at_least, at_most, near, within
+from rovbrush.orchestrator.paper.lab import Case, Lab
+from rovbrush.orchestrator.paper.page.html import Html, element, page, table
+from rovbrush.orchestrator.paper.page.motion import Motion, rotation
 
 NOT_REPRODUCIBLE = {2, 4, 7, 8, 10, 15, 16, 19, 21}
 BY_CALIBRATION = {11, 12, 13, 14, 17, 18}

@@ -14,7 +14,7 @@ from ..results.files import plain_value
 from ..results.signals import Signals
 from ..results.summary import summarize
 from ..run.simulation import Run, require_complete, simulate
-from .single import planned
+from ..studies.single import planned
 
 
 @dataclass(frozen=True)

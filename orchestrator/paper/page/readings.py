@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .lab import Case
+from ..lab import Case
 
 
 def readings(case: Case) -> list[tuple[str, str, str]]:

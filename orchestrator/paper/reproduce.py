@@ -39,7 +39,7 @@ def reproduce(out: Path, fmus: Path | None, numbers: Sequence[int] = ()) -> list
     if numbers:
         print_checks(rows)
         return rows
-    from .reproduce_page import report_page
+    from .page.page import report_page
 
     text = report_page(lab, rows)
     paths = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .lab import Case
+from ..lab import Case
 
 FRAMES = 150
 BODY = np.array([0.457, 0.575, 0.254])  # m, outer size of a BlueROV2; for the picture only

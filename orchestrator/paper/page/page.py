@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from typing import Any
 
-from ..report import Html, element, image, join, page, table
-from ..results.files import PACKAGES
-from ..results.summary import comparison
-from .claims import VERDICTS
+from ...results.files import PACKAGES
+from ...results.summary import comparison
+from ..claims import VERDICTS
+from ..lab import Lab
+from .figures import paper_figures
+from .html import Html, element, image, join, page, table
 from .interactive import energy, motion
-from .lab import Lab
-from .paper_figures import paper_figures
 from .readings import readings
-from .verification_page import checks
+from .verification import checks
 
 CHIPS = dict(zip(VERDICTS, ("yes", "fit", "no"), strict=True))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..results.plots import new_figure
-from .lab import Case
-from .mode_shapes import mode_shapes
+from ...results.plots import new_figure
+from ..lab import Case
+from ..mode_shapes import mode_shapes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ..report import Html, element, image, join, table
-from . import elastica, verification
-from .lab import Lab
+from .. import elastica, verification
+from ..lab import Lab
+from .html import Html, element, image, join, table
 
 
 def checks(lab: Lab, rows: Sequence[dict[str, Any]]) -> Html:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..report import Html, element, join, table
-from . import energy_flow
-from .lab import Lab
+from .. import energy_flow
+from ..lab import Lab
+from .html import Html, element, join, table
 from .mission_picture import mission_figure
 from .motion import Motion
 

@@ -16,9 +16,9 @@ from ..plan.plan import make_plan
 from ..results.files import prepare_folder, write_file
 from ..results.summary import summarize
 from ..run.simulation import require_complete, simulate
+from ..studies.single import planned
 from ..system.model import System
 from ..system.reader import SYSTEMS
-from .single import planned
 
 SPECIFICATION = Path(__file__).with_name("calibration.toml")
 EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladder

@@ -20,7 +20,7 @@ from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
 from ..run.simulation import Run, require_complete, simulate
-from .single import planned
+from ..studies.single import planned
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,0 +1,1 @@
+"""The paper that the shipped systems come from: its numbers fitted, its claims answered."""

@@ -1,0 +1,1 @@
+"""The page of `rovbrush reproduce`: sections, figures and the frame that holds them."""
