@@ -1,6 +1,6 @@
 """`python -m rovbrush.orchestrator`: the same as the command `rovbrush`."""
 
-from .cli import program
+from .cli.main import program
 
 if __name__ == "__main__":  # processes of a sweep may import this file
     program()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..console import console
+from ..cli.console import console
 from ..plan.plan import Plan
 from ..system.ssp.write import write_ssp
 from .container import differences, write_container

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..console import console
+from ..cli.console import console
 from ..errors import RunError
 from ..plan.plan import make_plan
 from ..results.files import prepare_folder, write_file

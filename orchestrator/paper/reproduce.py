@@ -9,7 +9,7 @@ from typing import Any
 
 from rich.table import Table
 
-from ..console import console
+from ..cli.console import console
 from ..errors import InputError, nearest
 from ..results.files import prepare_folder, write_file, write_json
 from .claims import CLAIMS, VERDICTS, Claim, Finding

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from rich.table import Table
 
-from ..console import console, progress
+from ..cli.console import console, progress
 from ..results.files import plain_value, prepare_folder, write_file, write_json
 from ..results.plots import new_figure
 from ..results.signals import Signal, Signals

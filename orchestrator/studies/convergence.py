@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from ..console import console, print_notes, progress
+from ..cli.console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..plan.plan import make_plan
 from ..results.files import prepare_folder, write_file, write_json

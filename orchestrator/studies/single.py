@@ -8,11 +8,11 @@ from dataclasses import fields, replace
 from math import ceil
 from pathlib import Path
 
+from ..cli.console import console, print_comparison, print_notes, print_summary, progress
+from ..cli.options import assignments
 from ..clock import duration
-from ..console import console, print_comparison, print_notes, print_summary, progress
 from ..errors import InputError, RovbrushError, RunError, nearest
 from ..exchange.recordings.write import write_boundary
-from ..options import assignments
 from ..plan.plan import Plan, make_plan
 from ..results.energy import require_energy
 from ..results.files import prepare_folder, write_results

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import Measured, column, python, read_system
-from rovbrush.orchestrator.cli import app
+from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.plan import make_plan

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from helpers import Part, system_text
-from rovbrush.orchestrator.cli import main
+from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
 from rovbrush.orchestrator.system.reader import load_system
 

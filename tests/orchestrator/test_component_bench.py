@@ -185,7 +185,7 @@ def test_fmus_that_cannot_be_used_give_one_message_that_says_what_to_ask_for(
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return python("from rovbrush.orchestrator.cli import main; main()", "test-component", *arguments)
+    return python("from rovbrush.orchestrator.cli.main import main; main()", "test-component", *arguments)
 
 
 def test_command_prints_verdicts_within_100_columns_and_returns_them(motor: Path, mapped: Mapped) -> None:

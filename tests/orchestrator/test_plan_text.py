@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from helpers import edited, plan_of, run_of, system_text
 from native_build import needs_gcc
-from rovbrush.orchestrator import cli
+from rovbrush.orchestrator.cli import main as cli
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.rehearsal import loop_residuals

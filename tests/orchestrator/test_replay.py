@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from fmpy.util import read_csv, read_ref_opt_file
 from helpers import edited, system_text
-from rovbrush.orchestrator.cli import main
+from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.exchange.recordings.read import read_recording
 from rovbrush.orchestrator.exchange.recordings.replay import replay

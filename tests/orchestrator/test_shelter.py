@@ -28,7 +28,7 @@ def motor(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def command(*arguments: object) -> Any:
-    return python("from rovbrush.orchestrator.cli import main; main()", *map(str, arguments))
+    return python("from rovbrush.orchestrator.cli.main import main; main()", *map(str, arguments))
 
 
 def test_results_and_errors_come_back_as_they_are() -> None:

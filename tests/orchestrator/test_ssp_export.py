@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from helpers import read_system
 from lxml import etree
-from rovbrush.orchestrator.cli import app
+from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import xarray
 from helpers import interrupted, system_text
-from rovbrush.orchestrator.cli import main
+from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies import single
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import ROOT, Measured
-from rovbrush.orchestrator.cli import main
+from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.paper import elastica, energy_flow, references, reproduce, verification
 from rovbrush.orchestrator.paper.beam import centrifugal_frequencies, shape, slope, slope_integrals

@@ -11,8 +11,8 @@ from fmpy.model_description import ModelVariable
 from rich.markup import escape
 from rich.table import Table
 
+from ...cli.console import console, progress
 from ...clock import seconds_text
-from ...console import console, progress
 from ...errors import InputError, RunError, nearest
 from ...fmu.crossing import REALS, Crossing
 from ...fmu.fmu import parse_value

@@ -18,7 +18,7 @@ from typing import Any
 
 from rich.table import Table
 
-from ...console import console
+from ...cli.console import console
 from ...errors import RunError
 from ...plan.plan import Plan, make_plan
 from ...results.files import prepare_folder, write_file, write_json

@@ -9,7 +9,7 @@ from typing import Any
 
 from rich.table import Table
 
-from ...console import console
+from ...cli.console import console
 from ...plan.plan import make_plan
 from ...system.model import System
 from .floor import floor_loop

@@ -13,7 +13,7 @@ from typing import Any
 
 from rich.table import Table
 
-from ...console import console
+from ...cli.console import console
 from ...errors import RunError
 from .native_fmu import ring
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from rich.markup import escape
 from rich.table import Table as Printed
 
-from ...console import console, print_notes, progress
+from ...cli.console import console, print_notes, progress
 from ...errors import InputError, RunError
 from ...results.files import prepare_folder
 from ...results.summary import figure_units

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from .errors import InputError
+from ..errors import InputError
 from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app, assignments
 
 
@@ -17,7 +17,7 @@ def check(
     json_file: Annotated[Path | None, typer.Option("--json", help="Write all rows to this file.")] = None,
 ) -> None:
     """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own."""
-    from .exchange.checks.chain import check_all
+    from ..exchange.checks.chain import check_all
 
     if not check_all(fmus, json_file):
         raise typer.Exit(1)
@@ -33,8 +33,8 @@ def test_component(
     ] = 1e-3,
 ) -> None:
     """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
-    from .exchange.component_tests.tables import run_bench
-    from .shelter import sheltered
+    from ..exchange.component_tests.tables import run_bench
+    from ..shelter import sheltered
 
     if sheltered(fmu, run_bench, fmu, component, map_, tolerance):
         raise typer.Exit(1)
@@ -52,8 +52,8 @@ def replay(
     atol: Annotated[float, typer.Option("--atol", min=0.0, help="Error granted to every output, in its unit.")] = 0.0,
 ) -> None:
     """Drive an FMU with the recorded inputs of a component and compare its outputs with the recorded ones."""
-    from .exchange.recordings.replay import replay as drive
-    from .shelter import sheltered
+    from ..exchange.recordings.replay import replay as drive
+    from ..shelter import sheltered
 
     sheltered(fmu, drive, fmu, folder, name, map_, rtol, atol)
 
@@ -73,8 +73,8 @@ def export(
     fmus: FmusOption = None,
 ) -> None:
     """Write a whole system as one file for other tools."""
-    from .exchange.export import export_container, export_ssp
-    from .studies.single import planned
+    from ..exchange.export import export_container, export_ssp
+    from ..studies.single import planned
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from .errors import InputError, RunError
+from ..errors import InputError, RunError
 from .options import (
     SYSTEM_HELP,
     FmusOption,
@@ -44,7 +44,7 @@ def build(
     ] = ["linux64", "win64"],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
-    from .system.reader import fmu_folder
+    from ..system.reader import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
     if not found:
@@ -66,8 +66,8 @@ def build(
 @app.command()
 def systems() -> None:
     """List the shipped systems and sweeps."""
-    from .studies.sweep.file import SWEEPS, shipped_sweeps
-    from .system.reader import SYSTEMS, shipped_systems, system_description
+    from ..studies.sweep.file import SWEEPS, shipped_sweeps
+    from ..system.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():
         print(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
@@ -89,12 +89,12 @@ def plan(
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
-    from .plan.explain import explain
-    from .plan.plan import make_plan
-    from .run.rehearsal import loop_residuals
-    from .system.changes import changes_of
-    from .system.reader import load_system
-    from .system.series_file import with_files
+    from ..plan.explain import explain
+    from ..plan.plan import make_plan
+    from ..run.rehearsal import loop_residuals
+    from ..system.changes import changes_of
+    from ..system.reader import load_system
+    from ..system.series_file import with_files
 
     changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
     changed = with_files(changed.with_values(assignments(set_), "--set"), input_)
@@ -143,8 +143,8 @@ def run(
     ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
-    from .studies.single import resume_system, run_system
-    from .system.request import Request
+    from ..studies.single import resume_system, run_system
+    from ..system.request import Request
 
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),

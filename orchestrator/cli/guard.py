@@ -13,7 +13,7 @@ import sys
 from collections.abc import Callable
 from typing import Any, NoReturn
 
-from . import process
+from .. import process
 
 PASSED_ON = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if hasattr(signal, "SIGHUP") else ()
 INSISTED = 3  # Ctrl-C, how often until a child that does not listen is ended: an FMU may never return

@@ -7,8 +7,9 @@ from typing import NoReturn
 
 import typer
 
-from . import commands, exchange_commands, study_commands
-from .errors import RovbrushError
+from ..errors import RovbrushError
+from . import exchange_commands, study_commands
+from . import run_commands as commands
 from .guard import guarded
 from .options import app
 

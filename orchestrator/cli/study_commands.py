@@ -29,7 +29,7 @@ def calibrate(
     fmus: FmusOption = None,
 ) -> None:
     """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""
-    from .paper.calibration import calibrate as fit
+    from ..paper.calibration import calibrate as fit
 
     fit(out, fmus)
 
@@ -44,8 +44,8 @@ def converge(
     fmus: FmusOption = None,
 ) -> None:
     """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
-    from .studies.convergence import converge as study
-    from .system.changes import changes_of
+    from ..studies.convergence import converge as study
+    from ..system.changes import changes_of
 
     study(system, out, fmus, changes_of(replace, map_, period))
 
@@ -56,7 +56,7 @@ def bench(
     fmus: FmusOption = None,
 ) -> None:
     """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
-    from .studies.bench.bench import bench as measure
+    from ..studies.bench.bench import bench as measure
 
     measure(json_file, fmus)
 
@@ -94,9 +94,9 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
-    from .studies.sweep.sweep import Options
-    from .studies.sweep.sweep import sweep as run_sweep
-    from .system.changes import changes_of
+    from ..studies.sweep.sweep import Options
+    from ..studies.sweep.sweep import sweep as run_sweep
+    from ..system.changes import changes_of
 
     changes = changes_of(replace, map_, period)
     options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes)
@@ -112,7 +112,7 @@ def reproduce(
     fmus: FmusOption = None,
 ) -> None:
     """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
-    from .paper.reproduce import reproduce as study
+    from ..paper.reproduce import reproduce as study
 
     study(out, fmus, claim or ())
 
@@ -120,6 +120,6 @@ def reproduce(
 @app.command()
 def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
     """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
-    from .paper.strategies import strategies as study
+    from ..paper.strategies import strategies as study
 
     study(out, assignments(set_), fmus)

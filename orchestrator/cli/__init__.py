@@ -1,0 +1,1 @@
+"""The command line: its commands by family, their options, what a person sees."""
