@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .run.stepping import Stepping
 
 __all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "load"]
-_PLACES = {"load": "api", "Model": "api", "Result": "outcome", "Stepping": "stepping"}
+_PLACES = {"load": "api", "Model": "api", "Result": "results.result", "Stepping": "run.stepping"}
 
 
 def __getattr__(name: str) -> Any:

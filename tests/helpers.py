@@ -16,7 +16,8 @@ import numpy as np
 from rovbrush.components.archive import repack
 from rovbrush.components.build import build
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 

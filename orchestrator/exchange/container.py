@@ -23,8 +23,8 @@ from typing import Any
 
 from ..clock import seconds_text
 from ..errors import InputError, RunError
+from ..files import prepare_folder, write_file
 from ..plan.plan import Plan
-from ..results.files import prepare_folder, write_file
 from ..system.model import Component, System
 from ..system.series import refuse_series
 

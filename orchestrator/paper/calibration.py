@@ -12,10 +12,11 @@ import numpy as np
 
 from ..cli.console import console
 from ..errors import RunError
+from ..files import prepare_folder, write_file
 from ..plan.plan import make_plan
-from ..results.files import prepare_folder, write_file
 from ..results.summary import summarize
-from ..run.simulation import require_complete, simulate
+from ..results.tables import require_complete
+from ..run.simulation import simulate
 from ..studies.single import planned
 from ..system.model import System
 from ..system.reader import SYSTEMS

@@ -13,7 +13,8 @@ import numpy as np
 from ..results.files import plain_value
 from ..results.signals import Signals
 from ..results.summary import summarize
-from ..run.simulation import Run, require_complete, simulate
+from ..results.tables import Run, require_complete
+from ..run.simulation import simulate
 from ..studies.single import planned
 
 

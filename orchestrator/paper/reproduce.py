@@ -11,7 +11,7 @@ from rich.table import Table
 
 from ..cli.console import console
 from ..errors import InputError, nearest
-from ..results.files import prepare_folder, write_file, write_json
+from ..files import prepare_folder, write_file, write_json
 from .claims import CLAIMS, VERDICTS, Claim, Finding
 from .lab import Lab
 

@@ -15,11 +15,13 @@ import numpy as np
 from rich.table import Table
 
 from ..cli.console import console, progress
-from ..results.files import plain_value, prepare_folder, write_file, write_json
+from ..files import prepare_folder, write_file, write_json
+from ..results.files import plain_value
 from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
-from ..run.simulation import Run, require_complete, simulate
+from ..results.tables import Run, require_complete
+from ..run.simulation import simulate
 from ..studies.single import planned
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..plan.plan import make_plan
 from ..results.summary import summarize
-from ..run.simulation import require_complete, simulate
+from ..results.tables import require_complete
+from ..run.simulation import simulate
 from . import elastica
 from .beam import centrifugal_frequencies
 from .lab import Case, Lab

@@ -19,7 +19,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
 HISTORY = {
     "hold": 0,
     "linear": 1,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +11,7 @@ from ..clock import Clock
 from ..fmu.fmu import Fmu
 from ..fmu.types import GROUPED
 from ..system.model import Bond, Connection, System
+from ..system.selection import matches
 from .formulas import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable
@@ -142,11 +141,6 @@ def _owns(bond: Bond) -> list[Key]:
 
 def _recorded(system: System, key: Key) -> bool:
     return matches(system.record, ".".join(key))
-
-
-def matches(patterns: Iterable[str], name: str) -> bool:
-    """Whether one of the patterns is `name`: * and ? stand for any characters and any one; brackets for themselves."""
-    return any(fnmatchcase(name, pattern.replace("[", "[[]")) for pattern in patterns)
 
 
 def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:

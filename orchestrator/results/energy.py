@@ -17,9 +17,9 @@ import numpy as np
 
 from ..errors import RunError
 from ..plan.books import slug
-from ..run.simulation import Run
 from ..system.model import Bond
 from .signals import Signals
+from .tables import Run
 
 
 @dataclass(frozen=True)

@@ -5,18 +5,15 @@ Every file is written under a temporary name and renamed when complete.
 
 from __future__ import annotations
 
-import json
-import os
 import platform
-from collections.abc import Callable
-from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..errors import InputError, RunError
+from ..errors import RunError
+from ..files import write_file, write_json
 from ..plan.explain import explain
 from ..system.series import manifest_of
 from .netcdf import datasets
@@ -25,36 +22,6 @@ from .tables import Run, Stored
 
 CSV_ROWS = 10_000  # that are text in memory at once
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
-
-
-def prepare_folder(folder: Path, option: str = "--out") -> None:
-    """Create the output folder and prove that it can be written to, before anything is computed. Raises InputError.
-
-    `option` is the one to choose another folder with.
-    """
-    probe = folder / f".probe.{os.getpid()}.tmp"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        probe.write_bytes(b"")
-        probe.unlink()
-    except OSError as error:
-        raise InputError(
-            f"cannot write to the output folder {folder}: {error.strerror}; choose another with {option}"
-        ) from error
-
-
-def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
-    """Let `write` fill a temporary file, then rename it. Raises RunError if the disk refuses."""
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
-    try:
-        write(temporary)
-        temporary.replace(path)
-    except OSError as error:
-        raise RunError(f"cannot write {path}: {error.strerror or error}; nothing was left half-written") from error
-    finally:
-        with suppress(OSError):  # a read-only disk would hide the error above
-            temporary.unlink(missing_ok=True)
-    return path
 
 
 def write_results(run: Run, folder: Path, summary: dict[str, Any]) -> list[Path]:
@@ -129,11 +96,6 @@ def csv_text(value: float | int | bool | str) -> str:
     return (
         str(value).lower() if isinstance(value, bool) else f"{value:.10g}" if isinstance(value, float) else str(value)
     )
-
-
-def write_json(path: Path, content: Any) -> None:
-    """JSON with sorted-by-insertion keys; refuses NaN, which is no JSON."""
-    path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 def manifest(run: Run) -> dict[str, Any]:

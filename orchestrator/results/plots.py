@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from ..run.simulation import Run
+from ..system.figure_kinds import figure_kind
 from .signals import Signals
+from .tables import Run
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -15,15 +16,13 @@ if TYPE_CHECKING:
 def figures(run: Run) -> Iterator[tuple[str, Figure]]:
     """File name and figure for every `[[figures]]` entry whose signals were recorded.
 
-    An entry has `file`, `title` and `signals`, or a `kind` that a study draws; optional: `from`, `to` [s] and
+    An entry has `file`, `title` and `signals`, or a `kind` (see `figure_kinds`); optional: `from`, `to` [s] and
     `reference` (a value drawn as a dashed line).
     """
-    from ..paper.mode_shapes import mode_shapes
-
     signals = Signals(run)
     for entry in run.plan.system.reporting["figures"]:
-        if entry.get("kind") == "mode_shapes":
-            yield entry["file"], mode_shapes(run.calculated, entry)
+        if "kind" in entry:
+            yield entry["file"], figure_kind(entry["kind"]).draw(run.calculated, entry)
         elif all(name in signals for name in entry["signals"]):
             yield entry["file"], time_series(signals, entry)
 

@@ -7,13 +7,13 @@ from pathlib import PurePath
 from typing import Any
 
 from ..errors import InputError, nearest
+from ..system.figure_kinds import figure_kind, figure_kinds
 from ..system.model import System
 from .summary import check_summary
 
 WINDOW_KEYS = {"angle", "start", "end"}
 COMPARE_KEYS = {"label", "value", "unit", "reference", "tolerance", "note"}
-FIGURE_KEYS = {"file", "title", "kind", "signals", "from", "to", "reference", "component", "modes"}
-KINDS = ("mode_shapes",)
+FIGURE_KEYS = {"file", "title", "kind", "signals", "from", "to", "reference"}
 FORMATS = (".png", ".pdf", ".svg")
 ALWAYS = ("real_time_factor", "wall_s", "simulated_s", "start_s", "peak_memory_MB")  # figures of merit of every run
 
@@ -44,27 +44,24 @@ def check_reporting(recorded: set[str], system: System) -> None:
 
 def check_figure(entry: Mapping[str, Any], recorded: set[str], system: System, label: str) -> None:
     """One `[[figures]]` entry; see `plots.figures`."""
-    drawn = ("component", "modes") if "kind" in entry else ("signals",)
-    check_keys(entry, FIGURE_KEYS, ("file", "title", *drawn), label)
+    kinds = figure_kinds()
+    if "kind" in entry and entry["kind"] not in kinds:
+        raise InputError(f"{label}: unknown kind '{entry['kind']}'{nearest(str(entry['kind']), kinds)}")
+    kind = figure_kind(entry["kind"]) if "kind" in entry else None
+    drawn = kind.KEYS if kind else ("signals",)
+    check_keys(entry, {*FIGURE_KEYS, *drawn}, ("file", "title", *drawn), label)
     check_numbers(entry, ("from", "to", "reference"), label)
     file = PurePath(str(entry["file"]))
     if file.name != entry["file"] or file.suffix not in FORMATS:
         raise InputError(f"{label}: file must be a plain name that ends in {', '.join(FORMATS)}")
-    if "kind" not in entry:
-        if not isinstance(entry["signals"], list) or not entry["signals"]:
-            raise InputError(f"{label}: signals must be a list of names")
-        for name in map(str, entry["signals"]):
-            if name not in recorded:
-                raise InputError(f"{label}: '{name}' is not recorded{nearest(name, recorded)}")
+    if kind:
+        kind.check(entry, system, label)
         return
-    if entry["kind"] not in KINDS:
-        raise InputError(f"{label}: unknown kind '{entry['kind']}'{nearest(str(entry['kind']), KINDS)}")
-    name = str(entry["component"])
-    if name not in system.components:
-        raise InputError(f"{label}: no component '{name}'{nearest(name, system.components)}")
-    known = system.components[name].fmu.expand("lambda_r")
-    if entry["modes"] not in range(1, len(known) + 1):
-        raise InputError(f"{label}: modes = {entry['modes']!r}; {name} has {len(known)} modes")
+    if not isinstance(entry["signals"], list) or not entry["signals"]:
+        raise InputError(f"{label}: signals must be a list of names")
+    for name in map(str, entry["signals"]):
+        if name not in recorded:
+            raise InputError(f"{label}: '{name}' is not recorded{nearest(name, recorded)}")
 
 
 def check_keys(entry: Mapping[str, Any], known: set[str], needed: Iterable[str], label: str) -> None:

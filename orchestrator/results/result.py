@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RunError, nearest
+from ..files import prepare_folder
 from .energy import require_energy
-from .files import prepare_folder, write_results
+from .files import write_results
 from .netcdf import datasets, group_name
 from .summary import comparison, summarize
 from .tables import Run

@@ -24,10 +24,10 @@ import numpy as np
 from ..errors import InputError, nearest
 from ..plan.books import coupling_unit
 from ..process import peak_memory
-from ..run.simulation import Run
 from ..system.model import System
 from .energy import balance, ledger, over_limits
 from .signals import Signal, Signals
+from .tables import Run
 
 OPERATIONS = {
     "mean": 1, "rms": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2, "positive": 1,

@@ -11,7 +11,6 @@ import numpy as np
 from ..errors import RunError
 from ..loop.texts import Texts
 from ..plan.plan import Plan
-from ..run.initialize import Started
 
 
 class Stored(Protocol):
@@ -27,6 +26,14 @@ class Stored(Protocol):
 
     def finish(self, path: Any, complete: bool) -> None:
         """Say how the run ended, and rename the file."""
+
+
+@dataclass
+class Started:
+    """How time 0 was found: the sweeps over all connections, and the residual of every algebraic loop."""
+
+    sweeps: int = 0
+    loops: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass

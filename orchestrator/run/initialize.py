@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,18 +10,11 @@ from ..errors import FmuError, InputError
 from ..participant.base import Instance, Value
 from ..plan.layout import Key
 from ..plan.plan import Plan
+from ..results.tables import Started
 from ..system.model import Connection
 from .memory import Memory
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
-
-
-@dataclass
-class Started:
-    """How time 0 was found: the sweeps over all connections, and the residual of every algebraic loop."""
-
-    sweeps: int = 0
-    loops: dict[str, float] = field(default_factory=dict)
 
 
 def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> Started:

@@ -12,9 +12,9 @@ from typing import Any
 from ..clock import duration, seconds_text
 from ..errors import InputError, RunError, nearest
 from ..loop.execute import STOP_REQUEST
-from ..plan.layout import matches
 from ..plan.plan import Plan
 from ..results.result import Result
+from ..system.selection import matches
 from .interrupt import stop_on_interrupt
 from .ports import reader_of, writer_of
 from .session import Session

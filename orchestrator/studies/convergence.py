@@ -20,12 +20,13 @@ from rich.table import Table
 
 from ..cli.console import console, print_notes, progress
 from ..errors import InputError, RunError
+from ..files import prepare_folder, write_file, write_json
 from ..plan.plan import make_plan
-from ..results.files import prepare_folder, write_file, write_json
 from ..results.plots import new_figure
 from ..results.signals import Signals
 from ..results.summary import summarize
-from ..run.simulation import require_complete, simulate
+from ..results.tables import require_complete
+from ..run.simulation import simulate
 from ..system.changes import UNCHANGED, Changes
 from .single import planned
 

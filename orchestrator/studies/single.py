@@ -13,9 +13,10 @@ from ..cli.options import assignments
 from ..clock import duration
 from ..errors import InputError, RovbrushError, RunError, nearest
 from ..exchange.recordings.write import write_boundary
+from ..files import prepare_folder
 from ..plan.plan import Plan, make_plan
 from ..results.energy import require_energy
-from ..results.files import prepare_folder, write_results
+from ..results.files import write_results
 from ..results.requested import check_reporting
 from ..results.summary import comparison, summarize
 from ..results.tables import Run

@@ -10,10 +10,10 @@ from typing import Any
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
 from ..fmu.types import mismatch
-from ..plan.formulas import TRANSFERS
 from ..toml_file import TomlFile
 from ..units import conversion
 from .model import Bond, Component, Connection, Requirement
+from .settings import TRANSFERS
 
 BOND_KEYS = {"name", "effort", "flow", "sign", "impulse", "displacement", "limit", "limit_relative"}
 

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from fnmatch import fnmatchcase
 
 from ..errors import InputError, nearest
-from ..plan.layout import matches
 from .model import System
+
+
+def matches(patterns: Iterable[str], name: str) -> bool:
+    """Whether one of the patterns is `name`: * and ? stand for any characters and any one; brackets for themselves."""
+    return any(fnmatchcase(name, pattern.replace("[", "[[]")) for pattern in patterns)
 
 
 def select_recorded(system: System, patterns: Sequence[str]) -> System:

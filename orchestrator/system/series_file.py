@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError, nearest
-from ..exchange.recordings.read import csv_rows
+from ..files import csv_rows
 from ..units import conversion
 from .model import Component, System, checked_values
 from .series import Series, series_of

@@ -23,6 +23,7 @@ from ..errors import InputError, nearest
 from ..toml_file import TomlFile
 
 ALGORITHMS = ("gauss-seidel", "jacobi", "iterated", "ecco")
+TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
 METHODS = ("aitken", "newton")
 
 

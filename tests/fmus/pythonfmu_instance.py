@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from lxml import etree
 from rovbrush.components.build import COMPONENTS
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
 H = 1e-3

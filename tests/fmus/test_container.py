@@ -17,7 +17,8 @@ from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp

@@ -12,7 +12,7 @@ from pathlib import Path
 from helpers import FIXTURES, python
 from pythonfmu_instance import H, declared, every_component, started
 from rovbrush.components.build import COMPONENTS, HERE, build
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 
 
 def test_two_builds_are_byte_identical(tmp_path: Path, fmus: Path) -> None:

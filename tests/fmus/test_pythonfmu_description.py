@@ -12,7 +12,7 @@ import pytest
 from fmpy.validation import validate_fmu
 from pythonfmu_instance import H, bounded, component_class, declared, every_component
 from rovbrush.components.interface import Variable
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 from rovbrush.orchestrator.units import parse_unit
 

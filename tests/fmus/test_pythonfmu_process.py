@@ -11,7 +11,7 @@ from helpers import FIXTURES, last, python, run_of, system_text
 from pythonfmu_instance import started, stir
 from rovbrush.components.build import build
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from pythonfmu_instance import every_component, started, stir
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
 
 

@@ -52,7 +52,7 @@ def test_largest_deflection_is_that_of_a_filament(signals: Signals) -> None:
 
 def test_such_an_fmu_is_valid_and_the_plain_one_has_no_such_outputs(fmus: Path, tmp_path: Path) -> None:
     assert validate_fmu(str(build(HERE / "filament_brush", tmp_path, rows=3)[0])) == []
-    from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+    from rovbrush.orchestrator.fmu.fmu import Fmu
 
     assert not Fmu.open(fmus / "filament_brush.fmu").expand("filament_F_n")
     assert len(Fmu.open(tmp_path / "filament_brush.fmu").expand("filament_F_n")) == 3

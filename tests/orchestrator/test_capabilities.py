@@ -9,7 +9,7 @@ import pytest
 from helpers import plan_of, read_system, system_text
 from native_build import feedthrough2, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.capabilities import require_state, require_variable_steps
 from rovbrush.orchestrator.plan.explain import explain

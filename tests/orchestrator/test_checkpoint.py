@@ -14,10 +14,11 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import execute
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_netcdf
+from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_session import ALGORITHMS, car
 from test_types import FREE2, FREE3, WIRES2, WIRES3

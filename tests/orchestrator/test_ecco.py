@@ -14,7 +14,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.single import planned
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import column, plan_of
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 
 LOOP = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 90.0}),

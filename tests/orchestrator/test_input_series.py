@@ -14,7 +14,8 @@ from native_build import built, needs_gcc
 from rovbrush.orchestrator.loop.lookup import held_at, mean_over, value_at
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.simulation import require_complete, simulate
+from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.series_file import with_files
 from series_cases import CONTROLLER, ROWS, VALUES, one, planned
 from test_types import FREE2

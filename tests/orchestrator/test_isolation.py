@@ -15,11 +15,12 @@ import pytest
 from helpers import column, read_system, system_text
 from native_build import FAULTS2, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_types import FREE2, FREE3, WIRES2, WIRES3
 

@@ -11,7 +11,8 @@ import pytest
 from helpers import Measured, column, edited, last, plan_of, run_of
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
 from test_quarter_car import worst
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

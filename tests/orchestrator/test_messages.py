@@ -6,7 +6,7 @@ import gc
 from pathlib import Path
 
 from native_build import FAULTS2, feedthrough2, needs_gcc
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.loaded import LoadedInstance
 from rovbrush.orchestrator.participant.opening import load
 

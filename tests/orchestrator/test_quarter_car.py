@@ -9,7 +9,7 @@ import pytest
 from helpers import Measured, column, last, plan_of, run_of
 from quarter_car import REFERENCE, exact
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.run.simulation import Run
+from rovbrush.orchestrator.results.tables import Run
 
 
 def run_car(tmp_path: Path, fmus: Path, chassis: str, wheel: str, v_c: str, F: str, algorithm: str) -> Run:

@@ -16,7 +16,8 @@ from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.exchange.recordings.read import read_recording
 from rovbrush.orchestrator.exchange.recordings.replay import replay
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
-from rovbrush.orchestrator.run.simulation import require_complete, simulate
+from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.changes import changes_of
 

@@ -9,8 +9,9 @@ import pytest
 from helpers import Part, plan_of
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.plan import Plan
+from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.run.simulation import simulate
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c", "sign": -1.0}

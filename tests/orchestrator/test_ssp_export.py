@@ -15,7 +15,7 @@ from helpers import read_system
 from lxml import etree
 from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System

@@ -19,9 +19,10 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.simulation import Run, simulate
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.selection import select_recorded

@@ -11,7 +11,8 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.energy import ledger
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.changes import changes_of
 from rovbrush.orchestrator.system.reader import load_system
 

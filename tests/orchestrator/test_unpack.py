@@ -13,8 +13,8 @@ import fmpy
 import pytest
 from helpers import edited, python
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu.fmu import archive as unpacking
-from rovbrush.orchestrator.fmu.fmu.fmu import Fmu
+from rovbrush.orchestrator.fmu import archive as unpacking
+from rovbrush.orchestrator.fmu.fmu import Fmu
 
 
 @pytest.fixture

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.single import planned
 
 

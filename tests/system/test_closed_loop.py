@@ -16,7 +16,8 @@ from rovbrush.orchestrator.paper.strategies import BAND, MODES, force_on_hull, h
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.reader import load_system
 

@@ -15,7 +15,8 @@ from rovbrush.orchestrator.exchange.recordings.replay import replay
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.run.simulation import require_complete, simulate
+from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.system.changes import Changes, changes_of
 

@@ -21,7 +21,8 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import comparison, summarize
-from rovbrush.orchestrator.run.simulation import Run, require_complete, simulate
+from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.convergence import converge
 from rovbrush.orchestrator.studies.single import planned
 

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from ...results.files import write_file
+from ...files import write_file
 from .rows import Report
 
 STYLES = {"pass": "green", "finding": "yellow", "error": "bold red", "not applicable": "dim", "skipped": "dim"}

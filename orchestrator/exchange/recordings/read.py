@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from ...errors import InputError, nearest
+from ...files import csv_rows
 
 REQUIRED = ("StartTime", "StopTime", "StepSize", "RelTol")
 
@@ -74,15 +74,6 @@ def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     if not np.all(np.diff(table[:, 0]) > 0):
         raise InputError(f"{path.name}: the times do not rise from row to row")
     return table[:, 0], {column: table[:, k] for k, column in enumerate(names) if k}
-
-
-def csv_rows(path: Path) -> list[list[str]]:
-    """The rows of a CSV file but empty ones. Raises InputError if it cannot be read."""
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            return [row for row in csv.reader(file) if row]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{path} cannot be read: {error}") from error
 
 
 def _options(path: Path) -> dict[str, float]:

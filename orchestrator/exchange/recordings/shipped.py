@@ -11,7 +11,8 @@ import tomllib
 from pathlib import Path
 
 from ...errors import RovbrushError
-from ...run.simulation import require_complete, simulate
+from ...results.tables import require_complete
+from ...run.simulation import simulate
 from ...studies.single import planned
 from .write import write_boundary
 

@@ -17,8 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ...results.files import write_file
-from ...run.simulation import Run
+from ...files import write_file
+from ...results.tables import Run
 from ...system.replace.view import OWN
 
 HEAD = ("name", "causality", "value", "unit")

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ...results.plots import new_figure
+from .. import mode_shapes
 from ..lab import Case
-from ..mode_shapes import mode_shapes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,8 +38,10 @@ def paper_figures(case: Case) -> Iterator[tuple[str, str, str, Figure]]:
         "First three bending mode shapes of the filament: the fundamental has one antinode at the tip, the higher "
         "modes have interior nodes.",
         f"Eq. 3 with the eigenvalues of the brush FMU, {lam}.",
-        mode_shapes(case.run.calculated, {"title": "Mode shapes of a filament (paper's Fig. 2)", "component": "brush",
-                                          "modes": 3}),
+        mode_shapes.draw(
+            case.run.calculated,
+            {"title": "Mode shapes of a filament (paper's Fig. 2)", "component": "brush", "modes": 3},
+        ),
     )  # fmt: skip
     for title, name, reference, words in (
         ("Figure 3", "F_z", -221.7, "Normal contact force: the transient impact with phase and the settling to a mean "

@@ -20,9 +20,10 @@ from rich.table import Table
 
 from ...cli.console import console
 from ...errors import RunError
+from ...files import prepare_folder, write_file, write_json
 from ...plan.plan import Plan, make_plan
-from ...results.files import prepare_folder, write_file, write_json
-from ...run.simulation import require_complete, simulate
+from ...results.tables import require_complete
+from ...run.simulation import simulate
 from ...run.stepping import Stepping
 from ...system.model import System
 from .components import component_rows, show_components

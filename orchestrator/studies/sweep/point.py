@@ -22,7 +22,8 @@ from ...plan.plan import Plan, make_plan
 from ...process import peak_memory
 from ...results.energy import require_energy
 from ...results.summary import check_summary, figure_units, summarize
-from ...run.simulation import require_complete, simulate
+from ...results.tables import require_complete
+from ...run.simulation import simulate
 from ...system.changes import UNCHANGED, Changes
 from ...system.model import System
 from ...system.reader import load_system

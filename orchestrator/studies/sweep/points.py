@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from ...errors import InputError, RunError
-from ...results.files import write_file
+from ...files import write_file
 from .design import Design
 
 if TYPE_CHECKING:

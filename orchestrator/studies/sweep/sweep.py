@@ -14,7 +14,7 @@ from rich.table import Table as Printed
 
 from ...cli.console import console, print_notes, progress
 from ...errors import InputError, RunError
-from ...results.files import prepare_folder
+from ...files import prepare_folder
 from ...results.summary import figure_units
 from ...system.changes import UNCHANGED, Changes
 from .design import Design, make_design, vary_entries

@@ -12,6 +12,7 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...fmu.fmu import Fmu
+from ..figure_kinds import figure_kind, figure_kinds
 from ..model import Component, Connection, System, Value
 from ..series import Series
 from .mapping import VariableMapping
@@ -123,8 +124,9 @@ def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str])
     figures = []
     for figure in reporting["figures"]:
         signals = list(figure.get("signals", ()))
-        if figure.get("component") == missing.name:
-            signals = [f"{missing.name}.{v}" for v in missing.variables if v.startswith("lambda_r[")]
+        if figure.get("kind") in figure_kinds():
+            absent = [f"{missing.name}.{v}" for v in missing.variables]
+            signals = figure_kind(figure["kind"]).shows(figure, absent)
         shown = [s for s in signals if not lost([s], f"figure {figure.get('file', '')}: {s}")]
         if shown == signals:
             figures.append(figure)

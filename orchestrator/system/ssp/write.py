@@ -13,8 +13,8 @@ from fmpy.model_description import ModelVariable
 from lxml import etree
 
 from ...errors import InputError
+from ...files import prepare_folder, write_file
 from ...fmu.fmu import Fmu
-from ...results.files import prepare_folder, write_file
 from ..model import Component, Connection, System
 from ..series import refuse_series
 from .annotations import annotate, component_keys, connection_keys, system_keys
