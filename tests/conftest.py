@@ -12,6 +12,11 @@ import pytest
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
+from rovbrush.orchestrator.plan.plan import Plan
+from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.studies.single import planned
 
 MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
 FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
@@ -65,6 +70,22 @@ def measured(request: pytest.FixtureRequest) -> Measured:
         rows[claim] = (value if isinstance(value, str) else float(value), bound)
 
     return record
+
+
+@pytest.fixture(scope="session")
+def nominal_plan(fmus: Path) -> Plan:
+    """The nominal system, planned and run once for all tests of the whole system."""
+    return planned("nominal", {}, fmus=fmus)
+
+
+@pytest.fixture(scope="session")
+def nominal(nominal_plan: Plan) -> Run:
+    return require_complete(simulate(nominal_plan))
+
+
+@pytest.fixture(scope="session")
+def signals(nominal: Run) -> Signals:
+    return Signals(nominal)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
-from helpers import Measured, last, run_of
+from helpers import ROOT, Measured, last, run_of
 
-REFERENCE = json.loads((Path(__file__).parent.parent / "reference" / "dual_mass.json").read_text())["exact_t10"]
+REFERENCE = json.loads((ROOT / "tests" / "reference" / "dual_mass.json").read_text())["exact_t10"]
 
 
 @pytest.mark.parametrize("periods", [("2 ms", "2 ms"), ("2 ms", "1 ms")])
