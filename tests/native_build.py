@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from rovbrush.orchestrator.studies.bench import native_fmu
 
+# Values of every type for the feedthrough FMUs, and the connections of two of them.
+FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}
+FREE3: dict[str, Any] = {
+    "=Float64_in": 0.1, "=Float32_in": 0.1, "=Int8_in": -128, "=UInt8_in": 255, "=Int16_in": -32768,
+    "=UInt16_in": 65535, "=Int32_in": -(2**31), "=UInt32_in": 2**32 - 1, "=Int64_in": -(2**53) - 1,
+    "=UInt64_in": 2**63 - 1, "=Boolean_in": True, "=Enumeration_in": 2**53 + 1, "=String_in": "text",
+    "=a_in": [0.5, 1, 2, 3, 4, 5, 6, 7], "=t_in": ["a", "b"],
+}  # fmt: skip
+WIRES2 = [f"a.{v}_out -> b.{v}_in" for v in ("n", "mode", "on", "s")] + ["a.y -> b.u"]
+WIRES3 = [f"a.{v[1:-3]}_out -> b.{v[1:]}" for v in FREE3]
 NATIVE = Path(__file__).parent / "fixtures" / "native"
 needs_gcc = pytest.mark.skipif(native_fmu.compiler() is None, reason="no C compiler: native FMUs cannot be built")
 FAULTS2 = {

@@ -7,12 +7,11 @@ from pathlib import Path
 import fmpy
 import pytest
 from helpers import column, edited, plan_of
-from native_build import FAULTS2, built, needs_gcc
+from native_build import FAULTS2, FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu import description
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.run.simulation import simulate
-from test_types import FREE2
 
 pytestmark = needs_gcc
 LIBRARY = f"binaries/{fmpy.platform}/feedthrough2{fmpy.sharedLibraryExtension}"

@@ -6,12 +6,11 @@ from pathlib import Path
 
 import pytest
 from helpers import column, edited, plan_of
-from native_build import FAULTS3, built, needs_gcc
+from native_build import FAULTS3, FREE3, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.run.simulation import simulate
-from test_types import FREE3
 
 pytestmark = needs_gcc
 

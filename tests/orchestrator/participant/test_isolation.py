@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import column, read_system, system_text
-from native_build import FAULTS2, built, needs_gcc
+from native_build import FAULTS2, FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
@@ -22,7 +22,6 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
-from test_types import FREE2, FREE3, WIRES2, WIRES3
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
 TIMEOUT = '"1 s"'

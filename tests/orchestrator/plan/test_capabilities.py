@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from helpers import plan_of, read_system, system_text
-from native_build import feedthrough2, needs_gcc
+from native_build import FREE2, feedthrough2, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import load
@@ -16,7 +16,6 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
-from test_types import FREE2
 
 pytestmark = needs_gcc
 FIXED = 'canHandleVariableCommunicationStepSize="false"'

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import xarray
 from helpers import plan_of, run_of
-from native_build import built, needs_gcc
+from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.plan.explain import explain
@@ -18,15 +18,6 @@ from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc
-FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}
-FREE3: dict[str, Any] = {
-    "=Float64_in": 0.1, "=Float32_in": 0.1, "=Int8_in": -128, "=UInt8_in": 255, "=Int16_in": -32768,
-    "=UInt16_in": 65535, "=Int32_in": -(2**31), "=UInt32_in": 2**32 - 1, "=Int64_in": -(2**53) - 1,
-    "=UInt64_in": 2**63 - 1, "=Boolean_in": True, "=Enumeration_in": 2**53 + 1, "=String_in": "text",
-    "=a_in": [0.5, 1, 2, 3, 4, 5, 6, 7], "=t_in": ["a", "b"],
-}  # fmt: skip
-WIRES2 = [f"a.{v}_out -> b.{v}_in" for v in ("n", "mode", "on", "s")] + ["a.y -> b.u"]
-WIRES3 = [f"a.{v[1:-3]}_out -> b.{v[1:]}" for v in FREE3]
 
 
 @pytest.fixture(scope="module")

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import Part, system_text
-from native_build import built, needs_gcc
+from native_build import FREE2, FREE3, built, needs_gcc
 from rovbrush.orchestrator import InputError, Model, RunError, Stepping, load
-from test_types import FREE2, FREE3
 
 CAR: dict[str, Part] = {"w": ("wheel", "1 ms"), "c": ("chassis", "3 ms")}
 CAR_WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from helpers import Part, edited, plan_of
-from native_build import built, needs_gcc
+from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import execute
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
@@ -21,7 +21,6 @@ from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
 from test_session import ALGORITHMS, car
-from test_types import FREE2, FREE3, WIRES2, WIRES3
 
 
 def resumed(plan: Plan, folder: Path, file: Path | None = None) -> Run:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import xarray
 from helpers import Measured, Part, plan_of
-from native_build import built, needs_gcc
+from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
@@ -27,7 +27,6 @@ from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.selection import select_recorded
 from test_session import ALGORITHMS, car
-from test_types import FREE2, FREE3, WIRES2, WIRES3
 
 PEAK = """
 import resource, subprocess, sys

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import Measured, column, last, read_system
-from native_build import built, needs_gcc
+from native_build import FREE2, built, needs_gcc
 from rovbrush.orchestrator.loop.lookup import held_at, mean_over, value_at
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
@@ -18,7 +18,6 @@ from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.series_file import with_files
 from series_cases import CONTROLLER, ROWS, VALUES, one, planned
-from test_types import FREE2
 
 CAR = {"w": ("wheel", "1 ms"), "c": ("chassis", "1 ms")}
 CAR_WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from helpers import FIXTURES, plan_of, run_of, system_text
-from native_build import built, needs_gcc
+from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.components.build import build
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
@@ -18,7 +18,6 @@ from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system
-from test_types import FREE2, FREE3, WIRES2, WIRES3
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c"}
