@@ -18,14 +18,13 @@ from typing import Any
 from .clock import duration
 from .errors import InputError
 from .plan.explain import explain
-from .plan.plan import Plan, make_plan
-from .results.requested import check_reporting
+from .plan.plan import Plan
 from .results.result import Result
+from .run.planned import planned
 from .run.stepping import Stepping, Time
+from .system.assemble import assemble
 from .system.changes import Changes
 from .system.model import System
-from .system.reader import load_system
-from .system.selection import select_recorded
 from .system.series_file import with_files, with_inputs
 
 Inputs = Mapping[str, Any] | str | Path
@@ -53,9 +52,8 @@ def load(
     changes = Changes(
         _paths(replacements), _paths(mappings), tuple((key, str(value)) for key, value in (periods or {}).items())
     )
-    system = load_system(str(name), Path(fmus) if fmus else None, step, str(stop))
-    system = changes.apply(system)
-    return Model(select_recorded(system, record) if record else system).stopping(stop)
+    folder = Path(fmus) if fmus else None
+    return Model(assemble(str(name), {}, str(stop), folder, changes, step=step, record=record))
 
 
 def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:
@@ -74,9 +72,7 @@ class Model:
         """What a run does, checked. Raises InputError."""
         if self._planned is not None:
             return replace(self._planned, system=self.system)
-        plan = make_plan(self.system)
-        check_reporting({".".join(key) for group in plan.groups for key in group.columns}, self.system)
-        return plan
+        return planned(self.system)
 
     def set(self, name: str | Mapping[str, object], value: object = None) -> Model:
         """With a parameter, or an input that nothing drives: `set("motor.R", 0.1)`, `set({"motor.R": 0.1, ...})`.

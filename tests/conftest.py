@@ -15,8 +15,9 @@ from rovbrush.components.native.compile import PLATFORMS
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 
 MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
 FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
@@ -75,7 +76,7 @@ def measured(request: pytest.FixtureRequest) -> Measured:
 @pytest.fixture(scope="session")
 def nominal_plan(fmus: Path) -> Plan:
     """The nominal system, planned and run once for all tests of the whole system."""
-    return planned("nominal", {}, fmus=fmus)
+    return planned(assemble("nominal", {}, fmus=fmus))
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from ..errors import InputError
-from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app, assignments
+from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
 
 
 @app.command()
@@ -74,11 +74,12 @@ def export(
 ) -> None:
     """Write a whole system as one file for other tools."""
     from ..exchange.export import export_container, export_ssp
-    from ..studies.single import planned
+    from ..run.planned import planned
+    from ..system.assemble import assemble, assignments
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")
-    plan = planned(system, assignments(set_), stop, fmus, step=step)
+    plan = planned(assemble(system, assignments(set_), stop, fmus, step=step))
     if ssp:
         export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
     else:

@@ -7,8 +7,6 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError
-
 app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
@@ -51,17 +49,3 @@ StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for 
 StepOption = Annotated[
     str, typer.Option("--step", metavar="TIME", help="The period of components for which an SSP states none.")
 ]
-
-
-def assignments(options: list[str]) -> dict[str, object]:
-    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError."""
-    values: dict[str, object] = {}
-    for option in options:
-        name, equals, text = option.partition("=")
-        if not equals or "." not in name:
-            raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
-        text = text.strip()
-        if text.startswith("[") != text.endswith("]"):
-            raise InputError(f"--set {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
-        values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
-    return values

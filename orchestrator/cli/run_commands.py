@@ -22,7 +22,6 @@ from .options import (
     StopOption,
     SystemName,
     app,
-    assignments,
 )
 
 
@@ -92,13 +91,12 @@ def plan(
     from ..plan.explain import explain
     from ..plan.plan import make_plan
     from ..run.rehearsal import loop_residuals
-    from ..system.changes import changes_of
-    from ..system.reader import load_system
-    from ..system.series_file import with_files
+    from ..system.assemble import assemble_request
+    from ..system.request import Request
 
-    changed = changes_of(replace, map_, period).apply(load_system(system, fmus, step))
-    changed = with_files(changed.with_values(assignments(set_), "--set"), input_)
-    planned = make_plan(changed)
+    request = Request(system, set_=tuple(set_), replace=tuple(replace), map_=tuple(map_), period=tuple(period),
+                      step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)))  # fmt: skip
+    planned = make_plan(assemble_request(request))
     print(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
         print(f"\nat time 0, {loop}: residual {residual:.3g}, relative to the inputs")

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from ..system.assemble import assignments
 from .options import (
     FmusOption,
     MapOption,
@@ -17,7 +18,6 @@ from .options import (
     StopOption,
     SystemName,
     app,
-    assignments,
 )
 
 

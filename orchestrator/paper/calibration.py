@@ -16,8 +16,9 @@ from ..files import prepare_folder, write_file
 from ..plan.plan import make_plan
 from ..results.summary import summarize
 from ..results.tables import require_complete
+from ..run.planned import planned
 from ..run.simulation import simulate
-from ..studies.single import planned
+from ..system.assemble import assemble
 from ..system.model import System
 from ..system.reader import SYSTEMS
 
@@ -43,7 +44,7 @@ def calibrate(out: Path | None, fmus: Path | None) -> Fit:
         specification = tomllib.load(file)
     target_file = out or SYSTEMS / specification["write"]
     prepare_folder(target_file.parent)
-    system = planned(specification["system"], {}, fmus=fmus).system
+    system = planned(assemble(specification["system"], {}, fmus=fmus)).system
     ((rung, candidates),) = specification["ladder"].items()
     start = {name: entry["start"] for name, entry in specification["free"].items()}
     best = None

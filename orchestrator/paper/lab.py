@@ -14,8 +14,9 @@ from ..results.files import plain_value
 from ..results.signals import Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete
+from ..run.planned import planned
 from ..run.simulation import simulate
-from ..studies.single import planned
+from ..system.assemble import assemble
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ class Lab:
             self.used.append(command)
         if command not in self._cases:
             self.report(command)
-            run = require_complete(simulate(planned(system, values or {}, stop, self.fmus)))
+            run = require_complete(simulate(planned(assemble(system, values or {}, stop, self.fmus))))
             self._cases[command] = Case(run, Signals(run), summarize(run), command)
         return self._cases[command]
 

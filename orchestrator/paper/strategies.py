@@ -21,8 +21,9 @@ from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete
+from ..run.planned import planned
 from ..run.simulation import simulate
-from ..studies.single import planned
+from ..system.assemble import assemble
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,7 +56,7 @@ def strategies(out: Path, values: Mapping[str, object], fmus: Path | None) -> di
     for name in SYSTEMS:
         runs: dict[str, Run] = {}
         for mode, label in enumerate(MODES):
-            plan = planned(name, {**values, "controller.mode": mode}, fmus=fmus)
+            plan = planned(assemble(name, {**values, "controller.mode": mode}, fmus=fmus))
             with progress(float(plan.system.stop), f"{name}, {label}") as report:
                 runs[label] = require_complete(simulate(plan, progress=report))
         found[name] = {label: merits(run) for label, run in runs.items()}

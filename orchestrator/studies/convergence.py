@@ -26,9 +26,10 @@ from ..results.plots import new_figure
 from ..results.signals import Signals
 from ..results.summary import summarize
 from ..results.tables import require_complete
+from ..run.planned import planned
 from ..run.simulation import simulate
+from ..system.assemble import assemble
 from ..system.changes import UNCHANGED, Changes
-from .single import planned
 
 BOUND = 0.005  # largest relative change of a mean when every period is halved
 LEAST_ORDER = 0.3  # below it the differences do not shrink in earnest
@@ -43,7 +44,7 @@ def converge(name: str, out: Path, fmus: Path | None, changes: Changes = UNCHANG
     Returns the rows of the means. Raises RunError if one of them changes by more than BOUND, InputError for a system
     whose steps no period decides.
     """
-    base = planned(name, {}, fmus=fmus, changes=changes)
+    base = planned(assemble(name, {}, fmus=fmus, changes=changes))
     if base.adaptive:
         raise InputError(f"{base.system.path.name}: with algorithm 'ecco' the tolerances decide the steps, not periods")
     prepare_folder(out)

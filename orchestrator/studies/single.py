@@ -3,81 +3,34 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import fields, replace
 from math import ceil
 from pathlib import Path
 
 from ..cli.console import console, print_comparison, print_notes, print_summary, progress
-from ..cli.options import assignments
 from ..clock import duration
-from ..errors import InputError, RovbrushError, RunError, nearest
+from ..errors import InputError, RovbrushError, RunError
 from ..exchange.recordings.write import write_boundary
 from ..files import prepare_folder
-from ..plan.plan import Plan, make_plan
+from ..plan.plan import Plan
 from ..results.energy import require_energy
 from ..results.files import write_results
-from ..results.requested import check_reporting
 from ..results.summary import comparison, summarize
 from ..results.tables import Run
 from ..run.checkpoint import Checkpoint, read_checkpoint, unserializable, write_checkpoint
 from ..run.fingerprint import require_unchanged
 from ..run.interrupt import stop_on_interrupt
+from ..run.planned import planned
 from ..run.recorder import IN_MEMORY
 from ..run.session import Session
-from ..system.changes import UNCHANGED, Changes, changes_of
-from ..system.reader import load_system
+from ..system.assemble import assemble_request
 from ..system.request import Request
-from ..system.selection import select_recorded
-from ..system.series_file import with_files
-
-
-def planned(
-    name: str,
-    values: Mapping[str, object],
-    stop: str = "",
-    fmus: Path | None = None,
-    changes: Changes = UNCHANGED,
-    boundaries: Sequence[str] = (),
-    step: str = "",
-    record: Sequence[str] = (),
-    inputs: Sequence[Path] = (),
-) -> Plan:
-    """Load a system, apply changes, values and a stop time, plan it and check what it wants reported.
-
-    `boundaries`: components of which every input and output is recorded. `step`: see `load_system`. `record`: patterns
-    of what is recorded instead of what the system says. `inputs`: CSV files whose columns inputs follow. Raises
-    InputError.
-    """
-    system = changes.apply(load_system(name, fmus, step, stop)).with_values(values, "--set")
-    system = with_files(system, inputs)
-    if record:
-        system = select_recorded(system, record)
-    for component in boundaries:
-        if component not in system.components:
-            raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
-    system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
-    if stop:
-        system = replace(system, stop=duration(stop, "--stop"))
-    plan = make_plan(system)
-    if boundaries and plan.adaptive:
-        raise InputError(f"--record-boundary needs steps of one length; with algorithm 'ecco' they vary ({name})")
-    check_reporting({".".join(key) for group in plan.groups for key in group.columns}, system)
-    return plan
-
-
-def plan_of(request: Request) -> Plan:
-    """The plan of what was asked for. Raises InputError."""
-    changes = changes_of(request.replace, request.map_, request.period)
-    return planned(
-        request.system, assignments(list(request.set_)), request.stop, Path(request.fmus) if request.fmus else None,
-        changes, request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)),
-    )  # fmt: skip
 
 
 def run_system(request: Request, out: Path, check: bool) -> None:
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = plan_of(request)
+    plan = planned(assemble_request(request))
     times = checkpoint_ticks(plan, request.checkpoint)
     prepare_folder(out)
     print_notes(plan.system)
@@ -99,7 +52,7 @@ def resume_system(folder: Path, asked: Request, check: bool) -> None:
     except ValueError:
         raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
     request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
-    plan = plan_of(request)
+    plan = planned(assemble_request(request))
     require_unchanged(checkpoint.unchanged, plan)
     times = checkpoint_ticks(plan, request.checkpoint)
     prepare_folder(folder, "--resume")

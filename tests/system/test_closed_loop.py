@@ -17,8 +17,9 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.reader import load_system
 
 Table = dict[str, dict[str, dict[str, float]]]
@@ -27,7 +28,7 @@ PID, FEEDFORWARD, FORCE = MODES
 
 @pytest.fixture(scope="module")
 def hull_pass(fmus: Path) -> Run:
-    return require_complete(simulate(planned("hull_pass", {}, fmus=fmus)))
+    return require_complete(simulate(planned(assemble("hull_pass", {}, fmus=fmus))))
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +101,7 @@ def test_ledger_of_the_coupling_is_what_the_components_disagree_by(hull_pass: Ru
 
 def test_halving_the_periods_changes_the_pass_little(fmus: Path, measured: Measured) -> None:
     # The transient of touching and the edge of the slime are in the window, not only the steady force.
-    system = planned("fouling_patch", {}, "13 s", fmus).system
+    system = planned(assemble("fouling_patch", {}, "13 s", fmus)).system
     runs = [
         Signals(require_complete(simulate(make_plan(system.with_periods(f))))) for f in (Fraction(1), Fraction(1, 2))
     ]
@@ -166,7 +167,7 @@ def test_averaged_force_of_a_constant_is_that_constant(passed: Signals) -> None:
 
 
 def test_without_thrust_the_vehicle_leaves_the_hull(fmus: Path, measured: Measured) -> None:
-    run = require_complete(simulate(planned("no_thrust", {}, fmus=fmus)))
+    run = require_complete(simulate(planned(assemble("no_thrust", {}, fmus=fmus))))
     summary = summarize(run)
     measured("no_thrust: time in contact [s]", summary["contact_time"], "0.5")
     measured("no_thrust: distance from the hull after 10 s [m]", -summary["delta_end"], "0.1")
@@ -178,7 +179,7 @@ def test_without_thrust_the_vehicle_leaves_the_hull(fmus: Path, measured: Measur
 def test_constant_speed_overestimates_friction_that_rises(fmus: Path, measured: Measured) -> None:
     def friction(system: str, scale: float) -> tuple[float, float]:
         values = {"brush.friction_scale": scale}
-        summary = summarize(require_complete(simulate(planned(system, values, "5 s", fmus))))
+        summary = summarize(require_complete(simulate(planned(assemble(system, values, "5 s", fmus)))))
         return summary["F_x_mean"], summary["T_brush_mean"]
 
     for scale, low, high in ((1.0, -0.01, 0.01), (2.0, 0.05, 0.30)):
@@ -192,9 +193,9 @@ def test_constant_speed_overestimates_friction_that_rises(fmus: Path, measured: 
 
 def test_start_inside_the_hull_is_refused_before_time_zero(fmus: Path) -> None:
     with pytest.raises(InputError, match=r"starts inside the hull.*vehicle.delta = 0.025 m at time 0.*hull_pass.toml"):
-        simulate(planned("hull_pass", {"vehicle.position_start": [0.0, 0.0, 0.02]}, fmus=fmus))
+        simulate(planned(assemble("hull_pass", {"vehicle.position_start": [0.0, 0.0, 0.02]}, fmus=fmus)))
     with pytest.raises(InputError, match=r"starts inside the hull"):
-        simulate(planned("fouling_patch", {"vehicle.hull_point": [0.0, 0.0, 0.3]}, fmus=fmus))
+        simulate(planned(assemble("fouling_patch", {"vehicle.hull_point": [0.0, 0.0, 0.3]}, fmus=fmus)))
 
 
 @pytest.mark.parametrize(
@@ -221,4 +222,4 @@ def test_slips_in_the_system_file_are_found_before_the_run(
     (tmp_path / "calibrated.toml").write_bytes((shipped.parent / "calibrated.toml").read_bytes())
     (tmp_path / "case.toml").write_text(text.replace(old, new), encoding="utf-8")
     with pytest.raises(InputError, match=message):
-        planned(str(tmp_path / "case.toml"), {}, fmus=fmus)
+        planned(assemble(str(tmp_path / "case.toml"), {}, fmus=fmus))

@@ -16,8 +16,9 @@ from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.changes import Changes, changes_of
 
 MOTOR_MAP = FIXTURES / "modelica" / "map.toml"
@@ -43,11 +44,11 @@ def test_the_modelica_motor_is_ours_within_its_solver_error(
 
     What is left when the error is extrapolated to a step of zero bounds every other difference between the two.
     """
-    wanted = Signals(require_complete(simulate(planned("nominal", {}, STOP, fmus))))
+    wanted = Signals(require_complete(simulate(planned(assemble("nominal", {}, STOP, fmus)))))
     found = {
         substeps: Signals(
             require_complete(
-                simulate(planned("nominal", {"motor.R": 0.08}, STOP, fmus, motor(modelica_motor(substeps))))
+                simulate(planned(assemble("nominal", {"motor.R": 0.08}, STOP, fmus, motor(modelica_motor(substeps)))))
             )
         )
         for substeps in (10, 20, 40)
@@ -70,7 +71,7 @@ def test_the_modelica_motor_is_ours_within_its_solver_error(
 def test_a_recording_of_ours_judges_the_modelica_motor(
     modelica_motor: Callable[[int], Path], fmus: Path, tmp_path: Path
 ) -> None:
-    run = require_complete(simulate(planned("nominal", {}, "500 ms", fmus, boundaries=("motor",))))
+    run = require_complete(simulate(planned(assemble("nominal", {}, "500 ms", fmus, boundaries=("motor",)))))
     write_boundary(run, "motor", tmp_path)
     verdicts = replay(modelica_motor(10), tmp_path, mapping=MOTOR_MAP, rtol=0.02)  # of the current's switch-on peak
     assert {v.output for v in verdicts} == {"i", "omega_b", "P_copper"}
@@ -84,7 +85,7 @@ def test_a_controller_at_half_the_rate_flies_the_approach(fmus: Path, tmp_path: 
     changes = changes_of(
         [f"controller={fmu}"], [f"controller={FIXTURES / 'foreign_controller.toml'}"], ["controller=10 ms"]
     )
-    plan = planned("hull_pass", {}, "14 s", fmus, changes)
+    plan = planned(assemble("hull_pass", {}, "14 s", fmus, changes))
     assert plan.clock.periods["controller"] == 2 * plan.clock.periods["vehicle"] and "controller" in plan.samplers
     run = require_complete(simulate(plan))
     signals, summary = Signals(run), summarize(run)

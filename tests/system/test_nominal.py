@@ -22,9 +22,10 @@ from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import comparison, summarize
 from rovbrush.orchestrator.results.tables import Run, require_complete
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.convergence import converge
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 
 KEYS = (
     "F_z_mean", "F_x_mean", "T_brush_mean", "omega_b_mean", "pitch_rate_mean", "pitch_rate_peak", "blade_pass_hz",
@@ -102,7 +103,7 @@ def test_coupling_makes_and_loses_hardly_any_energy(summary: dict[str, Any], mea
 
 
 def test_no_load_speed_is_that_of_the_circuit(fmus: Path, measured: Measured) -> None:
-    run = require_complete(simulate(planned("no_load", {}, fmus=fmus)))
+    run = require_complete(simulate(planned(assemble("no_load", {}, fmus=fmus))))
     motor = run.plan.system.components["motor"]
     start = {name: motor.fmu.variables[name].start for name in motor.fmu.names("parameter")} | motor.parameters
     K_t, K_e, R, B_m = (float(start[name]) for name in ("K_t", "K_e", "R", "B_m"))

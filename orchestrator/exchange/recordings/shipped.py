@@ -12,8 +12,9 @@ from pathlib import Path
 
 from ...errors import RovbrushError
 from ...results.tables import require_complete
+from ...run.planned import planned
 from ...run.simulation import simulate
-from ...studies.single import planned
+from ...system.assemble import assemble
 from .write import write_boundary
 
 RUNS = Path(__file__).with_suffix(".toml")
@@ -26,7 +27,9 @@ def record_all(fmus: Path, folder: Path) -> list[Path]:
     paths = []
     for case in tomllib.loads(RUNS.read_text(encoding="utf-8"))["run"]:
         record: dict[str, str] = case["record"]
-        plan = planned(case["system"], case.get("set", {}), case["stop"], fmus, boundaries=tuple(record.values()))
+        plan = planned(
+            assemble(case["system"], case.get("set", {}), case["stop"], fmus, boundaries=tuple(record.values()))
+        )
         run = require_complete(simulate(plan))
         for fmu, component in record.items():
             paths += write_boundary(run, component, folder, fmu)

@@ -16,7 +16,6 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from ...clock import duration
 from ...errors import InputError, RunError
 from ...plan.plan import Plan, make_plan
 from ...process import peak_memory
@@ -24,9 +23,9 @@ from ...results.energy import require_energy
 from ...results.summary import check_summary, figure_units, summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
+from ...system.assemble import assemble
 from ...system.changes import UNCHANGED, Changes
 from ...system.model import System
-from ...system.reader import load_system
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads
@@ -48,10 +47,7 @@ class Job:
 @lru_cache(maxsize=4)
 def load(job: Job) -> Plan:
     """The plan of a job, recording only what its figures of merit need. Raises InputError, FmuError, RunError."""
-    system = job.changes.apply(load_system(job.system, Path(job.fmus) if job.fmus else None))
-    system = system.with_values(dict(job.values), "--set")
-    if job.stop:
-        system = replace(system, stop=duration(job.stop, "--stop"))
+    system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
     summary = {**system.reporting["summary"], **dict(job.figures)}
     system = replace(system, reporting={**system.reporting, "summary": summary})
     if job.digest and digest(system) != job.digest:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.run.planned import planned
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.reader import SYSTEMS, shipped_systems
 
 MORE = """
@@ -52,14 +53,14 @@ def test_a_slip_in_what_is_to_be_reported_is_found_before_the_run(slip: str, tmp
     (tmp_path / "calibrated.toml").write_bytes((SYSTEMS / "calibrated.toml").read_bytes())
     path = tmp_path / "case.toml"
     path.write_text(text, encoding="utf-8")
-    planned(str(path), {}, fmus=fmus)
+    planned(assemble(str(path), {}, fmus=fmus))
     assert old in text
     path.write_text(text.replace(old, new), encoding="utf-8")
     with pytest.raises(InputError) as error:
-        planned(str(path), {}, fmus=fmus)
+        planned(assemble(str(path), {}, fmus=fmus))
     assert str(error.value).startswith("case.toml: ") and hint in str(error.value)
 
 
 @pytest.mark.parametrize("name", shipped_systems())
 def test_what_the_shipped_systems_report_can_be_made(name: str, fmus: Path) -> None:
-    planned(name, {}, fmus=fmus)
+    planned(assemble(name, {}, fmus=fmus))

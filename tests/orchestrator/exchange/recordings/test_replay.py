@@ -17,8 +17,9 @@ from rovbrush.orchestrator.exchange.recordings.read import read_recording
 from rovbrush.orchestrator.exchange.recordings.replay import replay
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.changes import changes_of
 
 PARTS = {
@@ -153,7 +154,7 @@ def test_a_native_controller_repeats_the_bits_of_the_python_one(
     version: str, native: Path, fmus: Path, tmp_path: Path
 ) -> None:
     """It samples, and in FMI 3.0 its vectors are arrays."""
-    run = require_complete(simulate(planned("nominal", {}, "200 ms", fmus, boundaries=("controller",))))
+    run = require_complete(simulate(planned(assemble("nominal", {}, "200 ms", fmus, boundaries=("controller",)))))
     write_boundary(run, "controller", tmp_path)
     verdicts = replay(native / version / "rov_controller.fmu", tmp_path, rtol=0.0)
     assert {v.text for v in verdicts} == {"equal"}
@@ -170,7 +171,7 @@ def test_what_a_foreign_fmu_did_in_the_loop_replays_with_its_own_mapping(fmus: P
         "[variables]\nu = ''\nk = ''\ny = { sign = -1 }\n[inputs]\nforce = 3.0\n[parameters]\nfactor = 4.0\n"
     )
     changes = changes_of([f"g={fmu}"], [f"g={tmp_path / 'map.toml'}"], [])
-    plan = planned(str(tmp_path / "case.toml"), {}, "", fmus, changes, boundaries=("g",))
+    plan = planned(assemble(str(tmp_path / "case.toml"), {}, "", fmus, changes, boundaries=("g",)))
     write_boundary(require_complete(simulate(plan)), "g", tmp_path)
     verdicts = replay(fmu, tmp_path, mapping=tmp_path / "map.toml", rtol=0.0)
     assert {v.text for v in verdicts} == {"equal"} and verdicts[0].scale == 12.01

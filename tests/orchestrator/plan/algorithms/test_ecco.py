@@ -15,8 +15,9 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
+from rovbrush.orchestrator.system.assemble import assemble
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c", "sign": -1.0}
@@ -138,4 +139,4 @@ def test_a_boundary_cannot_be_recorded_where_steps_vary(tmp_path: Path, fmus: Pa
     parts = {"w": ("wheel", "2 ms"), "c": ("chassis", "2 ms")}
     read_system(tmp_path, fmus, parts, WIRES, algorithm="ecco", bonds=[BOND])
     with pytest.raises(InputError, match="--record-boundary needs steps of one length"):
-        planned(str(tmp_path / "case.toml"), {}, fmus=fmus, boundaries=("w",))
+        planned(assemble(str(tmp_path / "case.toml"), {}, fmus=fmus, boundaries=("w",)))

@@ -11,12 +11,13 @@ import xarray
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.results.summary import figure_units, summarize
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.single import planned
 from rovbrush.orchestrator.studies.sweep.design import make_design
 from rovbrush.orchestrator.studies.sweep.file import shipped_sweeps, sweep_file
 from rovbrush.orchestrator.studies.sweep.point import Job, load, needed
 from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from sweep_cases import design_of, plain_case, rovbrush
@@ -86,8 +87,8 @@ def test_results_are_those_of_single_runs_whatever_the_number_of_workers(fmus: P
         assert result.F_z_mean.dims == ("brush.delta", "motor.V_in") and result.F_z_mean.attrs["units"] == "N"
         assert result["brush.delta"].attrs["units"] == "m" and result.attrs["complete"] == 1
         values = {"brush.delta": 0.005, "motor.V_in": 10.0}
-        alone = summarize(simulate(planned("test_stand", values, "100 ms", fmus)))
-        for name in figure_units(planned("test_stand", {}, fmus=fmus).system):
+        alone = summarize(simulate(planned(assemble("test_stand", values, "100 ms", fmus))))
+        for name in figure_units(planned(assemble("test_stand", {}, fmus=fmus)).system):
             assert float(result.sel(values)[name]) == alone[name], name
 
 
