@@ -18,10 +18,10 @@ from rovbrush.orchestrator.studies import single
 # The command with progress lines at every look, so that a test sees when the run is under way.
 COMMAND = """
 import sys
-from rovbrush.orchestrator import cli, console
+from rovbrush.orchestrator.cli import console, main
 console.PLAIN_INTERVAL = 0.0
 sys.argv[0] = "rovbrush"
-cli.main()
+main.main()
 """
 
 
