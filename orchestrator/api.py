@@ -23,8 +23,8 @@ from .results.result import Result
 from .run.planned import planned
 from .run.stepping import Stepping, Time
 from .system.assemble import assemble
-from .system.changes import Changes
 from .system.model import System
+from .system.request import Changes
 from .system.series_file import with_files, with_inputs
 
 Inputs = Mapping[str, Any] | str | Path

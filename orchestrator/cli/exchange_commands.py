@@ -75,7 +75,8 @@ def export(
     """Write a whole system as one file for other tools."""
     from ..exchange.export import export_container, export_ssp
     from ..run.planned import planned
-    from ..system.assemble import assemble, assignments
+    from ..system.assemble import assemble
+    from ..system.request import assignments
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")

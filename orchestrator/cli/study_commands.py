@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..system.assemble import assignments
+from ..system.request import assignments
 from .options import (
     FmusOption,
     MapOption,
@@ -45,7 +45,7 @@ def converge(
 ) -> None:
     """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
     from ..studies.convergence import converge as study
-    from ..system.changes import changes_of
+    from ..system.request import changes_of
 
     study(system, out, fmus, changes_of(replace, map_, period))
 
@@ -96,7 +96,7 @@ def sweep(
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
     from ..studies.sweep.sweep import Options
     from ..studies.sweep.sweep import sweep as run_sweep
-    from ..system.changes import changes_of
+    from ..system.request import changes_of
 
     changes = changes_of(replace, map_, period)
     options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes)

@@ -11,7 +11,7 @@ from ..clock import Clock
 from ..fmu.fmu import Fmu
 from ..fmu.types import GROUPED
 from ..system.model import Bond, Connection, System
-from ..system.selection import matches
+from ..system.recorded import matches
 from .formulas import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable

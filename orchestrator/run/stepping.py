@@ -14,7 +14,7 @@ from ..errors import InputError, RunError, nearest
 from ..loop.execute import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
-from ..system.selection import matches
+from ..system.recorded import matches
 from .interrupt import stop_on_interrupt
 from .ports import reader_of, writer_of
 from .session import Session

@@ -29,7 +29,7 @@ from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate
 from ..system.assemble import assemble
-from ..system.changes import UNCHANGED, Changes
+from ..system.request import UNCHANGED, Changes
 
 BOUND = 0.005  # largest relative change of a mean when every period is halved
 LEAST_ORDER = 0.3  # below it the differences do not shrink in earnest

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 from ..clock import duration
 from ..errors import InputError, nearest
-from .changes import UNCHANGED, Changes, changes_of
+from ..fmu.fmu import Fmu
 from .model import System
 from .reader import load_system
-from .request import Request
-from .selection import select_recorded
+from .recorded import select_recorded
+from .replace.mapping import VariableMapping, load_mapping
+from .replace.view import replace_component
+from .request import UNCHANGED, Changes, Request, assignments, changes_of
 from .series_file import with_files
 
 
@@ -34,7 +37,7 @@ def assemble(
     recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the system says.
     `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
-    system = changes.apply(load_system(name, fmus, step, stop)).with_values(values or {}, "--set")
+    system = apply_changes(load_system(name, fmus, step, stop), changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
     if record:
         system = select_recorded(system, record)
@@ -56,15 +59,24 @@ def assemble_request(request: Request) -> System:
     )  # fmt: skip
 
 
-def assignments(options: Sequence[str]) -> dict[str, object]:
-    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError."""
-    values: dict[str, object] = {}
-    for option in options:
-        name, equals, text = option.partition("=")
-        if not equals or "." not in name:
-            raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
-        text = text.strip()
-        if text.startswith("[") != text.endswith("]"):
-            raise InputError(f"--set {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
-        values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
-    return values
+def apply_changes(system: System, changes: Changes) -> System:
+    """With other FMUs in the place of components, and other periods. Raises InputError or FmuError."""
+    fmus, mappings = dict(changes.fmus), dict(changes.mappings)
+    for option, pairs in (("--period", changes.periods), ("--replace", changes.fmus), ("--map", changes.mappings)):
+        for name, _ in pairs:
+            if name not in system.components:
+                raise InputError(f"{option}: no component '{name}'{nearest(name, system.components)}")
+    periods = {name: duration(text, f"--period {name}") for name, text in changes.periods}
+    for name in mappings.keys() - fmus.keys():
+        raise InputError(f"--map {name}: nothing replaces {name}; give --replace {name}=their.fmu too")
+    for name, path in fmus.items():
+        mapping = load_mapping(Path(mappings[name])) if name in mappings else VariableMapping()
+        system = replace_component(system, name, Fmu.open(Path(path)), mapping)
+    return _with_periods(system, periods)
+
+
+def _with_periods(system: System, periods: Mapping[str, Fraction]) -> System:
+    """With other periods; a stated order goes on putting fast before slow."""
+    components = {name: replace(c, period=periods.get(name, c.period)) for name, c in system.components.items()}
+    order = tuple(sorted(system.order, key=lambda name: components[name].period))
+    return replace(system, components=components, order=order if periods else system.order)

@@ -1,16 +1,19 @@
-"""What `rovbrush run` was asked for, as it was written: kept with a checkpoint, so that the run can go on."""
+"""What is asked for this time, as it is written on the command line, and what it means; see `assemble`."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
+from ..errors import InputError
+
 
 @dataclass(frozen=True)
 class Request:
-    """The options of the command; texts, tuples where they are repeatable."""
+    """The options of `rovbrush run`: texts, tuples where they are repeatable. Kept with a checkpoint, so that the run
+    can go on."""
 
     system: str
     set_: tuple[str, ...] = ()
@@ -52,3 +55,50 @@ def _absolute(text: str) -> str:
     """`motor=their.fmu` with its path absolute."""
     name, equals, path = text.partition("=")
     return f"{name}{equals}{Path(path.strip()).absolute()}" if equals else text
+
+
+@dataclass(frozen=True)
+class Changes:
+    """By component: the FMU that replaces it, its mapping file, its period as text. Hashable, small to send."""
+
+    fmus: tuple[tuple[str, str], ...] = ()  # absolute paths
+    mappings: tuple[tuple[str, str], ...] = ()
+    periods: tuple[tuple[str, str], ...] = ()
+
+
+UNCHANGED = Changes()
+
+
+def changes_of(replacements: Iterable[str], mappings: Iterable[str], periods: Iterable[str]) -> Changes:
+    """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms"`. Raises InputError."""
+    return Changes(
+        _pairs("--replace", replacements, "motor=their.fmu", paths=True),
+        _pairs("--map", mappings, "motor=map.toml", paths=True),
+        _pairs("--period", periods, 'motor="1 ms"'),
+    )
+
+
+def _pairs(option: str, texts: Iterable[str], example: str, paths: bool = False) -> tuple[tuple[str, str], ...]:
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, value = (part.strip() for part in text.partition("="))
+        if not (name and equals and value):
+            raise InputError(f"{option} {text}: write component=value, for instance {option} {example}")
+        if name in found:
+            raise InputError(f"{option} {text}: {name} has {found[name]} already")
+        found[name] = str(Path(value).absolute()) if paths else value
+    return tuple(found.items())
+
+
+def assignments(options: Sequence[str]) -> dict[str, object]:
+    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError."""
+    values: dict[str, object] = {}
+    for option in options:
+        name, equals, text = option.partition("=")
+        if not equals or "." not in name:
+            raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
+        text = text.strip()
+        if text.startswith("[") != text.endswith("]"):
+            raise InputError(f"--set {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
+        values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
+    return values

@@ -19,7 +19,7 @@ from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.changes import Changes, changes_of
+from rovbrush.orchestrator.system.request import Changes, changes_of
 
 MOTOR_MAP = FIXTURES / "modelica" / "map.toml"
 WATCHED = ("motor.omega_b", "motor.i", "brush.F_z", "brush.T_brush")

@@ -24,8 +24,8 @@ from ...results.summary import check_summary, figure_units, summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble
-from ...system.changes import UNCHANGED, Changes
 from ...system.model import System
+from ...system.request import UNCHANGED, Changes
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads

@@ -16,7 +16,7 @@ from ...cli.console import console, print_notes, progress
 from ...errors import InputError, RunError
 from ...files import prepare_folder
 from ...results.summary import figure_units
-from ...system.changes import UNCHANGED, Changes
+from ...system.request import UNCHANGED, Changes
 from .design import Design, make_design, vary_entries
 from .file import sweep_file
 from .point import Job, digest, load

@@ -10,8 +10,9 @@ import pytest
 from helpers import edited, read_system, system_text
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.system.changes import changes_of
+from rovbrush.orchestrator.system.assemble import apply_changes
 from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.request import changes_of
 
 PARTS = {
     "w": ("wave", "10 ms", {"c0": 0.3, "a": 2.0, "w": 9.0}),
@@ -34,7 +35,7 @@ def planned(
         [f"g={tmp_path / 'map.toml'}"] if mapping else [],
         [f"g={period}"] if period else [],
     )
-    return make_plan(changes.apply(load_system(str(tmp_path / "case.toml"), fmus)))
+    return make_plan(apply_changes(load_system(str(tmp_path / "case.toml"), fmus), changes))
 
 
 RENAMED = {'name="u"': 'name="force"', 'name="y"': 'name="thrust"'}
@@ -107,5 +108,5 @@ def test_wrong_options_are_refused(
     path = tmp_path / "case.toml"
     path.write_text(system_text(PARTS, WIRES), encoding="utf-8")
     with pytest.raises(RovbrushError) as refused:
-        changes_of(replace, maps, periods).apply(load_system(str(path), fmus))
+        apply_changes(load_system(str(path), fmus), changes_of(replace, maps, periods))
     assert all(word in str(refused.value) for word in words), str(refused.value)

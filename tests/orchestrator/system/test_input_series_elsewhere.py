@@ -12,7 +12,8 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.changes import Changes
+from rovbrush.orchestrator.system.assemble import apply_changes
+from rovbrush.orchestrator.system.request import Changes
 from series_cases import ROWS, VALUES, one, planned
 
 
@@ -38,7 +39,7 @@ def test_a_table_reaches_the_fmu_that_replaces_a_component_in_its_direction(tmp_
     system = read_system(tmp_path, fmus, {"i": ("integrator", "2 ms", {"=u": entry})}, stop="20 ms")
     (tmp_path / "map.toml").write_text('[variables]\nu = { name = "u", sign = -1 }\n')
     same, turned = (
-        Changes((("i", str(fmus / "integrator.fmu")),), mappings).apply(system)
+        apply_changes(system, Changes((("i", str(fmus / "integrator.fmu")),), mappings))
         for mappings in ((), (("i", str(tmp_path / "map.toml")),))
     )
     x, kept, against = (last(simulate(make_plan(s)), "i.x") for s in (system, same, turned))
@@ -49,4 +50,4 @@ def test_a_replaced_component_without_the_input_must_be_said_to_lack_it(tmp_path
     entry = {"time": ROWS, "values": VALUES}
     system = read_system(tmp_path, fmus, {"i": ("integrator", "2 ms", {"=u": entry})}, stop="20 ms")
     with pytest.raises(InputError, match=r"u.*which the system sets to the table in the system file"):
-        Changes((("i", str(fmus / "wave.fmu")),)).apply(system)
+        apply_changes(system, Changes((("i", str(fmus / "wave.fmu")),)))

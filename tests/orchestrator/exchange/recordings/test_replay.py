@@ -20,7 +20,7 @@ from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.changes import changes_of
+from rovbrush.orchestrator.system.request import changes_of
 
 PARTS = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 90.0}),

@@ -13,8 +13,9 @@ from rovbrush.orchestrator.results.energy import ledger
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.changes import changes_of
+from rovbrush.orchestrator.system.assemble import apply_changes
 from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.request import changes_of
 
 PARTS = {
     "w": ("wave", "1 ms", {"c0": 0.3, "a": 2.0, "w": 9.0}),
@@ -37,7 +38,7 @@ def swapped(tmp_path: Path, fmus: Path, xml: dict[str, str], mapping: str, **key
     edited(fmus / "gain.fmu", tmp_path / "their.fmu", {}, xml)
     (tmp_path / "map.toml").write_text(mapping, encoding="utf-8")
     changes = changes_of([f"g={tmp_path / 'their.fmu'}"], [f"g={tmp_path / 'map.toml'}"], [])
-    return make_plan(changes.apply(load_system(str(tmp_path / "case.toml"), fmus)))
+    return make_plan(apply_changes(load_system(str(tmp_path / "case.toml"), fmus), changes))
 
 
 def original(tmp_path: Path, fmus: Path, **keys: object) -> Run:
@@ -118,7 +119,7 @@ def test_reports_that_need_what_they_lack_are_left_out_and_told(tmp_path: Path, 
     edited(fmus / "gain.fmu", tmp_path / "their.fmu", {}, {'name="held"': 'name="warmth"'})
     (tmp_path / "map.toml").write_text("[variables]\nheld = ''\n")
     changes = changes_of([f"g={tmp_path / 'their.fmu'}"], [f"g={tmp_path / 'map.toml'}"], [])
-    changed = changes.apply(load_system(str(path), fmus))
+    changed = apply_changes(load_system(str(path), fmus), changes)
     assert list(changed.reporting["summary"]) == ["mean_y"]
     assert "g: summary mean_held is left out, for want of g.held" in changed.components["g"].notes
 
@@ -133,7 +134,7 @@ def test_a_bond_sees_the_same_power(tmp_path: Path, fmus: Path) -> None:
     plain = load_system(str(path), fmus)
     (tmp_path / "map.toml").write_text("[variables]\nF = { sign = -1 }\nv_c = { sign = -1 }\nz_c = { sign = -1 }\n")
     changes = changes_of([f"c={fmus / 'chassis.fmu'}"], [f"c={tmp_path / 'map.toml'}"], [])
-    runs = [require_complete(simulate(make_plan(system))) for system in (plain, changes.apply(plain))]
+    runs = [require_complete(simulate(make_plan(system))) for system in (plain, apply_changes(plain, changes))]
     energies = [ledger(Signals(run), run.plan.system.bonds[0]) for run in runs]
     # The chassis is linear and starts at rest: mirrored twice it is the same.
     assert energies[0].flow_side == pytest.approx(energies[1].flow_side, rel=1e-12)

@@ -1,4 +1,4 @@
-"""What is recorded, chosen on the command line instead of in the system file."""
+"""Which signals are recorded: patterns of names, and a choice of them in place of the system file's."""
 
 from __future__ import annotations
 
