@@ -1,5 +1,6 @@
 # make run   own virtual environment, install, build the FMUs, nominal run, results/ and the Table 3 comparison
 # make test  the same environment with what the tests need, then all tests and checks
+# make evidence  claims of many thousand cases (tests/evidence/README.md); goes on where it was stopped
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -12,6 +13,9 @@ test: $(VENV)/test.stamp
 	$(BIN)/ruff check .
 	$(BIN)/mypy components orchestrator
 	$(BIN)/python -m pytest
+
+evidence: $(VENV)/test.stamp
+	$(BIN)/python -m tests.evidence
 
 $(VENV)/run.stamp: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -26,4 +30,4 @@ $(VENV)/test.stamp: pyproject.toml
 clean:
 	rm -rf $(VENV) results fmus/*.fmu build *.egg-info
 
-.PHONY: run test clean
+.PHONY: run test evidence clean
