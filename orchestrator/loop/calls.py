@@ -1,6 +1,6 @@
 """FMI functions called by address: through ctypes in plain Python, as direct machine calls under Numba.
 
-Every function here has both lives, so that `execute.run` is one source for the interpreter and the compiled loop.
+Every function here has both lives, so that `run.run` is one source for the interpreter and the compiled loop.
 All addresses are data; one cached compilation serves every system.
 """
 

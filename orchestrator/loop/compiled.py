@@ -1,6 +1,6 @@
 """The compiled life of the loop, and the name under which Numba keeps it.
 
-Numba's cache on disk looks at the date of one file, `execute.py`; other files of the loop may change behind its back.
+Numba's cache on disk looks at the date of one file, `run.py`; other files of the loop may change behind its back.
 So the name of what is compiled holds a hash of all of them: code compiled from other text is never taken.
 """
 
@@ -15,7 +15,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
-from . import execute
+from . import run as loop
 
 IN_CHILD = False  # set in the process that compiles for another
 COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHILD = True; compiled.compiled_run()"
@@ -45,14 +45,14 @@ def loop_hash(top: Path) -> str:
 
 @cache
 def compiled_run() -> Any:
-    """`execute.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system.
+    """`run.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system.
 
     What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it.
     """
     import numba
 
-    name = f"run_{loop_hash(Path(execute.__file__))}"
-    run = FunctionType(execute.run.__code__, vars(execute))
+    name = f"run_{loop_hash(Path(loop.__file__))}"
+    run = FunctionType(loop.run.__code__, vars(loop))
     run.__qualname__ = name
     compiled = numba.njit(cache=True, error_model="numpy")(run)
     if not IN_CHILD and not any(Path(compiled.stats.cache_path or ".").glob(f"*{name}*.nbi")):

@@ -1,7 +1,7 @@
 """What the loop needs to exchange typed values: between the run's vector and the FMI functions.
 
 A component has one block per type and direction: its value references, and its values where the FMU wants them. Doubles
-lie in the run's vector itself; other types in `raw`, packed as in C, and are converted here. Like `execute.run` this is
+lie in the run's vector itself; other types in `raw`, packed as in C, and are converted here. Like `run.run` this is
 one source with two lives.
 """
 
@@ -12,11 +12,9 @@ from numba.extending import register_jitable
 
 from ..fmu.types import BOOLEAN, FLOAT, TEXT
 from .calls import do_step3
+from .cells import AT, BYTES, CODE, DO_STEP, FIRST_SLOT, FLAGS, FLAGS_AT, INSTANCE, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
 
-FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT = range(9)  # columns of `components`
-FUNCTION, REFERENCES, COUNT, VALUES, SIZE, FIRST_SLOT, AT, CODE, BYTES, SIGNED = range(10)  # columns of `blocks`
-IN_PLACE = -1  # AT of a block whose values lie in the run's vector
 EVENT, TERMINATE, EARLY = 16, 17, 18  # what fmi3DoStep reports beside its status
 NO_ROOM = 32  # for another text
 
@@ -43,7 +41,7 @@ def put_whole(raw: np.ndarray, at: int, size: int, value: int) -> None:
 def pack(
     blocks: np.ndarray, m: int, z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, index: np.ndarray
 ) -> None:
-    """The cells of block m as the FMU wants them; arrays as in `execute.run`."""
+    """The cells of block m as the FMU wants them; arrays as in `run.run`."""
     at, first, size, code = blocks[m, AT], blocks[m, FIRST_SLOT], blocks[m, BYTES], blocks[m, CODE]
     for j in range(blocks[m, SIZE]):
         if code == FLOAT:

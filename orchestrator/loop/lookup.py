@@ -1,4 +1,4 @@
-"""Values of a table that is straight between its rows, by functions with two lives like `execute.run`.
+"""Values of a table that is straight between its rows, by functions with two lives like `run.run`.
 
 A table lies in the coefficients from k on: the number of rows n, n times that never fall, n values. Two rows of one
 time are a jump: the second is in force from then on.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from ..clock import Clock
 from ..system.model import Connection, System
 from ..system.series import Series
-from .books import Book
+from .bond_energy import BondEnergy
 from .formulas import Choice
 from .layout import Group, Layout
 from .start import Block
@@ -26,7 +26,7 @@ class Design:
     leaders: tuple[str, ...]  # components that do so because their outputs are interpolated
     rereads: dict[str, str]  # components whose outputs are read at the beginning of a step too, and why
     layout: Layout
-    books: tuple[Book, ...]
+    bonds: tuple[BondEnergy, ...]
     groups: tuple[Group, ...]
     start: tuple[Block, ...]  # the order in which values propagate at time 0
 

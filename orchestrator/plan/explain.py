@@ -8,8 +8,8 @@ from ..clock import seconds_text
 from ..system.series import series_in_words
 from ..system.settings import explain_algorithm
 from .capabilities import remarks
+from .operation_text import OperationText
 from .plan import Plan
-from .words import Words
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:
@@ -76,7 +76,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         f"operations ({total}, every {'macro step' if plan.adaptive else again} again)",
     ]
     shown = plan.cycle[:operations]
-    names = Words(plan)
+    names = OperationText(plan)
     for number, row in enumerate(shown.tolist(), 1):
         at = seconds_text(clock.seconds(row[1])) if row[1] else "0 s"
         lines.append(f"{number:>6} {'end' if plan.adaptive and row[1] else at:>10}  {names.text(row)}")

@@ -11,13 +11,14 @@ from ..system.model import System
 from ..system.series import check_series
 from .algorithms.ecco import AdaptiveSchedule, adaptive_clock, add_times
 from .algorithms.iterated import IteratedSchedule, add_unknowns
-from .books import check_names, make_books
+from .bond_energy import bond_energies, check_names
 from .capabilities import check_capabilities
 from .design import Design
 from .layout import make_groups, make_layout
+from .order import check_leaders, leaders_of, order_of, samplers_of
 from .schedule import Schedule
 from .start import start_order
-from .transfers import check_leaders, choices_of, leaders_of, order_of, rereads_of, samplers_of
+from .transfers import choices_of, rereads_of
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def make_plan(system: System) -> Plan:
     check_leaders(choices, leaders, order)
     rereads = rereads_of(system, choices)
     layout = make_layout(system, choices, rereads)
-    books = make_books(system, clock, layout)
+    bonds = bond_energies(system, clock, layout)
     if system.algorithm == "iterated":
         add_unknowns(system, clock, choices, layout)
     if system.algorithm == "ecco":
@@ -56,7 +57,7 @@ def make_plan(system: System) -> Plan:
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
-    design = Design(system, clock, order, reason, choices, samplers, leaders, rereads, layout, books, groups, start)
+    design = Design(system, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start)
     schedule = {"iterated": IteratedSchedule, "ecco": AdaptiveSchedule}.get(system.algorithm, Schedule)(design)
     cycle = schedule.build()
     return Plan(**vars(design), cycle=cycle, coefficients=np.array(schedule.constants.values))

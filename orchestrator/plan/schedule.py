@@ -96,10 +96,10 @@ class Schedule:
         yield from self.record(tick)
 
     def record(self, tick: int) -> Iterator[Row]:
-        """The books and tables of this instant."""
-        for book in self.design.books:
-            if tick % book.period == 0:
-                yield (LEDGER, tick, -1, book.flow_side, book.made, book.effort_side, book.total, 0)
+        """The energies of the bonds and the tables of this instant."""
+        for bond in self.design.bonds:
+            if tick % bond.period == 0:
+                yield (LEDGER, tick, -1, bond.flow_side, bond.made, bond.effort_side, bond.total, 0)
         for k, group in enumerate(self.design.groups):
             if tick % group.period == 0 and len(group.slots):
                 yield (RECORD, tick, -1, k, 0, 0, 0, 0)
@@ -203,8 +203,8 @@ class Schedule:
 
     def works(self, tick: int, name: str) -> Iterator[Row]:
         """The work of the step that was just done, at every bond of the component."""
-        for book in self.design.books:
-            for side in book.sides:
+        for bond in self.design.bonds:
+            for side in bond.sides:
                 if side.component == name:
                     weights = (-side.sign, side.sign, 1.0)
                     if not side.counter:

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError, nearest
-from ..plan.books import coupling_unit
+from ..plan.bond_energy import coupling_unit
 from ..process import peak_memory
 from ..system.model import System
 from .energy import balance, ledger, over_limits

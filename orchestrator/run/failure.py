@@ -6,10 +6,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..loop import ecco, exchange, execute, iteration
+from ..loop import cells, exchange, iteration
 from ..participant.base import STATUS, Instance
 from ..plan.plan import Plan
-from .workspace import Workspace
+from .algorithm_state import AlgorithmState
 
 REPORTED = {
     exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",
@@ -19,25 +19,25 @@ REPORTED = {
 
 
 def failure_of(
-    plan: Plan, instances: Mapping[str, Instance], code: int, control: np.ndarray, z: np.ndarray, space: Workspace
+    plan: Plan, instances: Mapping[str, Instance], code: int, control: np.ndarray, z: np.ndarray, space: AlgorithmState
 ) -> tuple[float, str]:
-    """The time [s] until which every component is complete, and what happened; arrays as in `execute.run`."""
+    """The time [s] until which every component is complete, and what happened; arrays as in `loop.run`."""
     clock, operations = plan.clock, plan.cycle
-    row = operations[control[execute.AT_OPERATION]]
-    begin = int(control[execute.AT_CYCLE]) * clock.hyperperiod
+    row = operations[control[cells.AT_OPERATION]]
+    begin = int(control[cells.AT_CYCLE]) * clock.hyperperiod
     name = list(plan.system.components)[row[2]]
     ahead = clock.periods[name] if row[2] >= 0 and name in plan.early else 0
     at = clock.time(begin + int(row[1]) + ahead)
     ticks = operations[:, 1]
     end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
     if plan.adaptive:
-        now, step = int(space.clock[ecco.NOW]), int(space.clock[ecco.STEP])
+        now, step = int(space.clock[cells.NOW]), int(space.clock[cells.STEP_TICKS])
         at, end = clock.time(now + step), clock.time(now)
     if plan.system.algorithm == "iterated":
         end = clock.time(begin)
-    if code == execute.INTERRUPTED:
+    if code == cells.INTERRUPTED:
         return end, f"interrupted by the user at t = {end:.9g} s"
-    if code == execute.NOT_CONVERGED:
+    if code == cells.NOT_CONVERGED:
         return end, _not_converged(plan, space, at)
     did, hint = _said(plan, instances[name], code, control, z)
     return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
@@ -45,9 +45,9 @@ def failure_of(
 
 def _said(plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.ndarray) -> tuple[str, str]:
     """What a component did, and what may help."""
-    status, slot = int(control[execute.STATUS]), int(control[execute.SLOT])
+    status, slot = int(control[cells.STATUS]), int(control[cells.SLOT])
     outputs = {s: variable for variable, s in plan.layout.exchanged(instance.name)[1].items()}
-    if code == execute.NOT_FINITE:
+    if code == cells.NOT_FINITE:
         return f": output {outputs[slot]} became {z[slot]}", f"; see its inputs and parameters{instance.log_text()}"
     if instance.fault:
         return f": {instance.fault}", instance.log_text()
@@ -61,7 +61,7 @@ def _said(plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.
     return f" returned {instance.prefix}{STATUS[status]}", why + instance.log_text()
 
 
-def _not_converged(plan: Plan, space: Workspace, at: float) -> str:
+def _not_converged(plan: Plan, space: AlgorithmState, at: float) -> str:
     settings, work = plan.system.iteration, space.work
     names = [".".join(key) for key, _ in plan.layout.unknowns]
     return (

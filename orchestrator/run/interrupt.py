@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..loop import execute
+from ..loop import cells
 
 
 @contextmanager
@@ -22,9 +22,9 @@ def stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
         return
 
     def request(_signal: int, _frame: Any) -> None:
-        if control[execute.STOP_REQUEST]:
+        if control[cells.STOP_REQUEST]:
             raise KeyboardInterrupt
-        control[execute.STOP_REQUEST] = 1
+        control[cells.STOP_REQUEST] = 1
 
     before = signal.signal(signal.SIGINT, request)
     try:

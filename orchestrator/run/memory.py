@@ -8,7 +8,7 @@ import numpy as np
 
 from ..fmu.types import TEXT, FmiType, decode, encode, function_type
 from ..loop.calls import STEP_FLAGS
-from ..loop.exchange import IN_PLACE
+from ..loop.cells import IN_PLACE
 from ..loop.texts import Texts
 from ..participant.base import Instance, Value
 from ..plan.plan import Plan
@@ -18,7 +18,7 @@ Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
 class Memory:
-    """Cells `z` of all signals, and the tables by which `execute.run` exchanges them with the FMUs."""
+    """Cells `z` of all signals, and the tables by which `loop.run` exchanges them with the FMUs."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
@@ -49,7 +49,7 @@ class Memory:
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
-        """`components` (n, 9) and `blocks` (k, 10) for `execute.run`, see exchange.py, and its typed arrays."""
+        """`components` (n, 9) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0

@@ -20,7 +20,7 @@ PIECE = 8_000_000  # bytes that go to the file at once
 
 
 class Recorder:
-    """Buffer and counters as `execute.run` wants them.
+    """Buffer and counters as `loop.run` wants them.
 
     Without `file` all tables stay in memory. With it those that are larger than IN_MEMORY go there, chunk by chunk.
     Chunks end where they end whatever the blocks in which the loop is called.

@@ -12,20 +12,21 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..loop import ecco, execute
+from ..loop import cells
 from ..loop.compiled import compiled_run
+from ..loop.run import run
 from ..participant.base import Instance
 from ..participant.opening import start
 from ..plan.plan import Plan
 from ..process import seconds_since_start
 from ..results.tables import Run
 from .access import Access
+from .algorithm_state import free_states, make_state
 from .failure import failure_of
 from .initialize import initialize
 from .interrupt import stop_on_interrupt
 from .memory import Memory
 from .recorder import Recorder
-from .workspace import free_states, make_workspace
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 
@@ -58,9 +59,9 @@ class Session:
     def __init__(self, plan: Plan, interpreted: bool = False, file: Path | None = None) -> None:
         self.plan = plan
         self.failure = ""
-        self.control = np.zeros(execute.CONTROL_CELLS, dtype=np.int64)
+        self.control = np.zeros(cells.CONTROL_CELLS, dtype=np.int64)
         self.instances: dict[str, Instance] = {}
-        self._function = execute.run if interpreted else compiled_run()
+        self._function = run if interpreted else compiled_run()
         self.at = Position()
         self._interrupted = False
         self._block, self._began = 1, 0.0
@@ -78,7 +79,7 @@ class Session:
                     if instance.fmu.type_of(variable) is not None
                 }
                 self._components, self._blocks, self._typed = self.memory.tables(self.instances)
-                self.space = make_workspace(plan, self.instances)
+                self.space = make_state(plan, self.instances)
                 self._access = Access(plan, self.memory, self.instances)
                 self.recorder = Recorder(plan, self.memory, file)
         except BaseException:
@@ -94,7 +95,7 @@ class Session:
     @property
     def tick(self) -> int:
         """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
-        return int(self.space.clock[ecco.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self._cycle_ticks)
+        return int(self.space.clock[cells.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self._cycle_ticks)
 
     @property
     def _cycle_ticks(self) -> int:
@@ -118,7 +119,7 @@ class Session:
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
         last = stop if self.plan.adaptive else -(-until // self._cycle_ticks)  # no step is shorter than a tick
         last = last if cycles is None else min(last, self.at.cycle + cycles)
-        self.space.clock[ecco.UNTIL] = until
+        self.space.clock[cells.UNTIL] = until
         with stop_on_interrupt(self.control):
             while self.at.cycle < last and self.tick < until and not self.failure:
                 self._run_block(last - self.at.cycle)
@@ -129,7 +130,7 @@ class Session:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
         plan, clock = self.plan, self.plan.clock
         size = 1 if self.at.operation else self.recorder.make_room(min(self._block, cycles))
-        self.control[execute.RESUME_AT] = self.at.operation
+        self.control[cells.RESUME_AT] = self.at.operation
         begin = time.perf_counter()
         code = self._function(
             plan.cycle, plan.coefficients, self._components, self._blocks, self.memory.z, *self._typed,
@@ -141,11 +142,11 @@ class Session:
         self._began = self._began or seconds_since_start()
         self._block = max(1, min(2 * self._block, int(size * BLOCK / max(spent, 1e-6))))
         self.at.operation = 0
-        if code != execute.DONE:
-            self.at.cycle = int(self.control[execute.AT_CYCLE])
-            self._interrupted = code == execute.INTERRUPTED
+        if code != cells.DONE:
+            self.at.cycle = int(self.control[cells.AT_CYCLE])
+            self._interrupted = code == cells.INTERRUPTED
             if self._interrupted:
-                self.at.operation = int(self.control[execute.AT_OPERATION])
+                self.at.operation = int(self.control[cells.AT_OPERATION])
             self.at.time, self.failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size

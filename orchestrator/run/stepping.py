@@ -11,7 +11,7 @@ from typing import Any
 
 from ..clock import duration, seconds_text
 from ..errors import InputError, RunError, nearest
-from ..loop.execute import STOP_REQUEST
+from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.recorded import matches

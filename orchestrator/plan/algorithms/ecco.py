@@ -10,7 +10,7 @@ from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
-from ..books import key_of
+from ..bond_energy import key_of
 from ..layout import Layout
 from ..schedule import Row, Schedule
 
@@ -77,8 +77,8 @@ class AdaptiveSchedule(Schedule):
     def record(self, tick: int) -> Iterator[Row]:
         """Judge the step before it is recorded; only bonds whose both sides know each other count."""
         settings = self.system.ecco
-        *books, table = super().record(tick)
-        yield from books
+        *energies, table = super().record(tick)
+        yield from energies
         k = self.constants.at(settings.tolerance, settings.relative)
         for bond in self.system.bonds:
             if bond.flow[1]:

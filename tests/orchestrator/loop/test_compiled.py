@@ -6,16 +6,16 @@ import shutil
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator.loop import execute
+from rovbrush.orchestrator.loop import run
 from rovbrush.orchestrator.loop.compiled import compiled_run, loop_files, loop_hash
 
-HERE = Path(execute.__file__)
+HERE = Path(run.__file__)
 FILES = loop_files(HERE)
 
 
 def test_the_loop_is_made_of_these_files() -> None:
     assert {path.stem for path in FILES} == {
-        *("execute", "exchange", "calls", "texts", "types", "operations", "iteration", "ecco", "lookup")
+        *("run", "cells", "exchange", "calls", "texts", "types", "operations", "iteration", "step_control", "lookup")
     }
 
 
@@ -35,5 +35,5 @@ def test_a_change_in_any_of_them_gives_another_name_in_the_cache(changed: str, t
 
 def test_numba_keeps_the_compiled_loop_under_that_name() -> None:
     stats = compiled_run().stats
-    kept = [path.name for path in Path(stats.cache_path).glob(f"execute.run_{loop_hash(HERE)}-*")]
+    kept = [path.name for path in Path(stats.cache_path).glob(f"run.run_{loop_hash(HERE)}-*")]
     assert {name.rsplit(".", 1)[1] for name in kept} == {"nbi", "nbc"}

@@ -11,7 +11,7 @@ import pytest
 from helpers import Part, edited, plan_of
 from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.loop import execute
+from rovbrush.orchestrator.loop import cells, run
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files import write_netcdf
 from rovbrush.orchestrator.results.tables import Run
@@ -76,11 +76,11 @@ def test_ctrl_c_within_a_cycle_goes_on_bitwise(
 
         def step(*arguments: float) -> int:
             done[0] += 1
-            session.control[execute.STOP_REQUEST] = done[0] >= steps
+            session.control[cells.STOP_REQUEST] = done[0] >= steps
             return original(*arguments)
 
-        original = execute.do_step
-        monkeypatch.setattr(execute, "do_step", step)
+        original = run.do_step
+        monkeypatch.setattr(run, "do_step", step)
         session.advance()
         monkeypatch.undo()
         assert "interrupted by the user" in session.failure and session.resumable

@@ -1,4 +1,4 @@
-"""Operations in words."""
+"""Operations as text."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from .plan import Plan
 SHOWN = 6  # names of variables in one line, at most
 
 
-class Words:
+class OperationText:
     """What every operation of a plan does, with the names of its signals."""
 
     def __init__(self, plan: Plan) -> None:

@@ -7,15 +7,15 @@ from math import ceil
 
 import numpy as np
 
-from ..loop import ecco, iteration
+from ..loop import cells, iteration
 from ..participant.base import Instance
 from ..plan.algorithms.ecco import step_limits
 from ..plan.plan import Plan
 
 
 @dataclass
-class Workspace:
-    """See `execute.run`."""
+class AlgorithmState:
+    """See `loop.run`."""
 
     clock: np.ndarray
     work: np.ndarray
@@ -28,11 +28,11 @@ class Workspace:
         return self.clock, self.work, self.saved, self.states, self.state_calls
 
 
-def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
+def make_state(plan: Plan, instances: dict[str, Instance]) -> AlgorithmState:
     """What the plan's algorithm needs."""
     count = len(instances)
-    space = Workspace(
-        np.zeros(ecco.CELLS, dtype=np.int64), np.zeros(3), np.zeros(1), np.zeros(count, dtype=np.int64),
+    space = AlgorithmState(
+        np.zeros(cells.CLOCK_CELLS, dtype=np.int64), np.zeros(3), np.zeros(1), np.zeros(count, dtype=np.int64),
         np.zeros((count, 3), dtype=np.int64),
     )  # fmt: skip
     if plan.system.algorithm == "iterated":
@@ -44,12 +44,12 @@ def make_workspace(plan: Plan, instances: dict[str, Instance]) -> Workspace:
         tick = plan.clock.seconds(1)
         minimum, maximum = step_limits(plan.system)
         first = min(plan.clock.hyperperiod, plan.clock.stop)
-        space.clock[ecco.STEP], space.clock[ecco.STOP] = first, plan.clock.stop
-        space.clock[ecco.MINIMUM], space.clock[ecco.MAXIMUM] = ceil(minimum / tick), int(maximum / tick)
+        space.clock[cells.STEP_TICKS], space.clock[cells.STOP] = first, plan.clock.stop
+        space.clock[cells.MINIMUM], space.clock[cells.MAXIMUM] = ceil(minimum / tick), int(maximum / tick)
     return space
 
 
-def free_states(space: Workspace, instances: dict[str, Instance]) -> None:
+def free_states(space: AlgorithmState, instances: dict[str, Instance]) -> None:
     """Give saved states back to the FMUs that are alive."""
     from ..loop.calls import call_state
 

@@ -1,4 +1,4 @@
-"""Where a run keeps the books of its power bonds: the work at both sides, and what the coupling made of it.
+"""Where a run counts the energy of its power bonds: the work at both sides, and what the coupling made of it.
 
 Each component that is an end of a bond counts, behind every step, the work of the other's signal as it received it
 times its own output: by the trapezoidal rule, or exactly where the system file names an output that counts the
@@ -31,7 +31,7 @@ class Side:
 
 
 @dataclass(frozen=True)
-class Book:
+class BondEnergy:
     """One bond: the slots of its two works, of what was made in the last step and in total; its period [ticks]."""
 
     bond: Bond
@@ -53,9 +53,9 @@ def slug(bond: Bond) -> str:
     return re.sub(r"\W+", "_", bond.name)
 
 
-def make_books(system: System, clock: Clock, layout: Layout) -> tuple[Book, ...]:
+def bond_energies(system: System, clock: Clock, layout: Layout) -> tuple[BondEnergy, ...]:
     """Slots and signals of all bonds. Raises InputError for names that collide."""
-    books = []
+    found = []
     for bond in system.bonds:
         name, ends = slug(bond), [key_of(bond.effort[0])[0], key_of(bond.flow[0])[0]]
         if ("coupling", f"{name}_made") in layout.extras:
@@ -76,8 +76,8 @@ def make_books(system: System, clock: Clock, layout: Layout) -> tuple[Book, ...]
             Side(key_of(own)[0], layout.inputs[key_of(held)], key_of(own), counter, work, bond.sign)
             for held, own, counter, work in pairs
         )
-        books.append(Book(bond, sides, flow, effort, made, total, period))
-    return tuple(books)
+        found.append(BondEnergy(bond, sides, flow, effort, made, total, period))
+    return tuple(found)
 
 
 def coupling_unit(variable: str) -> str:

@@ -16,7 +16,8 @@ from math import sqrt
 import numpy as np
 from numba.extending import register_jitable
 
-NOW, STEP, MINIMUM, MAXIMUM, STOP, UNTIL, CELLS = range(7)  # of the adaptive clock [ticks], and their number
+from .cells import MAXIMUM, MINIMUM, NOW, STEP_TICKS, STOP
+
 SUM, BONDS, BEFORE = range(3)  # cells of `work`
 LEAST = 1e-10  # of eps: a bond at rest would lengthen the step without end
 
@@ -45,8 +46,8 @@ def control(clock: np.ndarray, settings: np.ndarray, k: int, work: np.ndarray) -
     factor = settings[k] * eps ** -(settings[k + 1] + settings[k + 2]) * before ** settings[k + 2]
     factor = min(max(factor, settings[k + 3]), settings[k + 4])
     work[SUM], work[BONDS], work[BEFORE] = 0.0, 0.0, eps
-    clock[NOW] += clock[STEP]
-    length = min(max(int(clock[STEP] * factor), clock[MINIMUM]), clock[MAXIMUM])
+    clock[NOW] += clock[STEP_TICKS]
+    length = min(max(int(clock[STEP_TICKS] * factor), clock[MINIMUM]), clock[MAXIMUM])
     left = clock[STOP] - clock[NOW]
-    clock[STEP] = left if left < length + clock[MINIMUM] else length
+    clock[STEP_TICKS] = left if left < length + clock[MINIMUM] else length
     return eps

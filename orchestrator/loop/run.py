@@ -10,32 +10,43 @@ from math import isfinite
 import numpy as np
 
 from ..fmu.types import FLOAT
-from . import ecco
 from .calls import call_state, do_step, exchange, exchange3
-from .ecco import control as choose_step
-from .ecco import gauge
-from .exchange import (
+from .cells import (
     AT,
+    AT_CYCLE,
+    AT_OPERATION,
+    BAD_STATUS,
     CODE,
     COUNT,
     DO_STEP,
+    DONE,
     FIRST_IN,
     FIRST_OUT,
     FIRST_SLOT,
     FMI,
+    FREE_STATE,
     FUNCTION,
+    GET_STATE,
     IN_PLACE,
     INSTANCE,
+    INTERRUPTED,
     LAST_IN,
     LAST_OUT,
-    NO_ROOM,
+    NOT_CONVERGED,
+    NOT_FINITE,
+    NOW,
     REFERENCES,
+    RESUME_AT,
+    SET_STATE,
     SIZE,
+    SLOT,
+    STATUS,
+    STEP_TICKS,
+    STOP_REQUEST,
+    UNTIL,
     VALUES,
-    pack,
-    step3,
-    unpack,
-)  # fmt: skip
+)
+from .exchange import NO_ROOM, pack, step3, unpack
 from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (
@@ -63,10 +74,8 @@ from .operations import (
     STEP,
     WORK,
 )  # fmt: skip
-
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
-STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = range(7)  # of `control`, their number
-GET_STATE, SET_STATE, FREE_STATE = range(3)  # columns of `state_calls`
+from .step_control import control as choose_step
+from .step_control import gauge
 
 
 def run(
@@ -80,18 +89,18 @@ def run(
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
 
     operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
-    exchange.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
+    cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (6): a stop request from outside, where and why the run ended, and the operation with which the first cycle
-    goes on; clock (6): see ecco.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
+    goes on; clock (6): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; states (n): FMU
     states; state_calls (n, 3): addresses of the functions that get, set and free one.
     """
     begin = control[RESUME_AT]
     control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
-        base = cycle * cycle_ticks + clock[ecco.NOW]
+        base = cycle * cycle_ticks + clock[NOW]
         last_tick = -1
         m = begin - 1
         begin = 0
@@ -108,7 +117,7 @@ def run(
             if code == STEP:
                 start = base + b
                 time = (start * numerator) / denominator
-                length = ((a + clock[ecco.STEP]) * numerator) / denominator
+                length = ((a + clock[STEP_TICKS]) * numerator) / denominator
                 if components[c, FMI] == 2:
                     status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length)
                 else:
@@ -162,7 +171,7 @@ def run(
             elif code == WORK:
                 h = coefficients[k + 2]
                 if h == 0.0:
-                    h = (clock[ecco.STEP] * numerator) / denominator
+                    h = (clock[STEP_TICKS] * numerator) / denominator
                 z[b] += z[q] * (coefficients[k] * z[p] + coefficients[k + 1] * z[a]) * h
             elif code == LEDGER:
                 total = z[a] - z[p]
@@ -177,7 +186,7 @@ def run(
                 z[b] = value + coefficients[k + 2] * z[p] + coefficients[k + 3]
             elif code == SERIES:
                 time = ((base + p) * numerator) / denominator
-                end = ((base + p + q + clock[ecco.STEP]) * numerator) / denominator
+                end = ((base + p + q + clock[STEP_TICKS]) * numerator) / denominator
                 z[b] = mean_over(coefficients, k, time, end)
             elif code == SAMPLE:
                 z[b] = held_at(coefficients, k, ((base + p) * numerator) / denominator)
@@ -212,11 +221,11 @@ def run(
             elif code == REPEAT:
                 m = a - 1
             elif code == GAUGE:
-                gauge(z, a, b, p, q, (clock[ecco.STEP] * numerator) / denominator, coefficients, k, work)
+                gauge(z, a, b, p, q, (clock[STEP_TICKS] * numerator) / denominator, coefficients, k, work)
             elif code == CONTROL:
-                z[a + 1] = (clock[ecco.STEP] * numerator) / denominator
+                z[a + 1] = (clock[STEP_TICKS] * numerator) / denominator
                 z[a + 2] = choose_step(clock, coefficients, k, work)
-                z[a] = clock[ecco.NOW]
-        if cycle_ticks == 0 and clock[ecco.NOW] >= clock[ecco.UNTIL]:
+                z[a] = clock[NOW]
+        if cycle_ticks == 0 and clock[NOW] >= clock[UNTIL]:
             return DONE
     return DONE

@@ -1,0 +1,23 @@
+"""Where things are in the arrays of the loop: cells, columns, and what the loop returns."""
+
+from __future__ import annotations
+
+# What `run` returns.
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
+
+# `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on.
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = range(7)
+
+# `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before it.
+NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, CLOCK_CELLS = range(7)
+
+# `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks.
+FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT = range(9)
+
+# `blocks`: function, value references and their number, address of the values, their number, first slot, place in
+# `raw`, type code, bytes of a value, whether it has a sign.
+FUNCTION, REFERENCES, COUNT, VALUES, SIZE, FIRST_SLOT, AT, CODE, BYTES, SIGNED = range(10)
+IN_PLACE = -1  # AT of a block whose values lie in the run's vector
+
+# `state_calls`: addresses of the functions that get, set and free a state of an FMU.
+GET_STATE, SET_STATE, FREE_STATE = range(3)
