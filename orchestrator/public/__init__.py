@@ -1,4 +1,4 @@
-"""Multirate FMI co-simulation by FMUs, and a brush that cleans a hull.
+"""Multirate FMI co-simulation.
 
 import rovbrush
 

@@ -27,7 +27,7 @@ class Stepping(Session):
 
         with system.start() as session:
             while session.time < 2.0:
-                session.set("motor.V_in", 12.0 - 0.1 * session.get("motor.omega_b"))
+                session.set("motor.V_in", 12.0 - 0.1 * session.get("motor.i"))
                 session.step()
 
     A step is `period` [s] long, that in which the schedule repeats; with ECCO it is a macro step. What is set counts

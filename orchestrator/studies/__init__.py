@@ -1,1 +1,1 @@
-"""Studies: what is done with runs of the shipped systems. Only here does the master's package know the paper."""
+"""Many runs: how fast they converge, how they depend on their parameters, what they cost."""

@@ -1,4 +1,4 @@
-"""The recordings that are handed over with the FMUs, one per component, as `shipped.toml` says.
+"""The recordings that are handed over with the FMUs, one per component, as systems/recordings.toml says.
 
 `python -m rovbrush.orchestrator.exchange.recordings.shipped [FMUS [FOLDER]]` makes them anew, by native FMUs of
 FMI 2.0.
@@ -15,9 +15,10 @@ from ...results.tables import require_complete
 from ...run.planned import planned
 from ...run.simulation import simulate
 from ...system.assemble import assemble
+from ...system.reader import SYSTEMS
 from .write import write_boundary
 
-RUNS = Path(__file__).with_suffix(".toml")
+RUNS = SYSTEMS / "recordings.toml"
 FMUS = Path("fmus")
 
 

@@ -67,7 +67,7 @@ def make_design(
             raise InputError("--points lists every point; leave --vary and --random out")
         axes = _table_axes(system, table)
     elif not vary:
-        raise InputError("nothing to vary; give --vary, for instance --vary brush.mu_s=0.48:0.72:7")
+        raise InputError("nothing to vary; give --vary, for instance --vary motor.R=0.07:0.09:7")
     else:
         axes = tuple(
             _axis(system, name, _random(system, name, text, count, seed) if count else _grid(name, text))
@@ -87,7 +87,7 @@ def make_design(
 
 
 def vary_entries(options: Sequence[str]) -> dict[str, object]:
-    """`["brush.mu_s=0.48:0.72:7"]` as a mapping. Raises InputError for what is no `component.variable=values`."""
+    """`["motor.R=0.07:0.09:7"]` as a mapping. Raises InputError for what is no `component.variable=values`."""
     entries: dict[str, object] = {}
     for option in options:
         name, equals, text = (part.strip() for part in option.partition("="))
@@ -118,7 +118,7 @@ def _items(name: str, text: object) -> list[object] | None:
     if not items or "" in items or any(str(item).startswith("[") for item in items):
         raise InputError(
             f"--vary {name}={text}: an empty value; write low:high:count or a,b,c (an array takes one value for all of "
-            "its elements, or vary a single element such as brush.zeta[1])"
+            "its elements, or vary a single element such as {name}[1])"
         )
     return items
 

@@ -6,11 +6,11 @@ stop_time = "5 s"                  # optional, as the rest
 random = 50                        # random points in place of a grid, drawn with `seed`
 seed = 1
 [set]                              # values of all points
-"motor.R" = 0.1
+"motor.L_a" = 0.001
 [vary]
-"brush.mu_s" = "0.48:0.72:7"       # or a list [0.5, 0.6]
+"motor.R" = "0.07:0.09:7"          # or a list [0.07, 0.08]
 [summary]                          # figures of merit beside those of the system
-F_z_peak = "peak brush.F_z"
+i_peak = "peak motor.i"
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ...errors import InputError, nearest
 from ...system.reader import SYSTEMS, shipped_systems
 from ...toml_file import TomlFile
 
-SWEEPS = Path(__file__).parent / "sweeps"
+SWEEPS = SYSTEMS / "sweeps"
 KEYS = {"description", "system", "stop_time", "random", "seed", "set", "vary", "summary"}
 
 
