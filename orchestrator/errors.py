@@ -31,6 +31,11 @@ class RunError(RovbrushError):
     result: Any = None
 
 
+def counted(number: int, thing: str) -> str:
+    """`1 point`, `2 points`."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
 def nearest(name: str, known: Iterable[str]) -> str:
     """`; did you mean 'x'?`, or the list of what there is, or nothing where there is nothing."""
     names = sorted(known)

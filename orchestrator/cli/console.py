@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
+from rich.text import Text
 
 if TYPE_CHECKING:
     from ..system.model import System
 
-console = Console(highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() else 120)
+WIDTH = 100  # columns where neither a terminal nor COLUMNS says how many there are
+console = Console(
+    highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else WIDTH
+)
 PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 
 
@@ -50,44 +56,81 @@ def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterat
         yield lambda reached: bar.update(task, completed=reached)
 
 
+@contextmanager
+def share(what: str) -> Iterator[Callable[[float], None]]:
+    """As `progress`, for work of which is known what share of it is done, 0 to 1."""
+    with progress(100.0, what, "%") as report:
+        yield lambda done: report(round(100.0 * done, 1))
+
+
+def tell(line: str) -> None:
+    """A line as it is."""
+    console.print(line, markup=False)
+
+
+@contextmanager
+def counting(what: str, unit: str) -> Iterator[Callable[[int, int], None]]:
+    """As `progress`, where the first call of the callback says how many units are done already, and of how many."""
+    with ExitStack() as stack:
+        begun: list[Callable[[float], None]] = []
+
+        def reached(done: int, total: int) -> None:
+            if not begun:
+                begun.append(stack.enter_context(progress(total, what, unit, done)))
+            begun[0](done)
+
+        yield reached
+
+
+def wrote(paths: Sequence[Path], folder: Path) -> None:
+    """The files of a folder that a command has made."""
+    tell(f"wrote {', '.join(path.name for path in paths)} to {folder}")
+
+
+def print_table(
+    title: str,
+    headings: Sequence[str],
+    rows: Iterable[Sequence[str | Text]],
+    words: Sequence[int] = (0,),
+    show_lines: bool = False,
+) -> None:
+    """A table within the width of the terminal: columns of `words` are folded, never cut, numbers stay whole.
+
+    Cells are plain text, or styled; brackets in them mean nothing.
+    """
+    table = Table(title=Text(title), title_justify="left", show_lines=show_lines)
+    for k, heading in enumerate(headings):
+        if k in words:
+            table.add_column(Text(heading), overflow="fold")
+        else:
+            table.add_column(Text(heading), justify="right", no_wrap=True, overflow="fold")
+    for row in rows:
+        table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in row))
+    console.print(table, soft_wrap=False)
+
+
 def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
     """The paper's numbers beside the run's."""
     if not rows:
         return
-    table = Table(title="Paper and simulation, means over the steady window", title_justify="left")
-    for heading, justify in (
-        ("quantity", "left"),
-        ("unit", "left"),
-        ("paper", "right"),
-        ("simulated", "right"),
-        ("ratio", "right"),
-        ("bound", "right"),
-        ("", "left"),
-    ):
-        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    cells = []
     for row in rows:
-        verdict = {None: "", True: "within", False: "[bold red]outside[/]"}[row["within"]]
         bound = "" if row.get("tolerance") is None else f"{100 * row['tolerance']:g} %"
-        table.add_row(
-            row["label"],
-            row["unit"],
-            f"{row['reference']:g}",
-            f"{row['value']:.5g}",
-            f"{row['ratio']:.4f}",
-            bound,
-            verdict,
-        )
-    console.print(table)
+        verdict = {None: Text(""), True: Text("within"), False: Text("outside", "bold red")}[row["within"]]
+        numbers = (f"{row['reference']:g}", f"{row['value']:.5g}", f"{row['ratio']:.4f}", bound)
+        cells.append((row["label"], row["unit"], *numbers, verdict))
+    headings = ("quantity", "unit", "paper", "simulated", "ratio", "bound", "")
+    print_table("Paper and simulation, means over the steady window", headings, cells, words=(0, 1, 6))
     for row in rows:
         if row.get("note"):
-            console.print(f"{row['label']}: {row['note']}")
+            tell(f"{row['label']}: {row['note']}")
 
 
 def print_notes(system: System) -> None:
     """What the user must know of replaced components before a run."""
     for component in system.components.values():
         for note in component.notes:
-            console.print(note, markup=False)
+            tell(note)
 
 
 def print_summary(summary: Mapping[str, Any]) -> None:

@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError
+from ..errors import InputError, counted
+from .console import print_table, share, tell
 from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
 
 
@@ -52,10 +53,31 @@ def replay(
     atol: Annotated[float, typer.Option("--atol", min=0.0, help="Error granted to every output, in its unit.")] = 0.0,
 ) -> None:
     """Drive an FMU with the recorded inputs of a component and compare its outputs with the recorded ones."""
-    from ..exchange.recordings.replay import replay as drive
     from ..shelter import sheltered
 
-    sheltered(fmu, drive, fmu, folder, name, map_, rtol, atol)
+    sheltered(fmu, replay_and_print, fmu, folder, name, map_, rtol, atol)
+
+
+def replay_and_print(
+    fmu: Path, folder: Path, name: str, map_: Path | None, rtol: float | None, atol: float
+) -> None:  # in a process of its own
+    """What was compared, as a table. Raises RunError if an output is outside its bound."""
+    from ..exchange.recordings.replay import replay as drive
+
+    with share(f"replaying {name or folder}") as progress:
+        found = drive(fmu, folder, name, map_, rtol, atol, progress)
+    for note in found.notes:
+        tell(note)
+    cells = [
+        (
+            f"{v.output} [{v.unit or '?'}]", f"{v.error:.3g}", f"{v.at:.6g}", f"{v.scale:.4g}", f"{v.bound:.3g}",
+            f"{v.differing} of {found.steps + 1}", v.text,
+        ) for v in found.verdicts
+    ]  # fmt: skip
+    title = f"{fmu.name} against the recording of {found.recording}, {counted(found.steps, 'step')}"
+    headings = ("output", "largest\nerror", "at [s]", "of\nmagnitude", "bound", "differing", "verdict")
+    print_table(title, headings, cells, words=(0, 6))
+    found.require_within()
 
 
 @app.command()
@@ -82,6 +104,9 @@ def export(
         raise InputError("export: choose one of --ssp and --container")
     plan = planned(assemble(system, assignments(set_), stop, fmus, step=step))
     if ssp:
-        export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
+        found = export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
     else:
-        export_container(plan, out or Path(f"{plan.system.name}.fmu"))
+        found = export_container(plan, out or Path(f"{plan.system.name}.fmu"))
+    tell(f"wrote {found.path} ({found.kind}, {found.path.stat().st_size // 1000} kB)")
+    for note in found.notes:
+        tell(note)

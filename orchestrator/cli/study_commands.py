@@ -1,13 +1,14 @@
-"""The commands that run a system many times."""
+"""The commands that run a system many times: refined periods, ranges of parameters."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..system.request import assignments
+from .console import counting, print_table, share, tell, wrote
 from .options import (
     FmusOption,
     MapOption,
@@ -20,18 +21,11 @@ from .options import (
     app,
 )
 
+if TYPE_CHECKING:
+    from ..studies.sweep.points import Table
 
-@app.command()
-def calibrate(
-    out: Annotated[
-        Path | None, typer.Option("--out", help="The parameter file to write; the shipped one by default.")
-    ] = None,
-    fmus: FmusOption = None,
-) -> None:
-    """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""
-    from ..paper.calibration import calibrate as fit
-
-    fit(out, fmus)
+SIGNALS_SHOWN = 30
+POINTS_SHOWN = 12  # of a sweep along one axis that are printed as a table
 
 
 @app.command()
@@ -47,18 +41,43 @@ def converge(
     from ..studies.convergence import converge as study
     from ..system.request import changes_of
 
-    study(system, out, fmus, changes_of(replace, map_, period))
+    with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
+        found = study(system, out, fmus, changes_of(replace, map_, period), tell, progress)
+    print_means(Path(system).stem, found.rows)
+    print_signals(Path(system).stem, found.signals)
+    wrote(found.paths, out)
+    found.require_bound()
 
 
-@app.command()
-def bench(
-    json_file: Annotated[Path | None, typer.Option("--json", help="Write the rows to this file.")] = None,
-    fmus: FmusOption = None,
-) -> None:
-    """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
-    from ..studies.bench.bench import bench as measure
+def print_means(name: str, rows: Sequence[Mapping[str, Any]]) -> None:
+    """What the means do with the periods."""
+    if not rows:
+        return
+    cells = [
+        (
+            r["quantity"], *(f"{v:.6g}" for v in r["values"]), f"{100 * r['change']:.1e} %",
+            f"{100 * r['change_quartered']:.1e} %", "-" if r["order"] is None else f"{r['order']:.2f}",
+        ) for r in rows
+    ]  # fmt: skip
+    headings = ("mean", "1", "1/2", "1/4", "change by\nhalving", "by halving\nagain", "observed\norder")
+    print_table(f"{name}: means with every period times 1, 1/2, 1/4", headings, cells)
 
-    measure(json_file, fmus)
+
+def print_signals(name: str, rows: Sequence[Mapping[str, Any]]) -> None:
+    """The signals with the largest error bars; those that do not converge come first."""
+    cells = []
+    for r in rows[:SIGNALS_SHOWN]:
+        order = "-" if r["order"] is None else f"{r['order']:.2f}"
+        bar = ("none", "") if r["error_bar"] is None else (f"{r['error_bar']:.2e}", f"{r['relative']:.1e}")
+        differences = (f"{r[key]:.2e}" for key in ("difference_halved", "difference_quartered"))
+        cells.append((r["signal"], r["unit"], *differences, order, *bar))
+    title = f"{name}: signals, periods as they are"
+    title += f" ({SIGNALS_SHOWN} of {len(rows)})" if len(rows) > SIGNALS_SHOWN else ""
+    headings = ("signal", "unit", "halved:\nchanges by", "halved\nagain", "observed\norder", "error\nbar", "relative")
+    print_table(title, headings, cells, words=(0, 1))
+    lost = sum(r["error_bar"] is None for r in rows)
+    if lost:
+        tell(f"error bar none: the signal does not converge ({lost} of {len(rows)})")
 
 
 @app.command()
@@ -84,6 +103,12 @@ def sweep(
         int, typer.Option("--random", min=0, metavar="COUNT", help="Random points; --vary then gives low:high.")
     ] = 0,
     seed: Annotated[int | None, typer.Option("--seed", min=0, help="Of the random points; 1 by default.")] = None,
+    design: Annotated[
+        str,
+        typer.Option(
+            "--design", metavar="KIND", help="How --random fills the ranges: random, latin (hypercube) or sobol."
+        ),
+    ] = "",
     points: Annotated[
         Path | None, typer.Option("--points", help="A CSV file with a point per row; its head names the parameters.")
     ] = None,
@@ -91,35 +116,40 @@ def sweep(
     scheduler: Annotated[
         str, typer.Option("--scheduler", metavar="ADDRESS", help="Compute on a Dask cluster, such as tcp://host:8786.")
     ] = "",
+    force: Annotated[
+        bool, typer.Option("--force", help="Go on although other versions or another processor computed what is there.")
+    ] = False,
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
     from ..studies.sweep.sweep import Options
     from ..studies.sweep.sweep import sweep as run_sweep
-    from ..system.request import changes_of
+    from ..system.request import assignments, changes_of
 
     changes = changes_of(replace, map_, period)
-    options = Options(vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes)
-    run_sweep(name, out, options)
+    options = Options(
+        vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes, design, force
+    )
+    with counting(f"sweep {Path(name).stem}", "points") as progress:
+        found = run_sweep(name, out, options, tell, progress)
+    if found.cost:
+        tell(found.cost.text)
+    print_points(found.table)
+    wrote([out / "points.jsonl", out / "sweep.nc", out / "sweep.csv"], out)
+    found.require_all()
 
 
-@app.command()
-def reproduce(
-    out: OutOption = Path("results"),
-    claim: Annotated[
-        list[int] | None, typer.Option("--claim", help="Answer only this claim and print its numbers; repeatable.")
-    ] = None,
-    fmus: FmusOption = None,
-) -> None:
-    """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
-    from ..paper.reproduce import reproduce as study
-
-    study(out, fmus, claim or ())
-
-
-@app.command()
-def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
-    """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
-    from ..paper.strategies import strategies as study
-
-    study(out, assignments(set_), fmus)
+def print_points(table: Table) -> None:
+    """A sweep along one axis: each figure of merit at the first point, and its change from there at the others."""
+    design = table.design
+    if len(design.axes) != 1 or len(design) > POINTS_SHOWN:
+        return
+    axis = design.axes[0]
+    cells = []
+    for name, (unit, _) in table.figures.items():
+        first, *others = table.column(name).tolist()
+        changes = (f"{100 * (value / first - 1):+.3g} %" if first and value == value else "-" for value in others)
+        cells.append((f"{name} [{unit}]", f"{first:.5g}", *changes))
+    headings = [f"{value:g}" if isinstance(value, float) else str(value) for value in axis.values]
+    title = f"{table.title}: the first point, and the change from it"
+    print_table(title, (f"{axis.name} [{axis.unit}]", *headings), cells)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..cli.console import console
 from ..errors import RunError
 from ..files import prepare_folder, write_file
 from ..plan.plan import make_plan
@@ -27,18 +26,36 @@ EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladde
 
 
 @dataclass(frozen=True)
+class Figure:
+    """A figure of merit of a fit: a target with the bound within which it is to be met, or a limit."""
+
+    name: str
+    value: float
+    wanted: float
+    limit: bool = False
+
+    @property
+    def deviation(self) -> float:
+        """Of the value from the one that is wanted, relative."""
+        return self.value / self.wanted - 1.0
+
+
+@dataclass(frozen=True)
 class Fit:
-    """The result for one rung: values by name, the summary they give, and which bounds they miss."""
+    """The result for one rung: values by name, the figures they give, and which bounds they miss."""
 
     values: dict[str, float]
-    summary: dict[str, Any]
+    figures: list[Figure]
     missed: list[str]
 
 
-def calibrate(out: Path | None, fmus: Path | None) -> Fit:
+def calibrate(
+    out: Path | None, fmus: Path | None, report: Callable[[Fit], None] = lambda _fit: None
+) -> tuple[Fit, Path]:
     """Descend the ladder, fit at each rung from the fit above, write the file of the lowest that meets every bound.
 
-    Deterministic: no random numbers. Raises RunError if no rung does; the file is then left as it is.
+    `report` hears of each rung's fit. Returns the best and its file. Deterministic: no random numbers. Raises RunError
+    if no rung meets every bound; the file is then left as it is.
     """
     with SPECIFICATION.open("rb") as file:
         specification = tomllib.load(file)
@@ -50,7 +67,7 @@ def calibrate(out: Path | None, fmus: Path | None) -> Fit:
     best = None
     for candidate in candidates:
         fit = fit_rung(system, specification, {rung: float(candidate), **specification["held"]}, start)
-        report(fit, specification)
+        report(fit)
         start = {name: fit.values[name] for name in start}
         if not fit.missed:
             best = fit
@@ -58,10 +75,9 @@ def calibrate(out: Path | None, fmus: Path | None) -> Fit:
             break
     if best is None:
         raise RunError(f"no {rung} of {candidates} meets every bound; {target_file} is left as it was")
-    text = parameter_file(best, specification)
+    text = parameter_file(best)
     write_file(target_file, lambda path: path.write_text(text, encoding="utf-8"))
-    console.print(f"wrote {target_file}")
-    return best
+    return best, target_file
 
 
 def fit_rung(
@@ -105,32 +121,17 @@ def fit_rung(
     summary = summarize(require_complete(simulate(make_plan(system.with_values(best, "calibration")))))
     missed = [key for key, t in specification["targets"].items() if abs(summary[key] / t["reference"] - 1) > t["bound"]]
     missed += [key for key, limit in specification["limits"].items() if summary[key] > limit["at_most"] * 1.005]
-    return Fit(best, summary, missed)
+    figures = [Figure(key, summary[key], t["reference"]) for key, t in specification["targets"].items()]
+    figures += [Figure(key, summary[key], limit["at_most"], True) for key, limit in specification["limits"].items()]
+    return Fit(best, figures, missed)
 
 
-def report(fit: Fit, specification: Mapping[str, Any]) -> None:
-    """One paragraph per rung."""
-    console.print("  ".join(f"{name} = {value:g}" for name, value in fit.values.items()))
-    for key, target in specification["targets"].items():
-        console.print(
-            f"  {key:<14} {fit.summary[key]:10.4f}  target {target['reference']:g}  {deviation(fit, key, target)}"
-        )
-    for key, limit in specification["limits"].items():
-        console.print(f"  {key:<14} {fit.summary[key]:10.4f}  at most {limit['at_most']:g}")
-    console.print(f"  misses {', '.join(fit.missed)}" if fit.missed else "  meets every bound")
-
-
-def deviation(fit: Fit, key: str, target: Mapping[str, Any]) -> str:
-    """How far a target is missed, as `(+0.94 %)`."""
-    return f"({100 * (fit.summary[key] / target['reference'] - 1):+.2f} %)"
-
-
-def parameter_file(fit: Fit, specification: Mapping[str, Any]) -> str:
+def parameter_file(fit: Fit) -> str:
     """The TOML text of the fitted values, with what they reach."""
     lines = ["# Calibrated to the paper's Table 3 by `rovbrush calibrate`; do not edit by hand.", "#"]
-    for key, target in specification["targets"].items():
-        lines.append(f"# {key} = {fit.summary[key]:.4f}, paper {target['reference']:g} {deviation(fit, key, target)}")
-    lines += [f"# {key} = {fit.summary[key]:.4f}" for key in specification["limits"]]
+    for f in fit.figures:
+        reached = f"# {f.name} = {f.value:.4f}"
+        lines.append(reached if f.limit else f"{reached}, paper {f.wanted:g} ({100 * f.deviation:+.2f} %)")
     for component in dict.fromkeys(name.split(".")[0] for name in fit.values):
         lines += ["", f"[{component}]"]
         lines += [

@@ -7,14 +7,13 @@ of position is that along the hull, since the strategy with force control leaves
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from rich.table import Table
 
-from ..cli.console import console, progress
 from ..files import prepare_folder, write_file, write_json
 from ..results.files import plain_value
 from ..results.plots import new_figure
@@ -49,24 +48,47 @@ ROWS: dict[str, tuple[str, tuple[str, float]]] = {
 }
 
 
-def strategies(out: Path, values: Mapping[str, object], fmus: Path | None) -> dict[str, dict[str, dict[str, float]]]:
-    """Run every system with every mode of the controller, print and write the comparison; merits by system and mode."""
+@dataclass(frozen=True)
+class Comparison:
+    """The merits by system and mode, in SI units; ROWS says how to show them. The files that hold them."""
+
+    merits: dict[str, dict[str, dict[str, float]]]
+    paths: list[Path]
+
+
+def strategies(
+    out: Path,
+    values: Mapping[str, object],
+    fmus: Path | None,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> Comparison:
+    """Run every system with every mode of the controller and write the comparison, as JSON and a figure each.
+
+    `progress` hears what share of the runs is done, 0 to 1.
+    """
     prepare_folder(out)
+    plans = {
+        name: [planned(assemble(name, {**values, "controller.mode": mode}, fmus=fmus)) for mode in range(len(MODES))]
+        for name in SYSTEMS
+    }
+    whole = sum(float(plan.system.stop) for each in plans.values() for plan in each)
+    done = 0.0
     found: dict[str, dict[str, dict[str, float]]] = {}
-    for name in SYSTEMS:
+    paths = []
+    for name, each in plans.items():
         runs: dict[str, Run] = {}
-        for mode, label in enumerate(MODES):
-            plan = planned(assemble(name, {**values, "controller.mode": mode}, fmus=fmus))
-            with progress(float(plan.system.stop), f"{name}, {label}") as report:
-                runs[label] = require_complete(simulate(plan, progress=report))
+        for label, plan in zip(MODES, each, strict=True):
+
+            def reached(time: float, done: float = done) -> None:
+                progress((done + time) / whole)
+
+            runs[label] = require_complete(simulate(plan, progress=reached))
+            done += float(plan.system.stop)
         found[name] = {label: merits(run) for label, run in runs.items()}
-        show(name, found[name])
-        figure = comparison_figure(name, runs)
-        write_file(out / f"strategies_{name}.png", figure.savefig)
+        paths.append(write_file(out / f"strategies_{name}.png", comparison_figure(name, runs).savefig))
     settings = {"force_window_s": WINDOW, "force_band": BAND, "P_full_W": P_FULL}
-    path = write_file(out / "strategies.json", lambda p: write_json(p, {**settings, "systems": found}))
-    console.print(f"wrote {path} and a figure for each system")
-    return found
+    paths.append(write_file(out / "strategies.json", lambda p: write_json(p, {**settings, "systems": found})))
+    return Comparison(found, paths)
 
 
 def merits(run: Run) -> dict[str, float]:
@@ -133,18 +155,6 @@ def thruster_energy(signals: Signals) -> float:
         share = np.where(thrust.values > 0.0, thrust.values / full[0], -thrust.values / full[1])
         total += P_FULL * float(np.trapezoid(share**1.5, thrust.time))
     return total
-
-
-def show(name: str, columns: Mapping[str, Mapping[str, float]]) -> None:
-    """The comparison on the terminal: strategies side by side."""
-    table = Table(title=f"{name}: strategies over the same pass", title_justify="left")
-    table.add_column("")
-    table.add_column("unit")
-    for label in columns:
-        table.add_column(label, justify="right")
-    for key, (text, (unit, factor)) in ROWS.items():
-        table.add_row(text, unit, *(f"{factor * column[key]:.3g}" for column in columns.values()))
-    console.print(table)
 
 
 def comparison_figure(name: str, runs: Mapping[str, Run]) -> Figure:

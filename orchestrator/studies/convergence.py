@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import csv
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
-from ..cli.console import console, print_notes, progress
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file, write_json
 from ..plan.plan import make_plan
@@ -34,44 +34,72 @@ from ..system.request import UNCHANGED, Changes
 BOUND = 0.005  # largest relative change of a mean when every period is halved
 LEAST_ORDER = 0.3  # below it the differences do not shrink in earnest
 ROUNDING = 1e-13  # of a signal's size: smaller differences are none
-SHOWN = 30  # signals in the table and in the figure
+SHOWN = 30  # signals in the figure
 FACTORS = (Fraction(1), Fraction(1, 2), Fraction(1, 4))
 
 
-def converge(name: str, out: Path, fmus: Path | None, changes: Changes = UNCHANGED) -> list[dict[str, Any]]:
-    """Run with periods times 1, 1/2 and 1/4; print and write what each mean and signal does.
+@dataclass(frozen=True)
+class Convergence:
+    """What halving and quartering every period changes: a row per mean and per signal, and the files that hold them."""
 
-    Returns the rows of the means. Raises RunError if one of them changes by more than BOUND, InputError for a system
-    whose steps no period decides.
+    name: str
+    rows: list[dict[str, Any]]
+    signals: list[dict[str, Any]]
+    paths: list[Path]
+
+    @property
+    def outside(self) -> list[str]:
+        """The means that change by more than BOUND."""
+        return [r["quantity"] for r in self.rows if abs(r["change"]) > BOUND]
+
+    def require_bound(self) -> None:
+        """Raises RunError if a mean changes by more than BOUND."""
+        if self.outside:
+            raise RunError(f"halving every period changes {', '.join(self.outside)} by more than {100 * BOUND:g} %")
+
+
+def converge(
+    name: str,
+    out: Path,
+    fmus: Path | None,
+    changes: Changes = UNCHANGED,
+    tell: Callable[[str], None] = lambda _line: None,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> Convergence:
+    """Run with periods times 1, 1/2 and 1/4, and write what each mean and signal does as JSON, CSV and figure.
+
+    `tell` hears what the user must know of replaced components, `progress` the share of the work that is done, 0 to 1.
+    Raises InputError for a system whose steps no period decides.
     """
     base = planned(assemble(name, {}, fmus=fmus, changes=changes))
     if base.adaptive:
         raise InputError(f"{base.system.path.name}: with algorithm 'ecco' the tolerances decide the steps, not periods")
     prepare_folder(out)
-    print_notes(base.system)
+    for component in base.system.components.values():
+        for note in component.notes:
+            tell(note)
+    stop, work, done = float(base.system.stop), float(sum(1 / factor for factor in FACTORS)), 0.0
     summaries, runs = [], []
     for factor in FACTORS:
+        share = float(1 / factor) / work
+
+        def reached(time: float, done: float = done, share: float = share) -> None:
+            progress(done + share * time / stop)
+
         plan = make_plan(base.system.with_periods(factor))
-        with progress(float(plan.system.stop), f"{name}, periods times {factor}") as report:
-            runs.append(Signals(require_complete(simulate(plan, progress=report))))
+        runs.append(Signals(require_complete(simulate(plan, progress=reached))))
         summaries.append(summarize(runs[-1].run))
+        done += share
     rows = [row(key, [s[key] for s in summaries]) for key in summaries[0] if key.endswith("_mean")]
     signals = [signal_row(key, runs) for key in runs[0].places if not key.startswith("coupling.")]
     signals.sort(key=lambda r: r["relative"] if r["relative"] is not None else math.inf, reverse=True)
-    if rows:
-        show(name, rows)
-    show_signals(name, signals)
     content = {"system": name, "bound": BOUND, "rows": rows, "signals": signals}
     paths = [
         write_file(out / "convergence.json", lambda p: write_json(p, content)),
         write_file(out / "convergence.csv", lambda p: write_table(p, signals)),
         write_file(out / "convergence.png", figure(name, signals).savefig),
     ]
-    console.print(f"wrote {', '.join(path.name for path in paths)} to {out}")
-    outside = [r["quantity"] for r in rows if abs(r["change"]) > BOUND]
-    if outside:
-        raise RunError(f"halving every period changes {', '.join(outside)} by more than {100 * BOUND:g} %")
-    return rows
+    return Convergence(name, rows, signals, paths)
 
 
 def row(key: str, values: list[float]) -> dict[str, Any]:
@@ -108,37 +136,6 @@ def signal_row(name: str, runs: list[Signals]) -> dict[str, Any]:
         "signal": name, "unit": coarse.unit, "difference_halved": first, "difference_quartered": second,
         "order": order, "error_bar": bar, "relative": relative,
     }  # fmt: skip
-
-
-def show(name: str, rows: list[dict[str, Any]]) -> None:
-    """The means on the terminal."""
-    table = Table(title=f"{name}: means with every period times 1, 1/2, 1/4", title_justify="left")
-    for heading in ("mean", "1", "1/2", "1/4", "change by halving", "by halving again", "observed order"):
-        table.add_column(heading, justify="left" if heading == "mean" else "right")
-    for r in rows:
-        order = "-" if r["order"] is None else f"{r['order']:.2f}"
-        table.add_row(
-            r["quantity"],
-            *(f"{v:.6g}" for v in r["values"]),
-            f"{100 * r['change']:.1e} %",
-            f"{100 * r['change_quartered']:.1e} %",
-            order,
-        )
-    console.print(table)
-
-
-def show_signals(name: str, rows: list[dict[str, Any]]) -> None:
-    """The signals with the largest error bars on the terminal; those that do not converge come first."""
-    title = f"{name}: signals, periods as they are"
-    table = Table(title=f"{title} ({SHOWN} of {len(rows)})" if len(rows) > SHOWN else title, title_justify="left")
-    for heading in ("signal", "unit", "halved: changes by", "halved again", "observed order", "error bar", "relative"):
-        table.add_column(heading, justify="left" if heading in ("signal", "unit") else "right")
-    for r in rows[:SHOWN]:
-        order = "-" if r["order"] is None else f"{r['order']:.2f}"
-        bar = ("does not converge", "") if r["error_bar"] is None else (f"{r['error_bar']:.2e}", f"{r['relative']:.1e}")
-        differences = (f"{r[key]:.2e}" for key in ("difference_halved", "difference_quartered"))
-        table.add_row(r["signal"], r["unit"], *differences, order, *bar)
-    console.print(table)
 
 
 def write_table(path: Path, rows: list[dict[str, Any]]) -> None:

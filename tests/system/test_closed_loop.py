@@ -43,7 +43,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def table(fmus: Path, folder: Path) -> Table:
-    return strategies(folder, {}, fmus)
+    return strategies(folder, {}, fmus).merits
 
 
 def test_pass_starts_five_centimetres_off_touches_cleans_a_metre_and_leaves(passed: Signals) -> None:

@@ -73,10 +73,12 @@ def test_a_recording_of_ours_judges_the_modelica_motor(
 ) -> None:
     run = require_complete(simulate(planned(assemble("nominal", {}, "500 ms", fmus, boundaries=("motor",)))))
     write_boundary(run, "motor", tmp_path)
-    verdicts = replay(modelica_motor(10), tmp_path, mapping=MOTOR_MAP, rtol=0.02)  # of the current's switch-on peak
+    verdicts = replay(
+        modelica_motor(10), tmp_path, mapping=MOTOR_MAP, rtol=0.02
+    ).require_within()  # of the current's switch-on peak
     assert {v.output for v in verdicts} == {"i", "omega_b", "P_copper"}
     with pytest.raises(RunError, match="outside the tolerance: i, omega_b, P_copper"):
-        replay(modelica_motor(10), tmp_path, mapping=MOTOR_MAP)
+        replay(modelica_motor(10), tmp_path, mapping=MOTOR_MAP).require_within()
 
 
 def test_a_controller_at_half_the_rate_flies_the_approach(fmus: Path, tmp_path: Path, measured: Measured) -> None:

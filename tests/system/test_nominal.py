@@ -116,7 +116,7 @@ def test_no_load_speed_is_that_of_the_circuit(fmus: Path, measured: Measured) ->
 
 
 def test_halving_every_period_leaves_the_means_alone(fmus: Path, tmp_path: Path, measured: Measured) -> None:
-    rows = {row["quantity"]: row for row in converge("nominal", tmp_path, fmus)}
+    rows = {row["quantity"]: row for row in converge("nominal", tmp_path, fmus).rows}
     for name in (*TABLE_3, "pitch_rate"):
         change = rows[f"{name}_mean"]["change"]
         measured(f"convergence: change of the mean of {name} by halving every period", change, "5e-3")

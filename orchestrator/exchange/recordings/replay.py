@@ -8,10 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from fmpy.model_description import ModelVariable
-from rich.markup import escape
-from rich.table import Table
 
-from ...cli.console import console, progress
 from ...clock import seconds_text
 from ...errors import InputError, RunError, nearest
 from ...fmu.crossing import REALS, Crossing
@@ -39,36 +36,57 @@ class Verdict:
         return "equal" if not self.differing else "within" if self.error <= self.bound else "outside"
 
 
-def replay(
-    fmu: Path, folder: Path, name: str = "", mapping: Path | None = None, rtol: float | None = None, atol: float = 0.0
-) -> list[Verdict]:
-    """Replay, print a table, and return its rows. An output is within where |error| <= atol + rtol * its magnitude.
+@dataclass(frozen=True)
+class Replay:
+    """What a replay gave: a verdict per output, and what was left out."""
 
-    `rtol`: None for the RelTol of the recording. Raises InputError for files and names that do not fit, FmuError if
-    the FMU refuses, RunError if an output is outside.
+    recording: str
+    steps: int
+    verdicts: list[Verdict]
+    notes: list[str]
+
+    def require_within(self) -> list[Verdict]:
+        """The verdicts. Raises RunError if an output is outside its bound."""
+        outside = [v.output for v in self.verdicts if v.text == "outside"]
+        if outside:
+            raise RunError(
+                f"outside the tolerance: {', '.join(outside)}; see when, and whether parameters, units, signs and the "
+                "FMU's own step are those of the recording; other tolerances: --rtol, --atol"
+            )
+        return self.verdicts
+
+
+def replay(
+    fmu: Path,
+    folder: Path,
+    name: str = "",
+    mapping: Path | None = None,
+    rtol: float | None = None,
+    atol: float = 0.0,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> Replay:
+    """Drive an FMU through the recording `name` of a folder, or its only one.
+
+    An output is within where |error| <= atol + rtol * its largest magnitude; `rtol`: None for the RelTol of the
+    recording. `progress` hears now and then what share is done, 0 to 1. Raises InputError for files and names that do
+    not fit, FmuError if the FMU refuses.
     """
     recording = read_recording(folder, name)
-    verdicts, notes = compare(fmu, recording, load_mapping(mapping) if mapping else VariableMapping(), rtol, atol)
-    _show(fmu, recording, verdicts, notes)
-    outside = [v.output for v in verdicts if v.text == "outside"]
-    if outside:
-        raise RunError(
-            f"outside the tolerance: {', '.join(outside)}; see when, and whether parameters, units, signs and the "
-            "FMU's own step are those of the recording; other tolerances: --rtol, --atol"
-        )
-    return verdicts
+    known = load_mapping(mapping) if mapping else VariableMapping()
+    verdicts, notes = compare(fmu, recording, known, rtol, atol, progress)
+    return Replay(recording.name, len(recording.times) - 1, verdicts, notes)
 
 
 def compare(
-    path: Path, recording: Recording, mapping: VariableMapping, rtol: float | None, atol: float
-) -> tuple[list[Verdict], list[str]]:
+    path: Path, recording: Recording, mapping: VariableMapping, rtol: float | None, atol: float,
+    progress: Callable[[float], None],
+) -> tuple[list[Verdict], list[str]]:  # fmt: skip
     """Drive the FMU through the recording; a verdict per output, and what was left out."""
     fmu = LoneFmu(path)
     try:
         _check_steps(fmu, recording)
         crossings, notes = _crossings(fmu, recording, mapping)
-        with progress(float(recording.times[-1]), f"replaying {recording.name}") as report:
-            found = _drive(fmu, recording, mapping, crossings, report)
+        found = _drive(fmu, recording, mapping, crossings, progress)
     finally:
         fmu.close()
     relative = recording.options["RelTol"] if rtol is None else rtol
@@ -169,7 +187,7 @@ def _drive(
         fmu.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, times[k]) else gap)
         rows.append([f(value) for f, value in zip(back, taken.take(), strict=True)])
         if k % 1000 == 0:
-            report(times[k])
+            report(times[k] / times[-1])
     return dict(zip(outputs, np.array(rows).T.reshape(len(outputs), -1), strict=True))
 
 
@@ -177,18 +195,3 @@ def _there(fmu: LoneFmu, cross: Crossing, text: str) -> object:
     variable = fmu.variables[cross.name]
     value = float(text) if variable.type in REALS and not cross.exact else text
     return parse_value(variable, cross.there(value) if isinstance(value, float) else value, cross.name)
-
-
-def _show(fmu: Path, recording: Recording, verdicts: list[Verdict], notes: list[str]) -> None:
-    for note in notes:
-        console.print(note, markup=False)
-    steps = len(recording.times) - 1
-    table = Table(title=f"{fmu.name} against the recording of {recording.name}, {steps} steps", title_justify="left")
-    for heading in ("output", "largest error", "at [s]", "of magnitude", "bound", "differing", "verdict"):
-        table.add_column(heading, justify="left" if heading in ("output", "verdict") else "right")
-    for v in verdicts:
-        table.add_row(
-            escape(f"{v.output} [{v.unit or '?'}]"), f"{v.error:.3g}", f"{v.at:.6g}", f"{v.scale:.4g}",
-            f"{v.bound:.3g}", f"{v.differing} of {steps + 1}", v.text,
-        )  # fmt: skip
-    console.print(table)

@@ -12,13 +12,10 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-
-from ...cli.console import console
 from ...errors import RunError
 from ...files import prepare_folder, write_file, write_json
 from ...plan.plan import Plan, make_plan
@@ -26,47 +23,57 @@ from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...run.stepping import Stepping
 from ...system.model import System
-from .components import component_rows, show_components
+from .components import component_rows
 from .floor import floor_loop
 from .hosts import HOSTS, missing, run_host
-from .streaming import long_runs, show_long_runs
+from .streaming import long_runs
 from .systems import Case, cases
 
 REPEATS = 5
 ELSEWHERE = 3  # repetitions in another master, each in a process of its own
 
 
-def bench(json_file: Path | None, fmus: Path | None) -> list[dict[str, Any]]:
-    """Measure all systems in all masters, print the tables and write the rows. Raises RunError if a run fails."""
+@dataclass(frozen=True)
+class Measured:
+    """The rows of `rovbrush bench`: systems in all masters, components by themselves, long runs, and lines to tell."""
+
+    systems: list[dict[str, Any]]
+    components: list[dict[str, Any]]
+    long_runs: list[dict[str, Any]]
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """All of them."""
+        return [*self.systems, *self.components, *self.long_runs]
+
+
+def bench(json_file: Path | None, fmus: Path | None, tell: Callable[[str], None] = lambda _line: None) -> Measured:
+    """Measure all systems in all masters, and write the rows. Raises RunError if a run fails."""
     if json_file:
         prepare_folder(json_file.parent, "--json")
     absent = {host: why for host in HOSTS if (why := missing(host))}
     for host, why in absent.items():
-        console.print(f"without {host}: {why}")
+        tell(f"without {host}: {why}")
     rows: list[dict[str, Any]] = []
     with tempfile.TemporaryDirectory() as folder:
         found = cases(Path(folder), fmus)
         for case in found:
-            rows += measured(case, [host for host in HOSTS if host not in absent])
+            rows += measured(case, [host for host in HOSTS if host not in absent], tell)
         parts = component_rows(native=found[-1].system, python=found[-2].system)
     mark(rows, "nominal", process_figures(fmus) | rerun_figures(fmus))
-    streamed = long_runs()
-    show(rows)
-    show_components(parts)
-    show_long_runs(streamed)
+    result = Measured(rows, parts, long_runs(tell))
     if json_file:
-        write_file(json_file, lambda path: write_json(path, [*rows, *parts, *streamed]))
-        console.print(f"wrote {json_file}")
-    return rows
+        write_file(json_file, lambda path: write_json(path, result.rows))
+    return result
 
 
-def measured(case: Case, hosts: list[str]) -> list[dict[str, Any]]:
+def measured(case: Case, hosts: list[str], tell: Callable[[str], None]) -> list[dict[str, Any]]:
     """The rows of one system, recording off and on."""
     rows: list[dict[str, Any]] = []
     for recording in (False, True):
         system = replace(case.system, record=("*",) if recording else (), bonds=())
         label: dict[str, Any] = {"system": case.name, "recording": recording}
-        console.print(f"measuring {case.name}, recording {'on' if recording else 'off'}")
+        tell(f"measuring {case.name}, recording {'on' if recording else 'off'}")
         rows.append({**label, "master": "rovbrush", "us_per_macro_step": per_step(system, rovbrush_loop)})
         if case.steps_elsewhere:
             steps = min(c.period for c in system.components.values()) * case.steps_elsewhere
@@ -136,27 +143,4 @@ def rerun_figures(fmus: Path | None) -> dict[str, float]:
     if done.returncode:
         raise RunError(f"the nominal run from Python failed: {done.stderr.strip()}")
     loading, first, *later = json.loads(done.stdout)
-    found = {"load_s": loading, "first_run_s": first, "next_run_s": statistics.median(later)}
-    console.print(
-        "nominal to 20 ms from Python: "
-        + ", ".join(f"{key.removesuffix('_s').replace('_', ' ')} {1e3 * value:.3g} ms" for key, value in found.items())
-    )
-    return found
-
-
-def show(rows: list[dict[str, Any]]) -> None:
-    """The systems and masters on the terminal."""
-    table = Table(title=f"Cost per macro step, medians of {REPEATS} runs", title_justify="left")
-    for heading in ("system", "master"):
-        table.add_column(heading)
-    for heading in ("off [us]", "recording on [us]", "times real time", "start [s]", "memory [MB]"):
-        table.add_column(heading, justify="right")
-    for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
-        same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
-        costs = [f"{same[on]['us_per_macro_step']:.3g}" if on in same else "" for on in (False, True)]
-        extra = [
-            f"{same[True][key]:.3g}" if key in same.get(True, {}) else ""
-            for key in ("real_time_factor", "start_s", "peak_memory_MB")
-        ]
-        table.add_row(system, master, *costs, *extra)
-    console.print(table)
+    return {"load_s": loading, "first_run_s": first, "next_run_s": statistics.median(later)}

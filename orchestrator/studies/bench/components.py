@@ -7,9 +7,6 @@ from fractions import Fraction
 from importlib.metadata import entry_points
 from typing import Any
 
-from rich.table import Table
-
-from ...cli.console import console
 from ...plan.plan import make_plan
 from ...system.model import System
 from .floor import floor_loop
@@ -42,18 +39,3 @@ def component_rows(native: System, python: System) -> list[dict[str, Any]]:
             for kind, found in seconds.items()
         ]
     return rows
-
-
-def show_components(rows: list[dict[str, Any]]) -> None:
-    """The rows on the terminal."""
-    table = Table(
-        title=f"One component by itself, microseconds per call of 1 ms, medians of {REPEATS} in turns",
-        title_justify="left",
-    )
-    table.add_column("component")
-    for heading in KINDS.values():
-        table.add_column(heading, justify="right")
-    for name in dict.fromkeys(row["component"] for row in rows):
-        cost = {row["life"]: f"{row['us_per_call']:.2f}" for row in rows if row["component"] == name}
-        table.add_row(name, *(cost.get(kind, "") for kind in KINDS))
-    console.print(table)

@@ -8,24 +8,22 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-
-from ...cli.console import console
 from ...errors import RunError
 from .native_fmu import ring
 
 STEPS = (1_000_000, 10_000_000)
 PEAK = (
-    "import re, sys; from rovbrush.orchestrator import cli; sys.argv[0] = 'rovbrush'\n"
-    "try: cli.main()\n"
+    "import re, sys; from rovbrush.orchestrator.cli.main import main; sys.argv[0] = 'rovbrush'\n"
+    "try: main()\n"
     "finally: print('peak', re.search(r'VmHWM:\\s*(\\d+)', open('/proc/self/status').read())[1])"
 )
 
 
-def long_runs() -> list[dict[str, Any]]:
+def long_runs(tell: Callable[[str], None]) -> list[dict[str, Any]]:
     """One row per length: wall time, peak memory, rows in result.nc. Raises RunError if rows are missing."""
     import h5netcdf  # type: ignore[import-untyped]
 
@@ -34,7 +32,7 @@ def long_runs() -> list[dict[str, Any]]:
         folder = Path(name)
         path = ring(folder, 2)
         for steps in STEPS:
-            console.print(f"recording {steps} macro steps of two native FMUs")
+            tell(f"recording {steps} macro steps of two native FMUs")
             begin = time.perf_counter()
             done = subprocess.run(
                 [sys.executable, "-c", PEAK, "run", str(path), "--stop", f"{steps} ms", "--out", str(folder / "out")],
@@ -54,15 +52,3 @@ def long_runs() -> list[dict[str, Any]]:
                 "peak_memory_MB": int(peak[1]) * 1024 / 1e6 if peak else 0.0,
             })  # fmt: skip
     return rows
-
-
-def show_long_runs(rows: list[dict[str, Any]]) -> None:
-    """The rows on the terminal."""
-    table = Table(title="Long runs of two native FMUs: every row in result.nc", title_justify="left")
-    for heading in ("macro steps", "loop [s]", "whole command [s]", "peak memory [MB]"):
-        table.add_column(heading, justify="right")
-    for r in rows:
-        table.add_row(
-            f"{r['macro_steps']}", f"{r['loop_s']:.2f}", f"{r['command_s']:.1f}", f"{r['peak_memory_MB']:.0f}"
-        )
-    console.print(table)

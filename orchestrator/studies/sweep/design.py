@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import math
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,10 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import InputError
+from ...errors import InputError, nearest
 from ...system.model import System, Value, checked_values
 
 LARGEST = 1_000_000  # points; a larger design is a typing error
+RANDOM = "random"
+SAMPLERS = (RANDOM, "latin", "sobol")
 DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected
 
 
@@ -34,7 +37,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Design:
-    """A `grid` is the product of its axes, the last one fastest; `random` and `list` have one value per point."""
+    """A `grid` is the product of its axes, the last one fastest; `list` and SAMPLERS have one value per point."""
 
     kind: str
     axes: tuple[Axis, ...]
@@ -54,14 +57,31 @@ class Design:
         return {axis.name: axis.values[i] for axis, i in zip(self.axes, at, strict=True)}
 
 
+def check_count(count: int, origin: str) -> None:
+    """Raise InputError for more points than a sweep may have, before they are drawn."""
+    if count > LARGEST:
+        raise InputError(f"{origin}: a sweep may have {LARGEST} points at most; take fewer")
+
+
 def make_design(
-    system: System, vary: Mapping[str, object], count: int = 0, seed: int = 1, table: Path | None = None
+    system: System,
+    vary: Mapping[str, object],
+    count: int = 0,
+    seed: int = 1,
+    table: Path | None = None,
+    sampler: str = "",
 ) -> Design:
-    """The design of `name: text` entries; random with `count` > 0, the rows of a CSV file with `table`.
+    """The design of `name: text` entries; `count` > 0 points in ranges; the rows of a CSV file with `table`.
+
+    `sampler`: how points are drawn in ranges, one of SAMPLERS; empty for the first.
 
     Raises InputError for an unknown, driven or doubly varied parameter, a value out of range, an empty or malformed
     range.
     """
+    if sampler and sampler not in SAMPLERS:
+        raise InputError(f"--design {sampler}{nearest(sampler, SAMPLERS)}; one of {', '.join(SAMPLERS)}")
+    if sampler and not count:
+        raise InputError(f"--design {sampler} needs the number of points: --random 64")
     if table:
         if vary or count:
             raise InputError("--points lists every point; leave --vary and --random out")
@@ -69,13 +89,15 @@ def make_design(
     elif not vary:
         raise InputError("nothing to vary; give --vary, for instance --vary motor.R=0.07:0.09:7")
     else:
-        axes = tuple(
-            _axis(system, name, _random(system, name, text, count, seed) if count else _grid(name, text))
-            for name, text in vary.items()
-        )
-    design = Design("list" if table else "random" if count else "grid", axes, seed if count else None)
-    if len(design) > LARGEST:
-        raise InputError(f"{len(design)} points are more than the {LARGEST} that a sweep may have; take fewer values")
+        if not count:
+            columns = {name: _grid(name, text) for name, text in vary.items()}
+            check_count(math.prod(map(len, columns.values())), "the grid of --vary")
+        else:
+            check_count(count, f"--random {count}")
+            columns = drawn(system, vary, count, seed, sampler)
+        axes = tuple(_axis(system, name, values) for name, values in columns.items())
+    design = Design("list" if table else (sampler or RANDOM) if count else "grid", axes, seed if count else None)
+    check_count(len(design), f"--points {table}")
     owners: dict[str, str] = {}
     for axis in axes:
         component, _, variable = axis.name.partition(".")
@@ -155,25 +177,68 @@ def _grid(name: str, text: object) -> Sequence[object]:
     return items
 
 
+def drawn(
+    system: System, vary: Mapping[str, object], count: int, seed: int, sampler: str = ""
+) -> dict[str, Sequence[object]]:
+    """`count` values of every name.
+
+    Random draws of one name do not depend on what else is varied. A Latin hypercube or Sobol's sequence (scrambled; any
+    count, but a power of 2 keeps it balanced) fill all ranges together, evenly.
+    """
+    if sampler in ("", RANDOM):
+        return {name: _random(system, name, text, count, seed) for name, text in vary.items()}
+    from scipy.stats import qmc
+
+    engine = (qmc.LatinHypercube if sampler == "latin" else qmc.Sobol)(len(vary), rng=np.random.default_rng(seed))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of counts that are no power of 2
+        points = engine.random(count)
+    return {name: _spread(system, name, text, points[:, k]) for k, (name, text) in enumerate(vary.items())}
+
+
+def _spread(system: System, name: str, text: object, shares: np.ndarray) -> Sequence[object]:
+    """Values of a range, or of a list, at `shares` of it in 0 to 1, (count,)."""
+    items = _items(name, text)
+    if items is not None:
+        return [items[int(k)] for k in np.minimum(shares * len(items), len(items) - 1)]
+    low, high, log = _random_range(system, name, text)
+    if _whole(system, name):
+        first, last = int(low), int(high)
+        return [int(k) for k in np.minimum(first + np.floor(shares * (last - first + 1)), last)]
+    values = np.exp(math.log(low) + shares * math.log(high / low)) if log else low + shares * (high - low)
+    return [min(max(float(value), low), high) for value in values]
+
+
 def _random(system: System, name: str, text: object, count: int, seed: int) -> Sequence[object]:
-    """`count` draws; those of one name do not depend on what else is varied."""
+    """`count` independent draws; those of one name do not depend on what else is varied."""
     generator = np.random.default_rng([seed, *name.encode()])
     items = _items(name, text)
     if items is not None:
         return [items[k] for k in generator.integers(len(items), size=count)]
+    low, high, log = _random_range(system, name, text)
+    if _whole(system, name):
+        return [int(value) for value in generator.integers(int(low), int(high), size=count, endpoint=True)]
+    values = (
+        np.exp(generator.uniform(math.log(low), math.log(high), count)) if log else generator.uniform(low, high, count)
+    )
+    return [min(max(float(value), low), high) for value in values]
+
+
+def _random_range(system: System, name: str, text: object) -> tuple[float, float, bool]:
+    """Ends of a range to draw from, both allowed, and whether in equal ratios."""
     form = "low:high (or low:high:log) with --random"
     low, high, more = _range(name, text, form)
     if more not in ([], ["log"]):
         raise InputError(f"--vary {name}={text}: write {form}; the number of points is that of --random")
     _axis(system, name, [low, high])
+    return low, high, bool(more)
+
+
+def _whole(system: System, name: str) -> bool:
+    """Whether a variable takes whole numbers only."""
     component, _, variable = name.partition(".")
     fmu = system.components[component].fmu
-    if fmu.variables[fmu.expand(variable)[0]].type != "Real":
-        return [int(value) for value in generator.integers(int(low), int(high), size=count, endpoint=True)]
-    drawn = (
-        np.exp(generator.uniform(math.log(low), math.log(high), count)) if more else generator.uniform(low, high, count)
-    )
-    return [min(max(float(value), low), high) for value in drawn]
+    return bool(fmu.variables[fmu.expand(variable)[0]].type != "Real")
 
 
 def _table_axes(system: System, path: Path) -> tuple[Axis, ...]:

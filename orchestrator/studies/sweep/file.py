@@ -5,6 +5,7 @@ system = "nominal"                 # a shipped system, or a path beside this fil
 stop_time = "5 s"                  # optional, as the rest
 random = 50                        # random points in place of a grid, drawn with `seed`
 seed = 1
+design = "sobol"                   # how they are drawn: "random" if not given, "latin", "sobol"
 [set]                              # values of all points
 "motor.L_a" = 0.001
 [vary]
@@ -23,7 +24,7 @@ from ...system.reader import SYSTEMS, shipped_systems
 from ...toml_file import TomlFile
 
 SWEEPS = SYSTEMS / "sweeps"
-KEYS = {"description", "system", "stop_time", "random", "seed", "set", "vary", "summary"}
+KEYS = {"description", "system", "stop_time", "random", "seed", "design", "set", "vary", "summary"}
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,7 @@ class SweepFile:
     values: dict[str, object] = field(default_factory=dict)
     vary: dict[str, object] = field(default_factory=dict)
     summary: dict[str, str] = field(default_factory=dict)
+    design: str = ""
 
 
 def shipped_sweeps() -> list[str]:
@@ -73,5 +75,5 @@ def sweep_file(name: str) -> SweepFile:
         path.stem, str(path.resolve().parent / system) if system.endswith((".toml", ".ssp", ".ssd")) else system,
         str(file.entry(str, "description")), str(file.data.get("stop_time", "")), counts["random"], counts["seed"],
         file.entry(dict, "set"), file.entry(dict, "vary"),
-        {key: str(text) for key, text in file.entry(dict, "summary").items()},
+        {key: str(text) for key, text in file.entry(dict, "summary").items()}, str(file.entry(str, "design")),
     )  # fmt: skip

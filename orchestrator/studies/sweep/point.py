@@ -16,6 +16,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from ...environment import changes, versions
 from ...errors import InputError, RunError
 from ...plan.plan import Plan, make_plan
 from ...process import peak_memory
@@ -41,15 +42,23 @@ class Job:
     figures: tuple[tuple[str, str], ...] = ()  # figures of merit beside those of the system file
     stop: str = ""
     digest: str = ""  # of the system in the process that began the sweep
+    versions: tuple[tuple[str, str], ...] = ()  # there
     changes: Changes = UNCHANGED
+
+
+def job_system(job: Job) -> System:
+    """The system of a job with its figures of merit, recording only what these need. Raises InputError, FmuError."""
+    system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
+    summary = {**system.reporting["summary"], **dict(job.figures)}
+    return replace(system, reporting={**system.reporting, "summary": summary})
 
 
 @lru_cache(maxsize=4)
 def load(job: Job) -> Plan:
-    """The plan of a job, recording only what its figures of merit need. Raises InputError, FmuError, RunError."""
-    system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
-    summary = {**system.reporting["summary"], **dict(job.figures)}
-    system = replace(system, reporting={**system.reporting, "summary": summary})
+    """The plan of a job. Raises InputError, FmuError, RunError."""
+    if job.versions and (differing := changes(dict(job.versions), versions())):
+        raise RunError(f"the sweep began with other versions ({differing}); install the same everywhere")
+    system = job_system(job)
     if job.digest and digest(system) != job.digest:
         raise RunError(
             "the system file, the parameter file or the FMUs are not those with which the sweep began; restore them, "

@@ -10,7 +10,7 @@ import csv
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
-from ...errors import InputError, RunError
+from ...environment import changes
+from ...errors import InputError, RunError, counted
 from ...files import write_file
 from .design import Design
 
@@ -29,32 +30,44 @@ if TYPE_CHECKING:
 NOT_COMPUTED = "not computed"
 FILE = "points.jsonl"
 CONTENT = "content of system file and FMUs"
+MADE_WITH = "made with"
 
 
-def header(system: str, digest: str, stop: float, design: Design, units: Mapping[str, str]) -> dict[str, Any]:
-    """What tells a sweep from another, as it stands in the first line."""
+def header(
+    system: str, digest: str, stop: float, design: Design, units: Mapping[str, str], made_with: Mapping[str, str]
+) -> dict[str, Any]:
+    """What tells a sweep from another, as it stands in the first line; `made_with`: see `environment`."""
     return {
         "system": system, "stop_s": stop, "design": design.kind, "seed": design.seed, "points": len(design),
         **{f"vary {axis.name}": list(axis.values) for axis in design.axes},
-        "figures of merit": dict(units), CONTENT: digest,
+        "figures of merit": dict(units), CONTENT: digest, MADE_WITH: dict(made_with),
     }  # fmt: skip
 
 
 class Points:
     """The records of a folder, by point; opened for appending."""
 
-    def __init__(self, folder: Path, head: Mapping[str, Any]) -> None:
-        self.path = folder / FILE
+    def __init__(self, folder: Path, head: Mapping[str, Any], force: bool = False) -> None:
+        """Raises InputError where the folder holds another sweep.
+
+        With `force` also points that other versions, or another processor, have computed are taken.
+        """
+        self.path, self.force = folder / FILE, force
         self.records: dict[int, dict[str, Any]] = {}
+        self.made_with: list[dict[str, str]] = []  # the versions and processors of the points, in turn
         try:
             keep = self._read(head) if self.path.is_file() else 0
             self.file: BinaryIO = self.path.open("ab", buffering=0)
             if keep:
                 os.truncate(self.path, keep)  # a line that was cut short by a sudden end
+                if self.made_with[-1] != head[MADE_WITH]:
+                    self._write({MADE_WITH: head[MADE_WITH]})
+                    self.made_with.append(head[MADE_WITH])
             else:
                 with suppress(OSError):  # a device has no length
                     os.truncate(self.path, 0)
                 self._write(head)
+                self.made_with = [head[MADE_WITH]]
         except OSError as error:
             raise InputError(f"cannot write {self.path}: {error.strerror or error}; choose another --out") from error
 
@@ -67,17 +80,26 @@ class Points:
             return 0
         try:
             before, *records = (json.loads(line) for line in lines)
-            self.records = {int(record.pop("point")): record for record in records}
-        except (ValueError, KeyError, AttributeError):
+            self.made_with = [dict(before.get(MADE_WITH, {}))]
+            self.made_with += [dict(record[MADE_WITH]) for record in records if MADE_WITH in record]
+            self.records = {int(record.pop("point")): record for record in records if MADE_WITH not in record}
+        except (ValueError, KeyError, AttributeError, TypeError):
             raise InputError(f"{self.path} is not a file of points; choose another --out, or remove it") from None
         now = json.loads(json.dumps(head))
-        changed = [key for key in {**before, **now} if before.get(key) != now.get(key)]
+        changed = [key for key in {**before, **now} if before.get(key) != now.get(key) and key != MADE_WITH]
         changed = [key for key in changed if key != CONTENT] or changed  # it tells less than any other
         if changed:
             what = "; ".join(f"{key}: {_short(before.get(key))}, now {_short(now.get(key))}" for key in changed)
             raise InputError(
-                f"{self.path.parent} holds {len(self.records)} points of a different sweep ({what}); choose another "
-                f"--out, or remove {FILE} there"
+                f"{self.path.parent} holds {counted(len(self.records), 'point')} of a different sweep ({what}); choose "
+                f"another --out, or remove {FILE} there"
+            )
+        differing = changes(self.made_with[-1], now[MADE_WITH])
+        if differing and not self.force:
+            raise InputError(
+                f"{self.path.parent} holds {counted(len(self.records), 'point')}, computed otherwise "
+                f"({differing}): the last digits may differ; go on with --force, choose another --out, or remove "
+                f"{FILE} there"
             )
         return keep
 
@@ -117,6 +139,7 @@ class Table:
     design: Design
     figures: Mapping[str, tuple[str, str]]  # unit and definition by name
     records: Mapping[int, Mapping[str, Any]]
+    made_with: Sequence[Mapping[str, str]] = ()
 
     def column(self, figure: str) -> np.ndarray:
         """One figure of merit over the points; NaN where there is none, (points,)."""
@@ -151,6 +174,7 @@ def dataset(table: Table) -> xarray.Dataset:
     variables["error"] = (dims, errors, {"long_name": "why a point has no values; empty where it has"})
     attributes = {
         "title": table.title, "design": design.kind, "rovbrush": version("rovbrush"),
+        "made_with": "; then ".join(", ".join(f"{k} {v}" for k, v in entry.items()) for entry in table.made_with),
         "complete": int(len(table.records) == len(design)),
         **({} if design.seed is None else {"seed": design.seed}),
     }  # fmt: skip

@@ -3,30 +3,27 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rich.markup import escape
-from rich.table import Table as Printed
-
-from ...cli.console import console, print_notes, progress
-from ...errors import InputError, RunError
+from ...environment import environment, versions
+from ...errors import InputError, RunError, counted
 from ...files import prepare_folder
 from ...results.summary import figure_units
+from ...system.model import System
 from ...system.request import UNCHANGED, Changes
-from .design import Design, make_design, vary_entries
-from .file import sweep_file
-from .point import Job, digest, load
+from .design import Design, check_count, make_design, vary_entries
+from .file import SweepFile, sweep_file
+from .point import Job, digest, job_system, load
 from .points import Points, Table, header, write_table
 from .workers import LocalWorkers, Workers, computed, cores
 
 if TYPE_CHECKING:
     import xarray
 
-SHOWN = 12  # points of a sweep along one axis that are printed as a table
 ERRORS_SHOWN = 3
 
 
@@ -44,44 +41,101 @@ class Options:
     scheduler: str = ""
     fmus: Path | None = None
     changes: Changes = UNCHANGED
+    design: str = ""  # of --random: see `design.SAMPLERS`
+    force: bool = False  # go on although another version or processor computed what is there
 
 
-def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
-    """Compute every point that `out` does not hold yet, write sweep.nc and sweep.csv, and return the dataset.
+@dataclass(frozen=True)
+class Cost:
+    """What the points of one call took, all workers together."""
 
-    The results do not depend on workers or interruptions. Raises InputError before anything is computed; RunError
-    after an interruption or with failed points (what was computed is written, and kept for the next time).
+    points: int
+    wall_s: float
+    cpu_s: float
+    memory_MB: float  # the largest of a worker
+
+    @property
+    def text(self) -> str:
+        """In a line."""
+        return (
+            f"{counted(self.points, 'point')} in {self.wall_s:.1f} s: {self.points / self.wall_s:.2f} points/s, "
+            f"{self.cpu_s / self.points:.3f} s of a core per point, {self.cpu_s / self.wall_s:.2f} cores busy on "
+            f"average, at most {self.memory_MB:.0f} MB per worker"
+        )
+
+
+@dataclass(frozen=True)
+class Swept:
+    """All points of a sweep, the same as a dataset, and what it took to compute those that were missing."""
+
+    table: Table
+    dataset: xarray.Dataset
+    folder: Path
+    cost: Cost | None
+
+    def require_all(self) -> xarray.Dataset:
+        """The dataset. Raises RunError if a point failed."""
+        failed = [(k, error) for k, error in enumerate(self.table.errors()) if error]
+        if not failed:
+            return self.dataset
+        design = self.table.design
+        lines = [f"point {k} ({_values(design.point(k))}): {error}" for k, error in failed[:ERRORS_SHOWN]]
+        more = ["..."] if len(failed) > ERRORS_SHOWN else []
+        head = f"{len(failed)} of {counted(len(design), 'point')} failed; see `error` in {self.folder}"
+        raise RunError("\n  ".join([head, *lines, *more]))
+
+
+def sweep(
+    name: str,
+    out: Path,
+    options: Options,
+    tell: Callable[[str], None] = lambda _line: None,
+    progress: Callable[[int, int], None] = lambda _done, _of: None,
+) -> Swept:
+    """Compute every point that `out` does not hold yet, and write sweep.nc and sweep.csv.
+
+    `tell` hears what the user must know before, `progress` how many points are done, of how many. The results do not
+    depend on workers or interruptions. Raises InputError before anything is computed; RunError after an interruption
+    (what was computed is written, and kept for the next time).
     """
     study = sweep_file(name)
     values = {**study.values, **options.values}
     vary = {} if options.points else {**study.vary, **vary_entries(options.vary)}
+    if options.points and options.vary:
+        raise InputError("--points lists every point; leave --vary and --random out")
     for twice in vary.keys() & options.values.keys():
         raise InputError(f"--set {twice}: it is varied; leave one of the two out")
     count = options.random or (0 if options.points else study.random)
-    seed = study.seed if options.seed is None else options.seed
+    check_count(count, f"--random {count}" if options.random else f"{study.name}: random = {count}")
     job = Job(
         study.system, str(options.fmus.resolve()) if options.fmus else "",
         tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in values.items() if key not in vary),
         tuple(study.summary.items()), options.stop or study.stop, changes=options.changes,
     )  # fmt: skip
-    system = load(job).system
-    if not vary and options.vary:
-        raise InputError("--points lists every point; leave --vary and --random out")
-    design = make_design(system, vary, count, seed, options.points)
+    system = job_system(job)
+    require_figures(system, study)
+    seed = study.seed if options.seed is None else options.seed
+    design = make_design(system, vary, count, seed, options.points, options.design or study.design)
+    load(job)  # its plan, and its figures of merit
     units = figure_units(system)
-    if not units:
-        raise InputError(f"{study.name}: the system has no [summary], so that there is nothing to gather")
-    job = replace(job, digest=digest(system))
+    made_with = environment()
+    job = replace(job, digest=digest(system), versions=tuple(versions().items()))
     workers = make_workers(options, job, len(design))
     with workers:
         prepare_folder(out)
-        print_notes(system)
-        points = Points(out, header(system.name, job.digest, float(system.stop), design, units))
-        texts = {**{key: str(text) for key, text in system.reporting["summary"].items()}}
+        for component in system.components.values():
+            for note in component.notes:
+                tell(note)
+        head = header(system.name, job.digest, float(system.stop), design, units, made_with)
+        points = Points(out, head, options.force)
+        texts = {key: str(text) for key, text in system.reporting["summary"].items()}
         figures = {key: (unit, texts.get(key, key.replace("_", " "))) for key, unit in units.items()}
-        table = Table(study.description or f"{study.name} over {', '.join(vary)}", design, figures, points.records)
+        title = study.description or f"{study.name} over {', '.join(vary)}"
+        table = Table(title, design, figures, points.records, points.made_with)
+        if points.records:
+            tell(f"{len(points.done())} of {counted(len(design), 'point')} are there already")
         try:
-            run_points(study.name, workers, job, design, points)
+            cost = run_points(workers, job, design, points, progress)
         except BaseException as error:
             workers.stop()
             if isinstance(error, (KeyboardInterrupt, RunError)):
@@ -89,23 +143,25 @@ def sweep(name: str, out: Path, options: Options) -> xarray.Dataset:
                     write_table(table, out)
                 reason = "interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
                 raise RunError(
-                    f"{reason}\n{len(points.done())} of {len(design)} points are kept in {out}; "
+                    f"{reason}\n{len(points.done())} of {counted(len(design), 'point')} are kept in {out}; "
                     "give the same command again to go on"
                 ) from error
             raise
         finally:
             points.close()
-    result = write_table(table, out)
-    show(table)
-    console.print(f"wrote points.jsonl, sweep.nc, sweep.csv to {out}")
-    failed = [(k, error) for k, error in enumerate(table.errors()) if error]
-    if failed:
-        lines = [f"point {k} ({_values(design.point(k))}): {error}" for k, error in failed[:ERRORS_SHOWN]]
-        more = ["..."] if len(failed) > ERRORS_SHOWN else []
-        raise RunError(
-            "\n  ".join([f"{len(failed)} of {len(design)} points failed; see `error` in {out}", *lines, *more])
-        )
-    return result
+    return Swept(table, write_table(table, out), out, cost)
+
+
+def require_figures(system: System, study: SweepFile) -> None:
+    """Raise InputError, with the lines to write, where there is nothing to gather."""
+    if figure_units(system):
+        return
+    found = [(name, c.fmu.names("output")) for name, c in system.components.items()]
+    output = next((f"{name}.{outputs[0]}" for name, outputs in found if outputs), "component.output")
+    raise InputError(
+        f"{study.name}: the system has no [summary], so that there is nothing to gather; write, for instance, into "
+        f'{system.path.name} (or into a sweep file):\n[summary]\n{output.replace(".", "_")}_mean = "mean {output}"'
+    )
 
 
 def make_workers(options: Options, job: Job, points: int) -> Workers:
@@ -119,42 +175,21 @@ def make_workers(options: Options, job: Job, points: int) -> Workers:
     return LocalWorkers(min(options.workers or cores(), points))
 
 
-def run_points(name: str, workers: Workers, job: Job, design: Design, points: Points) -> None:
-    """Compute and keep what is missing; say how it goes, and at the end what it cost."""
+def run_points(
+    workers: Workers, job: Job, design: Design, points: Points, progress: Callable[[int, int], None]
+) -> Cost | None:
+    """Compute and keep what is missing; what that cost."""
     done = points.done()
     tasks = [(k, design.point(k)) for k in range(len(design)) if k not in done]
-    if done:
-        console.print(f"{len(done)} of {len(design)} points are there already")
     if not tasks:
-        return
+        return None
     begin, cpu, memory = time.perf_counter(), 0.0, 0.0
-    with progress(len(design), f"sweep {name}", "points", len(done)) as report:
-        for finished, (k, record) in enumerate(computed(workers, job, tasks), len(done) + 1):
-            points.add(k, record)
-            cpu, memory = cpu + record.get("cpu_s", 0.0), max(memory, record.get("memory_MB", 0.0))
-            report(finished)
-    elapsed = time.perf_counter() - begin
-    console.print(
-        f"{len(tasks)} points in {elapsed:.1f} s: {len(tasks) / elapsed:.2f} points/s, {cpu / len(tasks):.3f} s of a "
-        f"core per point, {cpu / elapsed:.2f} cores busy on average, at most {memory:.0f} MB per worker"
-    )
-
-
-def show(table: Table) -> None:
-    """A sweep along one axis: each figure of merit at the first point, and its change from there at the others."""
-    design = table.design
-    if len(design.axes) != 1 or len(design) > SHOWN:
-        return
-    axis = design.axes[0]
-    printed = Printed(title=f"{table.title}: the first point, and the change from it", title_justify="left")
-    printed.add_column(escape(f"{axis.name} [{axis.unit}]"), no_wrap=True)
-    for value in axis.values:
-        printed.add_column(f"{value:g}" if isinstance(value, float) else str(value), justify="right")
-    for name, (unit, _) in table.figures.items():
-        first, *others = table.column(name).tolist()
-        changes = (f"{100 * (value / first - 1):+.3g} %" if first and value == value else "-" for value in others)
-        printed.add_row(escape(f"{name} [{unit}]"), f"{first:.5g}", *changes)
-    console.print(printed)
+    progress(len(done), len(design))
+    for finished, (k, record) in enumerate(computed(workers, job, tasks), len(done) + 1):
+        points.add(k, record)
+        cpu, memory = cpu + record.get("cpu_s", 0.0), max(memory, record.get("memory_MB", 0.0))
+        progress(finished, len(design))
+    return Cost(len(tasks), time.perf_counter() - begin, cpu, memory)
 
 
 def _values(values: Mapping[str, Any]) -> str:

@@ -5,7 +5,6 @@ Both take the same calls, so that outgrowing a machine means changing one option
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import signal
 from collections import deque
@@ -13,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Protocol, Self
 
 from .point import Job, Record, begin_worker, run_point
@@ -58,16 +58,27 @@ class Workers(Protocol):
     def __exit__(self, kind: object, *_: object) -> None: ...
 
 
+class _Remembering(SpawnContext):
+    """The start method `spawn`, which keeps a list of its processes: what else the program has started is not ours."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.made: list[SpawnProcess] = []
+
+    def Process(self, *arguments: Any, **keys: Any) -> SpawnProcess:  # type: ignore[override]
+        self.made.append(SpawnProcess(*arguments, **keys))
+        return self.made[-1]
+
+
 class LocalWorkers:
     """Processes on this machine. They end with this process, also if it is killed: a pipe tells them."""
 
     def __init__(self, count: int) -> None:
         self.count = count
-        self.others = set(multiprocessing.active_children())
         self.start()
 
     def start(self) -> None:
-        context = multiprocessing.get_context("spawn")
+        context = self.context = _Remembering()
         self.reader, self.writer = context.Pipe(duplex=False)
         self.pool = ProcessPoolExecutor(self.count, context, begin_worker, (self.reader,))
 
@@ -83,8 +94,9 @@ class LocalWorkers:
 
     def stop(self) -> None:
         """End the processes in the middle of whatever they do."""
-        for process in set(multiprocessing.active_children()) - self.others:
-            process.terminate()
+        for process in self.context.made:
+            if process.pid and process.is_alive():
+                process.terminate()
         self.pool.shutdown(wait=False, cancel_futures=True)
         self.writer.close()
         self.reader.close()

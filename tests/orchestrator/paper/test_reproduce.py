@@ -141,7 +141,7 @@ def test_every_check_of_the_suite_that_the_page_names_exists(parsed: Page) -> No
 def test_one_claim_can_be_asked_alone_and_gives_the_same_numbers(
     fmus: Path, tmp_path: Path, rows: dict[int, dict[str, Any]]
 ) -> None:
-    (row,) = reproduce.reproduce(tmp_path / "none", fmus, (16,))
+    (row,) = reproduce.reproduce(tmp_path / "none", fmus, (16,)).rows
     assert json.loads(json.dumps(row)) == rows[16]
     assert not (tmp_path / "none").exists()
 

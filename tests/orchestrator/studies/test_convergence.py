@@ -66,7 +66,7 @@ def test_the_command_prints_the_table(tmp_path: Path, fmus: Path) -> None:
     command = [sys.executable, "-m", "rovbrush.orchestrator", "converge", str(path), "--fmus", str(fmus)]
     done = subprocess.run([*command, "--out", str(tmp_path)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert "observed order" in done.stdout and "c.z_c" in done.stdout and "convergence.png" in done.stdout
+    assert "observed" in done.stdout and "c.z_c" in done.stdout and "convergence.png" in done.stdout
 
 
 def test_adaptive_steps_have_no_periods_to_halve(tmp_path: Path, fmus: Path) -> None:

@@ -80,7 +80,7 @@ def test_results_are_those_of_single_runs_whatever_the_number_of_workers(fmus: P
     found = {}
     for workers in (1, 2):
         out = tmp_path / str(workers)
-        sweep("test_stand", out, Options(**{**vars(options), "workers": workers}))
+        sweep("test_stand", out, Options(**{**vars(options), "workers": workers})).require_all()
         found[workers] = [(out / name).read_bytes() for name in ("sweep.nc", "sweep.csv")]
     assert found[1] == found[2], "bitwise"
     with xarray.open_dataset(tmp_path / "2" / "sweep.nc") as result:
@@ -93,7 +93,9 @@ def test_results_are_those_of_single_runs_whatever_the_number_of_workers(fmus: P
 
 
 def test_a_random_sweep_is_indexed_by_point(case: Path, fmus: Path, tmp_path: Path) -> None:
-    result = sweep(str(case), tmp_path / "out", Options(["w.c0=1:2"], random=4, seed=3, workers=1, fmus=fmus))
+    result = sweep(
+        str(case), tmp_path / "out", Options(["w.c0=1:2"], random=4, seed=3, workers=1, fmus=fmus)
+    ).require_all()
     assert result.x_last.dims == ("point",) and result.attrs["seed"] == 3
     np.testing.assert_allclose(result.x_last, 0.01 * result["w.c0"], rtol=1e-12)
     with (tmp_path / "out" / "sweep.csv").open() as file:
@@ -118,6 +120,6 @@ def test_a_failed_point_is_recorded_and_the_rest_goes_on(
 def test_a_point_that_kills_its_process_costs_nothing_but_itself(fmus: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with pytest.raises(RunError, match=r"1 of 4 points failed(.|\n)*process that computed this point died"):
-        sweep(str(plain_case(tmp_path)), out, Options(["p.mode=0,6,3,7"], workers=2, fmus=fmus))
+        sweep(str(plain_case(tmp_path)), out, Options(["p.mode=0,6,3,7"], workers=2, fmus=fmus)).require_all()
     with xarray.open_dataset(out / "sweep.nc") as result:
         assert np.isnan(result.y_last.values).tolist() == [False, True, False, False]

@@ -16,8 +16,8 @@ def test_a_dask_cluster_gives_the_same_bits(case: Path, fmus: Path, tmp_path: Pa
         n_workers=1, threads_per_worker=2, dashboard_address=None, silence_logs=50
     ) as cluster:
         there = Options(["w.c0=1:5:5"], scheduler=cluster.scheduler_address, fmus=fmus)
-        sweep(str(case), tmp_path / "there", there)
-    sweep(str(case), tmp_path / "here", Options(["w.c0=1:5:5"], workers=1, fmus=fmus))
+        sweep(str(case), tmp_path / "there", there).require_all()
+    sweep(str(case), tmp_path / "here", Options(["w.c0=1:5:5"], workers=1, fmus=fmus)).require_all()
     for name in ("sweep.nc", "sweep.csv"):
         assert (tmp_path / "there" / name).read_bytes() == (tmp_path / "here" / name).read_bytes()
 
@@ -30,5 +30,5 @@ def test_a_stranger_at_the_address_of_the_scheduler_is_an_error_within_seconds(
     with socket.create_server(("127.0.0.1", 0)) as silent:
         options = Options(["w.c0=1,2"], scheduler=f"tcp://127.0.0.1:{silent.getsockname()[1]}", fmus=fmus)
         with pytest.raises(InputError, match="does not answer as a Dask scheduler within 1 s"):
-            sweep(str(case), tmp_path / "out", options)
+            sweep(str(case), tmp_path / "out", options).require_all()
     assert not (tmp_path / "out").exists()

@@ -70,10 +70,10 @@ def test_a_full_disk_ends_the_sweep_and_loses_no_point(
 
     monkeypatch.setattr(Points, "_write", limited)
     with pytest.raises(RunError, match=r"No space left on device(.|\n)*2 of 5 points are kept"):
-        sweep(str(case), out, options)
+        sweep(str(case), out, options).require_all()
     monkeypatch.undo()
     assert lines(out) == 3
-    assert sweep(str(case), out, options).attrs["complete"] == 1
+    assert sweep(str(case), out, options).require_all().attrs["complete"] == 1
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")

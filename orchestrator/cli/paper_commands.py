@@ -1,0 +1,103 @@
+"""The commands for the paper that the shipped systems come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .console import console, print_table, share, tell, wrote
+from .options import FmusOption, OutOption, SetOption, app
+
+if TYPE_CHECKING:
+    from ..paper.calibration import Fit
+
+
+@app.command()
+def calibrate(
+    out: Annotated[
+        Path | None, typer.Option("--out", help="The parameter file to write; the shipped one by default.")
+    ] = None,
+    fmus: FmusOption = None,
+) -> None:
+    """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""
+    from ..paper.calibration import calibrate as fit
+
+    _, path = fit(out, fmus, print_fit)
+    tell(f"wrote {path}")
+
+
+def print_fit(fit: Fit) -> None:
+    """One paragraph per rung."""
+    tell("  ".join(f"{name} = {value:g}" for name, value in fit.values.items()))
+    for f in fit.figures:
+        wanted = f"at most {f.wanted:g}" if f.limit else f"target {f.wanted:g}  ({100 * f.deviation:+.2f} %)"
+        tell(f"  {f.name:<14} {f.value:10.4f}  {wanted}")
+    tell(f"  misses {', '.join(fit.missed)}" if fit.missed else "  meets every bound")
+
+
+@app.command()
+def reproduce(
+    out: OutOption = Path("results"),
+    claim: Annotated[
+        list[int] | None, typer.Option("--claim", help="Answer only this claim and print its numbers; repeatable.")
+    ] = None,
+    fmus: FmusOption = None,
+) -> None:
+    """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
+    from ..paper.reproduce import reproduce as study
+
+    tell("every run, by the command that repeats it:")
+    found = study(out, fmus, claim or (), lambda command: console.print(command, style="dim", markup=False))
+    print_claims(found.rows)
+    if claim:
+        print_checks(found.rows)
+    else:
+        wrote(found.paths, out)
+        tell(f"open {found.paths[-1]} in a browser")
+
+
+def print_claims(rows: Sequence[Mapping[str, Any]]) -> None:
+    """The claims and their verdicts."""
+    from rich.text import Text
+
+    from ..paper.claims import VERDICTS
+
+    color = dict(zip(VERDICTS, ("green", "blue", "red"), strict=True))
+    cells = [(str(row["number"]), row["claim"], Text(row["verdict"], color[row["verdict"]])) for row in rows]
+    print_table("The paper, claim by claim", ("", "claim", "verdict"), cells, words=(1, 2))
+    tell(", ".join(f"{sum(row['verdict'] == verdict for row in rows)} {verdict}" for verdict in VERDICTS))
+
+
+def print_checks(rows: Sequence[Mapping[str, Any]]) -> None:
+    """Every number behind the claims."""
+    for row in rows:
+        for c in row["checks"]:
+            sign = "" if c["holds"] else "  does not hold"
+            tell(
+                f"  {row['number']}: {c['quantity']} = {c['computed']:.6g} {c['unit']}, paper {c['paper']:g} "
+                f"({c['rule']}){sign}"
+            )
+        for key in ("arithmetic", "note"):
+            if row.get(key):
+                tell(f"  {row['number']}: {row[key]}")
+
+
+@app.command()
+def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
+    """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
+    from ..paper.strategies import ROWS
+    from ..paper.strategies import strategies as study
+    from ..system.request import assignments
+
+    with share("strategies") as progress:
+        found = study(out, assignments(set_), fmus, progress)
+    for name, columns in found.merits.items():
+        cells = [
+            (text, unit, *(f"{factor * column[key]:.3g}" for column in columns.values()))
+            for key, (text, (unit, factor)) in ROWS.items()
+        ]
+        print_table(f"{name}: strategies over the same pass", ("", "unit", *columns), cells, words=(0, 1))
+    wrote(found.paths, out)
