@@ -1,14 +1,18 @@
-"""FMUs are built once per session; what they unpack and compile stays in pytest's cache for the next one."""
+"""FMUs are built once for all workers of a session; what is unpacked and compiled stays in pytest's cache."""
 
 from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator
+import signal
+import tempfile
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
+from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
@@ -19,32 +23,59 @@ from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
 
-MEASURED = pytest.StashKey[dict[str, tuple[float | str, str]]]()
+Rows = dict[str, tuple[float | str, str]]
+MEASURED = pytest.StashKey[Rows]()
 FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
 
 
-@pytest.fixture(scope="session", autouse=True)
-def cache_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Tests never unpack into the user's own cache."""
-    kept = getattr(request.config, "cache", None)
-    folder = Path(kept.mkdir("rovbrush")) if kept is not None else tmp_path_factory.mktemp("cache")
-    if not str(folder).isascii():
-        folder = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ROVBRUSH_CACHE", str(folder))
-        yield folder
+def pytest_configure(config: pytest.Config) -> None:
+    """Tests begin alike wherever they are started, and leave nothing in the user's folders."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # `nohup`, `make test &`: ignored, and that is inherited
+    kept = getattr(config, "cache", None)
+    home = Path(kept.mkdir("home")) if kept is not None else Path(tempfile.mkdtemp(prefix="home_"))
+    cache = home / "cache" / "rovbrush"
+    if not str(cache).isascii():  # where FMUs cannot be unpacked
+        cache = Path(tempfile.mkdtemp(prefix="cache_"))
+    os.environ |= {
+        "HOME": str(home),
+        "XDG_CACHE_HOME": str(home / "cache"),
+        "XDG_CONFIG_HOME": str(home / "config"),
+        "XDG_DATA_HOME": str(home / "data"),
+        "XDG_STATE_HOME": str(home / "state"),
+        "MPLCONFIGDIR": str(home / "matplotlib"),
+        "ROVBRUSH_CACHE": str(cache),
+    }
+    for name in ("ROVBRUSH_FMUS", "NUMBA_CACHE_DIR"):
+        os.environ.pop(name, None)
+
+
+def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
+    """A folder that `make` has filled, once for all workers of this session."""
+    common = factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        common = common.parent
+    folder, done = common / name, common / f"{name}.made"
+    with FileLock(common / f"{name}.lock"):
+        if not done.exists():
+            shutil.rmtree(folder, ignore_errors=True)
+            folder.mkdir()
+            make(folder)
+            done.touch()
+    return folder
 
 
 @pytest.fixture(scope="session")
 def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with all FMUs: the project's components and the fixtures."""
-    folder = tmp_path_factory.mktemp("fmus")
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        built = [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
-        built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
-        for task in built:
-            task.result()
-    return folder
+
+    def make(folder: Path) -> None:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            built = [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
+            built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
+            for task in built:
+                task.result()
+
+    return made_once(tmp_path_factory, "fmus", make)
 
 
 @pytest.fixture(scope="session")
@@ -53,10 +84,12 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
     platforms = tuple(name for name, p in PLATFORMS.items() if any(map(shutil.which, p.compilers)))
     if "linux64" not in platforms:
         pytest.skip("no C compiler: native FMUs cannot be built")
-    folder = tmp_path_factory.mktemp("native_fmus")
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        list(pool.map(lambda name: build(HERE / name, folder, 0, platforms), COMPONENTS))
-    return folder / "native"
+
+    def make(folder: Path) -> None:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(lambda name: build(HERE / name, folder, 0, platforms), COMPONENTS))
+
+    return made_once(tmp_path_factory, "native_fmus", make) / "native"
 
 
 @pytest.fixture(scope="session")
@@ -65,12 +98,30 @@ def measured(request: pytest.FixtureRequest) -> Measured:
     rows = request.config.stash.setdefault(MEASURED, {})
 
     def record(claim: str, value: float | str, bound: str) -> None:
-        known = rows.get(claim, (value, bound))[0]
-        if not isinstance(value, str) and not isinstance(known, str) and abs(known) > abs(value):
-            value = known
-        rows[claim] = (value if isinstance(value, str) else float(value), bound)
+        _keep_largest(rows, claim, value if isinstance(value, str) else float(value), bound)
 
     return record
+
+
+def _keep_largest(rows: Rows, claim: str, value: float | str, bound: str) -> None:
+    known = rows.get(claim, (value, bound))[0]
+    if not isinstance(value, str) and not isinstance(known, str) and abs(known) > abs(value):
+        value = known
+    rows[claim] = (value, bound)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A worker hands in what it measured."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["measured"] = session.config.stash.get(MEASURED, {})
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """The controller gathers it."""
+    rows = node.config.stash.setdefault(MEASURED, {})
+    for claim, (value, bound) in getattr(node, "workeroutput", {}).get("measured", {}).items():
+        _keep_largest(rows, claim, value, bound)
 
 
 @pytest.fixture(scope="session")
@@ -93,7 +144,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     """The report: every number that a test measured, beside what is claimed of it."""
     rows = [
         (claim, value if isinstance(value, str) else f"{value:.6g}", bound)
-        for claim, (value, bound) in config.stash.get(MEASURED, {}).items()
+        for claim, (value, bound) in sorted(config.stash.get(MEASURED, {}).items())
     ]
     if not rows:
         return

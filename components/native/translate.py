@@ -31,7 +31,9 @@ def kernel_in_c(kernel: ModuleType) -> str:
             raise BuildError('native FMUs need Pyccel; install it with `pip install "rovbrush[native]"`')
         made = work / "__pyccel__" / "kernel.c"
         if run.returncode or not made.is_file():
-            raise BuildError(f"Pyccel cannot translate {kernel.__name__}:\n{run.stdout}{run.stderr}")
+            raise BuildError(
+                f"Pyccel cannot translate {kernel.__name__} (exit code {run.returncode}):\n{run.stdout}{run.stderr}"
+            )
         return plain_c(made.read_text(encoding="utf-8"))
 
 

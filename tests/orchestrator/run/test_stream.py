@@ -126,7 +126,7 @@ def test_a_disk_that_refuses_is_a_clear_error(tmp_path: Path, fmus: Path) -> Non
 
 
 @needs_gcc
-def test_memory_does_not_grow_with_the_number_of_steps(tmp_path: Path, cache_folder: Path, measured: Measured) -> None:
+def test_memory_does_not_grow_with_the_number_of_steps(tmp_path: Path, measured: Measured) -> None:
     """Rows of 40 bytes and more: kept in memory, the longer run would take 40 MB more."""
     path, peaks = ring(tmp_path, 2), []
     for stop in ("1100 s", "2200 s"):
