@@ -87,7 +87,7 @@ def differences(plan: Plan) -> list[str]:
     """What the container does otherwise than the plan, for the user to know."""
     other = [c.label for c, choice in plan.choices.items() if choice.transfer != "hold"]
     notes = []
-    if plan.system.algorithm != "jacobi":
+    if not plan.algorithm.parallel:
         notes.append(f"the container steps in parallel (jacobi), the plan by {plan.system.algorithm}")
     if other:
         notes.append(f"the container holds every signal; the plan has other transfers for {', '.join(other)}")

@@ -80,11 +80,6 @@ def bond_energies(system: System, clock: Clock, layout: Layout) -> tuple[BondEne
     return tuple(found)
 
 
-def coupling_unit(variable: str) -> str:
-    """Unit of a signal that the coupling makes: energies of bonds, and what the algorithms tell of themselves."""
-    return {"step": "s", "tick": "1", "indicator": "1", "iterations": "1", "residual": "1"}.get(variable, "J")
-
-
 def check_names(system: System, layout: Layout) -> None:
     """Raise InputError where a component is called as the signals of the coupling are."""
     if layout.extras and "coupling" in system.components:

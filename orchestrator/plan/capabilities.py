@@ -12,10 +12,6 @@ def check_capabilities(system: System) -> None:
     once: dict[str, str] = {}
     for name, component in system.components.items():
         fmu = component.fmu
-        if system.algorithm == "iterated":
-            require_state(component, "algorithm 'iterated'")
-        if system.algorithm == "ecco":
-            require_variable_steps(component, "algorithm 'ecco'")
         if fmu.interface.canBeInstantiatedOnlyOncePerProcess and component.isolation != "process":
             if fmu.digest in once:
                 raise InputError(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from ..clock import Clock
 from ..system.model import Connection, System
 from ..system.series import Series
+from .algorithms.base import Algorithm
 from .bond_energy import BondEnergy
 from .formulas import Choice
 from .layout import Group, Layout
@@ -18,6 +20,7 @@ class Design:
     """Rates, transfers, order and memory of a run."""
 
     system: System
+    algorithm: Algorithm
     clock: Clock
     order: tuple[str, ...]
     order_reason: str
@@ -32,7 +35,14 @@ class Design:
 
     def into(self, name: str) -> list[Connection]:
         """The connections into a component."""
-        return [c for c in self.system.connections if c.target[0] == name]
+        return self._into.get(name, [])
+
+    @cached_property
+    def _into(self) -> dict[str, list[Connection]]:
+        found: dict[str, list[Connection]] = {}
+        for c in self.system.connections:
+            found.setdefault(c.target[0], []).append(c)
+        return found
 
     @property
     def early(self) -> tuple[str, ...]:

@@ -6,7 +6,6 @@ from math import inf
 
 from ..clock import seconds_text
 from ..system.series import series_in_words
-from ..system.settings import explain_algorithm
 from .capabilities import remarks
 from .operation_text import OperationText
 from .plan import Plan
@@ -23,7 +22,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         f"system {system.name}" + (f": {system.description}" if system.description else ""),
         f"stop {seconds_text(system.stop)}; tick {tick}; "
         + (f"the first step is {again}" if plan.adaptive else f"the schedule repeats every {again}"),
-        f"algorithm {system.algorithm}: {explain_algorithm(system.algorithm, system.iteration)}",
+        f"algorithm {system.algorithm}: {plan.algorithm.explanation()}",
         f"order {', '.join(plan.order)} ({plan.order_reason})",
         "", "components",
     ]  # fmt: skip

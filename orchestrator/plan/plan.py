@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ..clock import make_clock
 from ..system.model import System
 from ..system.series import check_series
-from .algorithms.ecco import AdaptiveSchedule, adaptive_clock, add_times
-from .algorithms.iterated import IteratedSchedule, add_unknowns
+from .algorithms.registry import algorithm_of
 from .bond_energy import bond_energies, check_names
 from .capabilities import check_capabilities
 from .design import Design
 from .layout import make_groups, make_layout
-from .order import check_leaders, leaders_of, order_of, samplers_of
-from .schedule import Schedule
+from .order import check_leaders, leaders_of, order_of
 from .start import start_order
-from .transfers import choices_of, rereads_of
+from .transfers import held_by_type, rereads_of
 
 
 @dataclass(frozen=True)
@@ -31,33 +28,35 @@ class Plan(Design):
     @property
     def adaptive(self) -> bool:
         """Whether the macro steps vary; the clock's hyperperiod is the first of them then."""
-        return self.system.algorithm == "ecco"
+        return self.algorithm.steps_vary
 
 
 def make_plan(system: System) -> Plan:
-    """Plan a system. Raises InputError where periods, stop, transfers or what FMUs can do does not fit."""
+    """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
+    algorithm = algorithm_of(system)
+    algorithm.check(system)
     check_capabilities(system)
-    if system.algorithm == "ecco":
-        clock = adaptive_clock(system)
-    else:
-        clock = make_clock({name: c.period for name, c in system.components.items()}, system.stop)
-    samplers = samplers_of(system) if system.algorithm != "ecco" else ()
+    clock = algorithm.clock(system)
+    samplers = algorithm.samplers(system)
     check_series(system, clock)
     leaders = leaders_of(system, samplers)
-    choices = choices_of(system, clock, samplers, leaders)
+    choices = {
+        c: held_by_type(system, c) or algorithm.transfer(system, clock, c, samplers, leaders)
+        for c in system.connections
+    }
     order, reason = order_of(system, clock)
     check_leaders(choices, leaders, order)
     rereads = rereads_of(system, choices)
     layout = make_layout(system, choices, rereads)
     bonds = bond_energies(system, clock, layout)
-    if system.algorithm == "iterated":
-        add_unknowns(system, clock, choices, layout)
-    if system.algorithm == "ecco":
-        add_times(clock, layout)
+    algorithm.extend(system, clock, order, choices, layout)
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
-    design = Design(system, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start)
-    schedule = {"iterated": IteratedSchedule, "ecco": AdaptiveSchedule}.get(system.algorithm, Schedule)(design)
+    design = Design(
+        system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start
+    )
+    schedule = algorithm.schedule(design)
     cycle = schedule.build()
-    return Plan(**vars(design), cycle=cycle, coefficients=np.array(schedule.constants.values))
+    decided = {field.name: getattr(design, field.name) for field in fields(Design)}
+    return Plan(**decided, cycle=cycle, coefficients=np.array(schedule.constants.values))

@@ -97,9 +97,17 @@ class Schedule:
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
+        yield from self.energies(tick)
+        yield from self.tables(tick)
+
+    def energies(self, tick: int) -> Iterator[Row]:
+        """What the coupling made at the bonds that are complete now."""
         for bond in self.design.bonds:
             if tick % bond.period == 0:
                 yield (LEDGER, tick, -1, bond.flow_side, bond.made, bond.effort_side, bond.total, 0)
+
+    def tables(self, tick: int) -> Iterator[Row]:
+        """A row of every table that has one now."""
         for k, group in enumerate(self.design.groups):
             if tick % group.period == 0 and len(group.slots):
                 yield (RECORD, tick, -1, k, 0, 0, 0, 0)
@@ -116,10 +124,14 @@ class Schedule:
                     yield from self.advance(tick, name, tick)
                     self.ran.add(name)
         for name in due:
-            if self.system.algorithm != "gauss-seidel" and name not in self.design.early:
+            if name not in self.design.early:
                 for c in self.design.into(name):
-                    if self.design.choices[c].transfer != "mean":
+                    if self.formed_at_beginning(c):
                         yield self._form(c, tick, self._seen_early(c.source[0], tick), tick)
+
+    def formed_at_beginning(self, c: Connection) -> bool:
+        """Whether an input is formed at the beginning of the step, not at its end."""
+        return self.design.choices[c].transfer != "mean"
 
     def _seen_early(self, source: str, tick: int) -> int:
         """The last sample of a source, as known while steps begin at `tick`."""
@@ -132,7 +144,7 @@ class Schedule:
         """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
         period = self.clock.periods[name]
         for c in self.design.into(name):
-            if self.system.algorithm == "gauss-seidel" or self.design.choices[c].transfer == "mean":
+            if not self.formed_at_beginning(c):
                 h = self.clock.periods[c.source[0]]
                 if c.source[0] in self.design.leaders:
                     sample = -(-tick // h) * h
@@ -144,7 +156,7 @@ class Schedule:
     def advance(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """Set inputs, step from `start` over one period, get outputs."""
         component, period, layout = self.index[name], self.clock.periods[name], self.layout
-        yield from self._tables(tick, name, start)
+        yield from self._series(tick, name, start)
         if self.design.into(name) or self.system.components[name].series:
             for key, slot in layout.foreign_inputs.items():
                 if key[0] == name:
@@ -190,7 +202,7 @@ class Schedule:
             return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
         return (MOVE, tick, component, a, b, 0, 0, 0)
 
-    def _tables(self, tick: int, name: str, start: int) -> Iterator[Row]:
+    def _series(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs that follow tables, for the step from `start`."""
         for variable, series in self.system.components[name].series.items():
             code, length = (SAMPLE, 0) if series.sampled else (SERIES, self.length(name))

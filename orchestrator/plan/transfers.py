@@ -9,21 +9,9 @@ from .formulas import CHANGING, Choice, choose
 from .order import discrete
 
 
-def choices_of(
-    system: System, clock: Clock, samplers: tuple[str, ...], leaders: tuple[str, ...]
-) -> dict[Connection, Choice]:
-    """The transfer of every connection. Raises InputError where a stated one has no meaning."""
-    found = {}
-    for c in system.connections:
-        if not system.components[c.source[0]].fmu.is_real(c.source[1]):
-            found[c] = _held(system, c)
-        elif system.algorithm == "iterated":
-            found[c] = _iterated(c, samplers)
-        elif system.algorithm == "ecco":
-            found[c] = _adaptive(c)
-        else:
-            found[c] = _choice(system, clock, c, samplers, leaders)
-    return found
+def held_by_type(system: System, c: Connection) -> Choice | None:
+    """`hold` for what is no floating-point signal. Raises InputError for another transfer."""
+    return None if system.components[c.source[0]].fmu.is_real(c.source[1]) else _held(system, c)
 
 
 def _held(system: System, c: Connection) -> Choice:
@@ -36,30 +24,10 @@ def _held(system: System, c: Connection) -> Choice:
     return Choice("hold", f"a {kind} is held")
 
 
-def _iterated(c: Connection, samplers: tuple[str, ...]) -> Choice:
-    sampler = next((end[0] for end in (c.source, c.target) if end[0] in samplers), None)
-    if sampler and c.transfer in ("", "hold"):
-        return Choice("hold", f"{sampler} samples its inputs and holds its outputs")
-    if sampler or c.transfer not in ("", "mean"):
-        raise InputError(
-            f"connection {c.label}: algorithm 'iterated' holds inputs at the mean over their step, so "
-            f"'{c.transfer}' has no meaning; leave it out {c.where}"
-        )
-    return Choice("iterated", "the mean of the source over the step, both ends known by iteration: second order")
-
-
-def _adaptive(c: Connection) -> Choice:
-    if c.transfer not in ("", "hold"):
-        raise InputError(
-            f"connection {c.label}: algorithm 'ecco' judges held inputs, so '{c.transfer}' has no meaning; "
-            f"leave it out {c.where}"
-        )
-    return Choice("hold", "all components take the same step")
-
-
-def _choice(
+def by_rates(
     system: System, clock: Clock, connection: Connection, samplers: tuple[str, ...], leaders: tuple[str, ...]
 ) -> Choice:
+    """As stated, or by the ratio of the rates. Raises InputError where a stated one has no meaning."""
     source, target = (clock.periods[end[0]] for end in (connection.source, connection.target))
     sampled = [discrete(system, end) for end in (connection.source, connection.target)]
     choice = choose(connection.transfer, source, target, *sampled)

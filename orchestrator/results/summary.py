@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError, nearest
-from ..plan.bond_energy import coupling_unit
+from ..plan.algorithms.registry import algorithm_of
 from ..process import peak_memory
 from ..system.model import System
 from .energy import balance, ledger, over_limits
@@ -121,20 +121,10 @@ def summarize(run: Run) -> dict[str, Any]:
 
 def coupling(run: Run, signals: Signals) -> dict[str, Any]:
     """How many macro steps the run took, and how the algorithm did: iterations, residuals, loops at time 0."""
-    clock, system = run.plan.clock, run.plan.system
+    clock = run.plan.clock
     steps = round(run.end / clock.time(min(clock.periods.values())))
     found: dict[str, Any] = {"macro_steps": len(run.ticks_of(0)) - 1 if run.plan.adaptive else steps}
-    if system.algorithm == "iterated":
-        count, residual = (signals[f"coupling.{name}"].values for name in ("iterations", "residual"))
-        found["iteration"] = {
-            "method": system.iteration.method, "tolerance": system.iteration.tolerance,
-            "iterations": int(np.sum(count)), "iterations_max": int(np.max(count)),
-            "residual_max": float(np.max(residual)),
-        }  # fmt: skip
-        found["iterations_max"] = found["iteration"]["iterations_max"]
-    if run.plan.adaptive:
-        step = signals["coupling.step"].values[1:]
-        found |= {"step_min_s": float(np.min(step, initial=math.inf)), "step_max_s": float(np.max(step, initial=0.0))}
+    found |= run.plan.algorithm.figures(lambda name: signals[f"coupling.{name}"].values)
     if run.started.loops:
         found["initial_loops"] = run.started.loops
         found["initial_loop_residual"] = max(run.started.loops.values())
@@ -151,7 +141,7 @@ def figure_units(system: System) -> dict[str, str]:
             if component in system.components:
                 unit = system.components[component].fmu.variables[variable].unit or "1"
             else:
-                unit = coupling_unit(variable)
+                unit = algorithm_of(system).units.get(variable, "J")
             units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
     return units | ({"coupling_energy_relative": "1"} if system.bonds else {})
 

@@ -84,7 +84,7 @@ def _arrays(session: Session) -> dict[str, np.ndarray]:
     space, texts = session.space, session.memory.texts
     pool, index = texts.content()
     return {
-        "z": session.memory.z, "clock": space.clock, "work": space.work, "saved": space.saved,
+        "z": session.memory.z, "clock": space.clock, "work": space.loop.work, "saved": space.loop.saved,
         "texts": pool, "text_index": index,
     }  # fmt: skip
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..loop import cells, exchange, iteration
+from ..loop import cells, exchange
 from ..participant.base import STATUS, Instance
 from ..plan.plan import Plan
 from .algorithm_state import AlgorithmState
@@ -33,12 +33,12 @@ def failure_of(
     if plan.adaptive:
         now, step = int(space.clock[cells.NOW]), int(space.clock[cells.STEP_TICKS])
         at, end = clock.time(now + step), clock.time(now)
-    if plan.system.algorithm == "iterated":
+    if plan.algorithm.repeats_rows:
         end = clock.time(begin)
     if code == cells.INTERRUPTED:
         return end, f"interrupted by the user at t = {end:.9g} s"
     if code == cells.NOT_CONVERGED:
-        return end, _not_converged(plan, space, at)
+        return end, plan.algorithm.failure(plan, space.loop, at)
     did, hint = _said(plan, instances[name], code, control, z)
     return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
 
@@ -59,14 +59,3 @@ def _said(plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.
     instance.dead = status == 4
     why = instance.why_discarded() if status == 2 else ""
     return f" returned {instance.prefix}{STATUS[status]}", why + instance.log_text()
-
-
-def _not_converged(plan: Plan, space: AlgorithmState, at: float) -> str:
-    settings, work = plan.system.iteration, space.work
-    names = [".".join(key) for key, _ in plan.layout.unknowns]
-    return (
-        f"the coupling did not converge in the step to t = {at:.9g} s: residual {work[iteration.RESIDUAL]:.3g} of "
-        f"{names[int(work[iteration.WORST])]} after {int(work[iteration.COUNT])} iterations "
-        f"({settings.method}, tolerance {settings.tolerance:g}); take smaller periods"
-        + (', or method = "newton" under [iteration]' if settings.method == "aitken" else "")
-    )

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
+from ..errors import InputError
 from ..plan.plan import Plan, make_plan
 from ..results.requested import check_reporting
 from ..system.model import System
 
 
-def planned(system: System) -> Plan:
-    """The plan of a system, its figures of merit and figures checked. Raises InputError."""
+def planned(system: System, boundaries: Collection[str] = ()) -> Plan:
+    """The plan of a system, its figures of merit and figures checked, and the components of which recordings are
+    wanted. Raises InputError."""
     plan = make_plan(system)
+    if boundaries and plan.adaptive:
+        raise InputError(
+            f"--record-boundary needs steps of one length; with algorithm '{system.algorithm}' they vary "
+            f"({system.name})"
+        )
     check_reporting({".".join(key) for group in plan.groups for key in group.columns}, system)
     return plan

@@ -182,7 +182,7 @@ class Session:
     def run(self) -> Run:
         """What was recorded so far."""
         rows = self._rows
-        if self.failure and self.plan.system.algorithm == "iterated":  # a pass may be recorded that was not the last
+        if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [self.tick // group.period + 1 for group in self.plan.groups]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._began,

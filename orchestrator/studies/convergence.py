@@ -73,7 +73,10 @@ def converge(
     """
     base = planned(assemble(name, {}, fmus=fmus, changes=changes))
     if base.adaptive:
-        raise InputError(f"{base.system.path.name}: with algorithm 'ecco' the tolerances decide the steps, not periods")
+        raise InputError(
+            f"{base.system.path.name}: with algorithm '{base.system.algorithm}' "
+            f"the tolerances decide the steps, not periods"
+        )
     prepare_folder(out)
     for component in base.system.components.values():
         for note in component.notes:

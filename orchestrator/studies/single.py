@@ -30,7 +30,7 @@ from ..system.request import Request
 
 def run_system(request: Request, out: Path, check: bool) -> None:
     """Run, print and write. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(assemble_request(request))
+    plan = planned(assemble_request(request), request.record_boundary)
     times = checkpoint_ticks(plan, request.checkpoint)
     prepare_folder(out)
     print_notes(plan.system)
@@ -52,7 +52,7 @@ def resume_system(folder: Path, asked: Request, check: bool) -> None:
     except ValueError:
         raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
     request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
-    plan = planned(assemble_request(request))
+    plan = planned(assemble_request(request), request.record_boundary)
     require_unchanged(checkpoint.unchanged, plan)
     times = checkpoint_ticks(plan, request.checkpoint)
     prepare_folder(folder, "--resume")

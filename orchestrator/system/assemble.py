@@ -44,8 +44,6 @@ def assemble(
     for component in boundaries:
         if component not in system.components:
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
-    if boundaries and system.algorithm == "ecco":
-        raise InputError(f"--record-boundary needs steps of one length; with algorithm 'ecco' they vary ({name})")
     system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
     return replace(system, stop=duration(stop, "--stop")) if stop else system
 

@@ -12,7 +12,6 @@ from typing import Any
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu, parse_value
 from .series import Series
-from .settings import Ecco, Iteration
 
 Value = float | int | bool | str
 
@@ -109,8 +108,7 @@ class System:
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
-    iteration: Iteration = field(default_factory=Iteration)
-    ecco: Ecco = field(default_factory=Ecco)
+    settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
 
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.

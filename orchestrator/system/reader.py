@@ -17,14 +17,10 @@ from ..toml_file import TomlFile
 from .connections import bond_of, check_drivers, connections_of, requirement_of
 from .model import Component, System, checked_values
 from .series_file import stated_series
-from .settings import ALGORITHMS, ecco_of, iteration_of
+from .settings import DEFAULT_ALGORITHM, KEYS
 from .stated_units import stated_units
 
 SYSTEMS = Path(__file__).parent.parent / "systems"
-KEYS = {
-    *("description", "stop_time", "algorithm", "order", "parameters", "components", "connections", "bonds"),
-    *("iteration", "ecco", "record", "require", "summary", "balance", "compare", "figures"),
-}
 COMPONENT_KEYS = {"fmu", "period", "parameters", "inputs", "isolation", "timeout", "units"}
 ISOLATION = ("none", "process")
 
@@ -55,14 +51,14 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
     """
     file = _opened(name, step, stop)
     data = file.data
-    for key in data.keys() - KEYS:
-        raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
+    further = {key: value for key, value in data.items() if key not in KEYS}
+    for key in further:  # a table of an algorithm's settings, or a slip
+        if difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8):
+            raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
     for key in ("stop_time", "components"):
         if key not in data or data[key] == {}:
             raise InputError(f"{file.path.name}: '{key}' is missing")
-    algorithm = data.get("algorithm", ALGORITHMS[0])
-    if algorithm not in ALGORITHMS:
-        raise file.fail(f"unknown algorithm '{algorithm}'{nearest(str(algorithm), ALGORITHMS)}", "algorithm")
+    algorithm = str(data.get("algorithm", DEFAULT_ALGORITHM))
     tables = file.entry(dict, "components")
     components = {key: _component(file, key, file.entry(dict, key, tables, "components"), fmus) for key in tables}
     order = tuple(file.entries(str, "order"))
@@ -81,7 +77,7 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
             **{key: file.entry(dict, key) for key in ("summary", "balance")},
             **{key: file.entries(dict, key) for key in ("compare", "figures")},
         },
-        iteration=iteration_of(file), ecco=ecco_of(file),
+        settings=further,
     )  # fmt: skip
     return _with_parameter_file(file, system)
 

@@ -1,99 +1,91 @@
-"""The operations of one macro step whose length is chosen as the run goes, and its clock."""
+"""Jacobi with macro steps that a controller lengthens and shortens by the energy that the coupling makes at bonds.
+
+S. Sadjina, L. T. Kyllingstad, S. Skjong, E. Pedersen, Energy conservation and power bonds in co-simulations:
+non-iterative adaptive step size control and error estimation, Engineering with Computers 33 (2017) 607-620
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
-from math import gcd, lcm
+from typing import ClassVar
 
-from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
 from ..bond_energy import key_of
-from ..layout import Layout
+from ..design import Design
 from ..schedule import Row, Schedule
-
-RESOLUTION = 1000  # ticks in the smallest step, at least
-
-
-def step_limits(system: System) -> tuple[Fraction, Fraction]:
-    """Smallest and largest macro step [s]: as stated, or a hundredth and the hundredfold of the period."""
-    period = next(iter(system.components.values())).period
-    return system.ecco.minimum or period / 100, system.ecco.maximum or 100 * period
+from .settings import setting
+from .varying_steps import VaryingSchedule, VaryingSteps
 
 
-def adaptive_clock(system: System) -> Clock:
-    """A fine tick; the common period is the first step. Raises InputError where the system is no case for ECCO."""
-    periods = {name: component.period for name, component in system.components.items()}
-    first = next(iter(periods.values()))
-    minimum, maximum = step_limits(system)
-    where = f"({system.path.name})"
-    if len(set(periods.values())) > 1:
-        shown = ", ".join(f"{name} {seconds_text(period)}" for name, period in periods.items())
-        raise InputError(
-            f"algorithm 'ecco' steps all components together, so they need one period, the first step; there are "
-            f"{shown} {where}"
-        )
-    if not any(bond.flow[1] for bond in system.bonds):
-        raise InputError(
-            f"algorithm 'ecco' judges the energy made at power bonds; declare one in [[bonds]], with effort and flow "
-            f"connected {where}"
-        )
-    if not minimum <= first <= maximum:
-        raise InputError(
-            f"ecco: the period {seconds_text(first)} is the first step and must be between minimum "
-            f"{seconds_text(minimum)} and maximum {seconds_text(maximum)} {where}"
-        )
-    fine = Fraction(1)
-    while fine * RESOLUTION > minimum:
-        fine /= 10
-    times = (fine, first, minimum, maximum, system.stop)
-    denominator = lcm(*(t.denominator for t in times))
-    numerator = gcd(*(int(t * denominator) for t in times))
-    stop = int(system.stop * denominator) // numerator
-    if max(stop * numerator, denominator) >= 2**53:  # the loop divides them as doubles
-        raise InputError(
-            f"no tick as fine as {seconds_text(fine)} counts exactly to {seconds_text(system.stop)}; "
-            f"take a larger minimum step {where}"
-        )
-    ticks = int(first * denominator) // numerator
-    return Clock(numerator, denominator, dict.fromkeys(periods, ticks), stop, ticks)
+@dataclass(frozen=True)
+class EccoSettings:
+    """`[ecco]`: energy tolerances, limits of the step and the gains of the step controller."""
+
+    tolerance: float = setting(1e-3, "energy that the coupling may make at a bond in a step [J]")
+    relative: float = setting(1e-2, "and of the energy that the bond carries over it [1]")
+    minimum: Fraction | None = setting(None, "smallest macro step; a hundredth of the period where nothing is stated")
+    maximum: Fraction | None = setting(None, "largest macro step; a hundred periods where nothing is stated")
+    safety: float = setting(0.8, "factor of every new step [1]")
+    integral: float = setting(0.15, "gain of the indicator of this step [1]")
+    proportional: float = setting(0.2, "gain of its change [1]")
+    shrink: float = setting(0.2, "smallest ratio of two steps [1]")
+    grow: float = setting(1.5, "largest ratio of two steps [1]")
+
+    def __post_init__(self) -> None:
+        if not self.shrink < 1.0 < self.grow:
+            raise InputError(f"ecco: shrink = {self.shrink:g} must be below 1 and grow = {self.grow:g} above")
 
 
-class AdaptiveSchedule(Schedule):
-    """A Jacobi step of all components; the operations leave its length open (0), the loop knows it."""
+class Ecco(VaryingSteps):
+    """Steps by the energy of power bonds; no step is repeated."""
+
+    name = "ecco"
+    heading = "ecco"
+    Settings = EccoSettings
+    units: ClassVar[Mapping[str, str]] = {"tick": "1", "step": "s", "indicator": "1"}
+    why_hold = "judges held inputs"
+    settings: EccoSettings
+
+    def explanation(self) -> str:
+        return "all at once; the macro step follows from the energy that the coupling makes at the power bonds"
+
+    def require_measure(self, system: System) -> None:
+        if not any(bond.flow[1] for bond in system.bonds):
+            raise InputError(
+                f"algorithm 'ecco' judges the energy made at power bonds; declare one in [[bonds]], with effort and "
+                f"flow connected ({system.path.name})"
+            )
+
+    def schedule(self, design: Design) -> Schedule:
+        return EccoSchedule(design, self.settings)
+
+
+class EccoSchedule(VaryingSchedule):
+    """One step, judged before it is recorded."""
+
+    def __init__(self, design: Design, settings: EccoSettings) -> None:
+        super().__init__(design)
+        self.settings = settings
 
     def rows(self) -> Iterator[Row]:
         yield from self.begin(0)
         yield from self.finish(self.clock.hyperperiod)
 
-    def length(self, name: str) -> int:
-        return 0  # the loop's own
-
-    def duration(self, name: str) -> float:
-        return 0.0  # the loop's own
-
     def record(self, tick: int) -> Iterator[Row]:
         """Judge the step before it is recorded; only bonds whose both sides know each other count."""
-        settings = self.system.ecco
-        *energies, table = super().record(tick)
-        yield from energies
-        k = self.constants.at(settings.tolerance, settings.relative)
+        s = self.settings
+        yield from self.energies(tick)
+        k = self.constants.at(s.tolerance, s.relative)
         for bond in self.system.bonds:
             if bond.flow[1]:
                 outputs, inputs = self.layout.outputs, self.layout.inputs
                 yield (GAUGE, tick, -1, outputs[key_of(bond.effort[0])], inputs[key_of(bond.effort[1])],
                        outputs[key_of(bond.flow[0])], inputs[key_of(bond.flow[1])], k)  # fmt: skip
-        gains = (settings.safety, settings.integral, settings.proportional, settings.shrink, settings.grow)
+        gains = (s.safety, s.integral, s.proportional, s.shrink, s.grow)
         first = self.layout.extras["coupling", "tick"].slot
         yield (CONTROL, tick, -1, first, 0, 0, 0, self.constants.at(*gains))
-        yield table
-
-
-def add_times(clock: Clock, layout: Layout) -> None:
-    """Signals of the step controller, one behind the other: the instant, the step, the indicator."""
-    tick = seconds_text(clock.seconds(1))
-    layout.extra("tick", "1", f"the instant in ticks of {tick}", clock.hyperperiod)
-    layout.extra("step", "s", "length of the step that ends now", clock.hyperperiod)
-    layout.extra("indicator", "1", "error indicator of that step, 1 at the tolerance", clock.hyperperiod)
+        yield from self.tables(tick)

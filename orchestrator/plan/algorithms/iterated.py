@@ -8,48 +8,130 @@ gave, a straight line over each step of the source.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+import numpy as np
 
 from ...clock import Clock, seconds_text
 from ...errors import InputError
-from ...loop.iteration import AITKEN, NEWTON
+from ...loop.iteration import AITKEN, COUNT, NEWTON, RESIDUAL, WORST, workspace
 from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
 from ...system.model import Connection, System
+from ..capabilities import require_state
 from ..design import Design
 from ..formulas import Choice
 from ..layout import Layout
 from ..schedule import Row, Schedule
+from .base import Algorithm, LoopArrays
+from .settings import setting
+
+if TYPE_CHECKING:
+    from ..plan import Plan
 
 LARGEST_NEWTON = 100  # unknowns: each costs a pass
 
 
-def add_unknowns(system: System, clock: Clock, choices: dict[Connection, Choice], layout: Layout) -> None:
-    """Slots at the end of the layout: iterations, residual, unknowns, images. Raises InputError if Newton has many."""
-    layout.extra("iterations", "1", "passes, but those for a Jacobian, that the step took", clock.hyperperiod)
-    layout.extra("residual", "1", "largest relative residual of an input at the end", clock.hyperperiod)
-    steps = [
-        (c.target, j)
-        for c, choice in choices.items()
-        if choice.transfer == "iterated"
-        for j in range(clock.hyperperiod // clock.periods[c.target[0]])
-    ]
-    if system.iteration.method == "newton" and len(steps) > LARGEST_NEWTON:
-        raise InputError(
-            f"iteration: Newton with {len(steps)} unknowns (inputs times steps in "
-            f"{seconds_text(clock.seconds(clock.hyperperiod))}), more than {LARGEST_NEWTON}; "
-            f'take method = "aitken" ({system.path.name})'
+@dataclass(frozen=True)
+class IteratedSettings:
+    """`[iteration]`: the residual of an input is relative to its size, or to its nominal value where that is larger."""
+
+    method: Literal["aitken", "newton"] = setting("aitken", "fixed point with Aitken's relaxation, or Newton")
+    tolerance: float = setting(1e-8, "residual at which the inputs of a step are consistent [1]")
+    max_iterations: int = setting(50, "passes of one step, those for a Jacobian aside, before the run fails [1]")
+
+
+class Iterated(Algorithm):
+    """Every macro step is repeated from saved states until its inputs agree with what their sources gave."""
+
+    name = "iterated"
+    heading = "iteration"
+    Settings = IteratedSettings
+    saves_states = True
+    repeats_rows = True
+    units: ClassVar[Mapping[str, str]] = {"iterations": "1", "residual": "1"}
+    settings: IteratedSettings
+
+    def explanation(self) -> str:
+        s = self.settings
+        return (
+            f"each macro step repeated from saved states ({s.method}, at most {s.max_iterations} times) until every "
+            f"input is the mean of both ends of its step within {s.tolerance:g}"
         )
-    for table, words in ((layout.unknowns, "unknown"), (layout.images, "image of")):
-        for (component, variable), j in steps:
-            table[(component, variable), j] = layout.slot(f"{words} {component}.{variable}, step {j + 1}")
+
+    def check(self, system: System) -> None:
+        """Every FMU can go back."""
+        for component in system.components.values():
+            require_state(component, f"algorithm '{self.name}'")
+
+    def transfer(
+        self, system: System, clock: Clock, c: Connection, samplers: tuple[str, ...], leaders: tuple[str, ...]
+    ) -> Choice:
+        sampler = next((end[0] for end in (c.source, c.target) if end[0] in samplers), None)
+        if sampler and c.transfer in ("", "hold"):
+            return Choice("hold", f"{sampler} samples its inputs and holds its outputs")
+        if sampler or c.transfer not in ("", "mean"):
+            raise InputError(
+                f"connection {c.label}: algorithm 'iterated' holds inputs at the mean over their step, so "
+                f"'{c.transfer}' has no meaning; leave it out {c.where}"
+            )
+        return Choice("iterated", "the mean of the source over the step, both ends known by iteration: second order")
+
+    def extend(self, system: System, clock: Clock, order: tuple[str, ...], choices: Mapping[Connection, Choice],
+               layout: Layout) -> None:  # fmt: skip
+        """Iterations, residual, unknowns, images. Raises InputError if Newton has many unknowns."""
+        layout.extra("iterations", "1", "passes, but those for a Jacobian, that the step took", clock.hyperperiod)
+        layout.extra("residual", "1", "largest relative residual of an input at the end", clock.hyperperiod)
+        steps = [
+            (c.target, j)
+            for c, choice in choices.items()
+            if choice.transfer == "iterated"
+            for j in range(clock.hyperperiod // clock.periods[c.target[0]])
+        ]
+        if self.settings.method == "newton" and len(steps) > LARGEST_NEWTON:
+            raise InputError(
+                f"iteration: Newton with {len(steps)} unknowns (inputs times steps in "
+                f"{seconds_text(clock.seconds(clock.hyperperiod))}), more than {LARGEST_NEWTON}; "
+                f'take method = "aitken" ({system.path.name})'
+            )
+        for table, words in ((layout.unknowns, "unknown"), (layout.images, "image of")):
+            for (component, variable), j in steps:
+                table[(component, variable), j] = layout.slot(f"{words} {component}.{variable}, step {j + 1}")
+
+    def schedule(self, design: Design) -> Schedule:
+        return IteratedSchedule(design, self.settings)
+
+    def arrays(self, plan: Plan) -> LoopArrays:
+        work = workspace(len(plan.layout.unknowns), self.settings.method == "newton")
+        return super().arrays(plan)._replace(work=work, saved=np.zeros(plan.layout.size))
+
+    def figures(self, values: Callable[[str], np.ndarray]) -> dict[str, Any]:
+        count, residual, s = values("iterations"), values("residual"), self.settings
+        found = {
+            "method": s.method, "tolerance": s.tolerance, "iterations": int(np.sum(count)),
+            "iterations_max": int(np.max(count)), "residual_max": float(np.max(residual)),
+        }  # fmt: skip
+        return {"iteration": found, "iterations_max": found["iterations_max"]}
+
+    def failure(self, plan: Plan, arrays: LoopArrays, at: float) -> str:
+        s, work = self.settings, arrays.work
+        names = [".".join(key) for key, _ in plan.layout.unknowns]
+        return (
+            f"the coupling did not converge in the step to t = {at:.9g} s: residual {work[RESIDUAL]:.3g} of "
+            f"{names[int(work[WORST])]} after {int(work[COUNT])} iterations "
+            f"({s.method}, tolerance {s.tolerance:g}); take smaller periods"
+            + (', or method = "newton" under [iteration]' if s.method == "aitken" else "")
+        )
 
 
 class IteratedSchedule(Schedule):
     """Predict, save, pass, judge; restore and repeat."""
 
-    def __init__(self, design: Design) -> None:
+    def __init__(self, design: Design, settings: IteratedSettings) -> None:
         super().__init__(design)
+        self.settings = settings
         self.begun: set[int] = set()  # images that have their first part
 
     def rows(self) -> Iterator[Row]:
@@ -76,7 +158,7 @@ class IteratedSchedule(Schedule):
 
     def _settings(self) -> int:
         """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""
-        s = self.system.iteration
+        s = self.settings
         nominal = []
         for (name, variable), _ in self.layout.unknowns:
             stated = self.system.components[name].fmu.variables[variable].nominal

@@ -18,6 +18,7 @@ from typing import Any
 
 from ...environment import changes, versions
 from ...errors import InputError, RunError
+from ...plan.algorithms.registry import algorithm_of
 from ...plan.plan import Plan, make_plan
 from ...process import peak_memory
 from ...results.energy import require_energy
@@ -91,7 +92,7 @@ def digest(system: System) -> str:
         for name, c in system.components.items()
     }
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
-    coupling = [system.algorithm, system.order, astuple(system.iteration), astuple(system.ecco)]
+    coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings)]
     bonds = [astuple(bond) for bond in system.bonds]
     content = [components, wiring, bonds, coupling, str(system.stop), system.reporting["summary"]]
     return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()

@@ -27,7 +27,8 @@ def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
     in_ssp = ("name", "path", "description", "stop", "components", "connections")
     return {
-        **_stated(system, (*in_ssp, "bonds", "requirements", "reporting")),
+        **_stated(system, (*in_ssp, "bonds", "requirements", "reporting", "settings")),
+        **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         "require": [_requirement(requirement) for requirement in system.requirements],
         **{key: table for key, table in system.reporting.items() if table},

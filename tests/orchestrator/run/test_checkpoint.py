@@ -59,7 +59,7 @@ def require_same(run: Run, whole: Run, folder: Path) -> None:
 def test_every_algorithm_goes_on_bitwise(algorithm: str, method: str, tmp_path: Path, fmus: Path) -> None:
     plan = car(tmp_path, fmus, algorithm)
     if algorithm == "iterated":
-        system = replace(plan.system, iteration=replace(plan.system.iteration, method=method))
+        system = replace(plan.system, settings={"iteration": {"method": method}})
         plan = make_plan(system)
     require_same(cut(plan, tmp_path, 1, 30, 7), simulate(plan), tmp_path)
 

@@ -122,7 +122,7 @@ def test_a_wrong_file_says_what_and_where(case: str, tmp_path: Path, fmus: Path)
     old, new, hints = WRONG[case]
     assert old in GOOD
     with pytest.raises((InputError, FmuError)) as error:
-        read(tmp_path, fmus, GOOD.replace(old, new))
+        make_plan(read(tmp_path, fmus, GOOD.replace(old, new)))  # which checks what the reader keeps for algorithms
     for hint in hints:
         assert hint in str(error.value)
     assert "\n" not in str(error.value).strip()

@@ -139,4 +139,4 @@ def test_a_boundary_cannot_be_recorded_where_steps_vary(tmp_path: Path, fmus: Pa
     parts = {"w": ("wheel", "2 ms"), "c": ("chassis", "2 ms")}
     read_system(tmp_path, fmus, parts, WIRES, algorithm="ecco", bonds=[BOND])
     with pytest.raises(InputError, match="--record-boundary needs steps of one length"):
-        planned(assemble(str(tmp_path / "case.toml"), {}, fmus=fmus, boundaries=("w",)))
+        planned(assemble(str(tmp_path / "case.toml"), {}, fmus=fmus, boundaries=("w",)), ("w",))

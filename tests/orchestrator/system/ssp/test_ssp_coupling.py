@@ -10,11 +10,13 @@ from typing import Any
 
 import pytest
 from helpers import system_text
+from rovbrush.orchestrator.plan.algorithms.ecco import EccoSettings
+from rovbrush.orchestrator.plan.algorithms.iterated import IteratedSettings
+from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.system.settings import Ecco, Iteration
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from test_ssp_export import assert_equal_plans, plain
 
@@ -43,13 +45,14 @@ def both(folder: Path, fmus: Path, isolated: bool = False, **keys: Any) -> tuple
 def test_an_iteration_and_its_settings(fmus: Path, tmp_path: Path) -> None:
     iteration = {"method": "newton", "tolerance": 1e-9, "max_iterations": 7}
     _, again = both(tmp_path, fmus, algorithm="iterated", iteration=iteration)
-    assert again.algorithm == "iterated" and again.iteration == Iteration("newton", 1e-9, 7)
+    assert again.algorithm == "iterated" and algorithm_of(again).settings == IteratedSettings("newton", 1e-9, 7)
 
 
 def test_ecco_with_all_its_settings(fmus: Path, tmp_path: Path) -> None:
     _, again = both(tmp_path, fmus, algorithm="ecco", ecco=ECCO, bonds=[BOND])
     limits = (Fraction(1, 3000), Fraction(1, 100))
-    assert again.algorithm == "ecco" and again.ecco == Ecco(0.1, 0.05, *limits, 0.7, 0.2, 0.1, 0.5, 1.25)
+    found = algorithm_of(again).settings
+    assert again.algorithm == "ecco" and found == EccoSettings(0.1, 0.05, *limits, 0.7, 0.2, 0.1, 0.5, 1.25)
 
 
 @pytest.mark.parametrize("limits", [{}, {"limit": 0.5}, {"limit": 0.0, "limit_relative": 0.25}])

@@ -1,0 +1,52 @@
+"""All algorithms, and that of a system with its settings. A new one is a file here and a line in ALGORITHMS."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...errors import InputError, nearest
+from ...system.model import System
+from ...system.settings import KEYS
+from ...toml_file import TomlFile
+from .base import Algorithm
+from .ecco import Ecco
+from .gauss_seidel import GaussSeidel
+from .iterated import Iterated
+from .jacobi import Jacobi
+from .settings import read_settings, schema_of
+
+ALGORITHMS: tuple[type[Algorithm], ...] = (GaussSeidel, Jacobi, Iterated, Ecco)
+
+
+def algorithm_of(system: System) -> Algorithm:
+    """The algorithm that a system names. Raises InputError for an unknown one, and for wrong settings of any."""
+    known = {kind.name: kind for kind in ALGORITHMS}
+    if system.algorithm not in known:
+        raise _fail(system, f"unknown algorithm '{system.algorithm}'{nearest(system.algorithm, known)}", "algorithm")
+    headings = {kind.heading: kind for kind in ALGORITHMS if kind.heading}
+    found = {}
+    for heading, table in system.settings.items():
+        if heading not in headings:
+            raise _fail(system, f"unknown key '{heading}'{nearest(heading, (*KEYS, *headings))}", heading)
+        if not isinstance(table, dict):
+            raise _fail(system, f"{heading} must be a table", heading)
+        kind = headings[heading]
+        found[kind.name] = kind(read_settings(kind.Settings, heading, table, lambda *words: _fail(system, *words)))
+    return found.get(system.algorithm) or known[system.algorithm](known[system.algorithm].Settings())
+
+
+def settings_schema() -> dict[str, Any]:
+    """JSON schemas of the tables of all algorithms, by their headings."""
+    return {kind.heading: schema_of(kind.Settings) for kind in ALGORITHMS if kind.heading}
+
+
+def algorithm_names() -> tuple[str, ...]:
+    """What `algorithm` in a system file can be; the first where it says nothing."""
+    return tuple(kind.name for kind in ALGORITHMS)
+
+
+def _fail(system: System, message: str, needle: str, heading: str = "") -> InputError:
+    """With file and line, where the system comes from a file that has lines."""
+    if system.path.suffix == ".toml" and system.path.is_file():
+        return TomlFile(system.path).fail(message, needle, heading)
+    return InputError(f"{message} ({system.path.name})")
