@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +14,22 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="Multirate co-simulation by FMUs: any system of them, checked, planned, run.",
 )
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        print(f"rovbrush {version('rovbrush')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _for_all_commands(
+    _version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
+    ] = False,
+) -> None:
+    pass
+
 
 SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."
 SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
