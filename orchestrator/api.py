@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from .errors import InputError
 from .plan.explain import explain
 from .plan.plan import Plan
 from .results.result import Result
+from .run.observers import Every
 from .run.planned import planned
 from .run.stepping import Stepping, Time
 from .system.assemble import assemble
@@ -135,15 +137,12 @@ def _observed(
     session: Stepping, observe: Observer, every: Time | None, names: list[str], progress: Callable[[float], None] | None
 ) -> None:
     """Go to the stop, or a failure, and call the observer on the way."""
-    clock = session.plan.clock
-    ticks = clock.hyperperiod * (1 if every is None else session.cycles(every, "every"))
-    due = 0
-    while True:
-        if session.tick >= due or session.tick >= clock.stop:
-            observe(session.time, {name: session.get(name) for name in names})
-            due = session.tick // ticks * ticks + ticks
-        if session.tick >= clock.stop:
-            return
-        session.finish(progress, min(due, clock.stop))
-        if session.failure:
-            return
+    stop = session.plan.clock.stop
+    ticks = session.plan.clock.hyperperiod * (1 if every is None else session.cycles(every, "every"))
+
+    def call(time: float) -> None:
+        observe(time, {name: session.get(name) for name in names})
+
+    call(session.time)
+    session.observers.append(Every(call, chain(range(ticks, stop, ticks), [stop])))
+    session.finish(progress)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import os
-from collections.abc import Callable
+import re
+import shutil
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -29,14 +32,52 @@ def prepare_folder(folder: Path, option: str = "--out") -> None:
         ) from error
 
 
+TEMPORARY = re.compile(r"\.(?P<stem>.+)\.(?P<pid>\d+)\.(?:tmp|old)(?:\.\w+)?")  # what a process leaves that is killed
+
+
+def sweep_up(folder: Path) -> list[str]:
+    """Remove what processes that are no more left half-written in a folder; the names."""
+    swept = []
+    for path in sorted(folder.iterdir()) if folder.is_dir() else []:
+        found = TEMPORARY.fullmatch(path.name)
+        if found and not is_alive(int(found["pid"])):
+            with suppress(OSError):
+                if path.is_dir() and not path.is_symlink():
+                    shutil.rmtree(path)
+                else:
+                    path.unlink()
+                swept.append(path.name)
+    return swept
+
+
+def is_alive(pid: int) -> bool:
+    """Whether there is a process of this number."""
+    try:
+        os.kill(pid, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:  # another user's
+        return True
+    return True
+
+
+def reason(error: BaseException) -> str:
+    """Why a file could not be written, in the system's own words where it gave any."""
+    number = getattr(error, "errno", None)
+    if number:
+        return os.strerror(number)
+    said = re.search(r"error message = '([^']+)'", str(error))  # as HDF5 hands it on
+    return said[1] if said else str(error) or type(error).__name__
+
+
 def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
-    """Let `write` fill a temporary file, then rename it. Raises RunError if the disk refuses."""
+    """Let `write` fill a temporary file, then rename it. Raises RunError if the disk refuses (HDF5: a RuntimeError)."""
     temporary = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
     try:
         write(temporary)
         temporary.replace(path)
-    except OSError as error:
-        raise RunError(f"cannot write {path}: {error.strerror or error}; nothing was left half-written") from error
+    except (OSError, RuntimeError) as error:
+        raise RunError(f"cannot write {path}: {reason(error)}; nothing was left half-written") from error
     finally:
         with suppress(OSError):  # a read-only disk would hide the error above
             temporary.unlink(missing_ok=True)
@@ -44,8 +85,17 @@ def write_file(path: Path, write: Callable[[Path], Any]) -> Path:
 
 
 def write_json(path: Path, content: Any) -> None:
-    """JSON with sorted-by-insertion keys; refuses NaN, which is no JSON."""
-    path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    """JSON with sorted-by-insertion keys; numbers that are none in JSON become the texts "nan", "inf" and "-inf"."""
+    path.write_text(json.dumps(plain(content), indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def plain(content: Any) -> Any:
+    """Content without numbers that JSON does not have."""
+    if isinstance(content, Mapping):
+        return {key: plain(value) for key, value in content.items()}
+    if isinstance(content, (list, tuple)):
+        return [plain(value) for value in content]
+    return str(content) if isinstance(content, float) and not math.isfinite(content) else content
 
 
 def csv_rows(path: Path) -> list[list[str]]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,8 +19,42 @@ from rich.text import Text
 if TYPE_CHECKING:
     from ..system.model import System
 
+
+class Output(Console):
+    """Prints as long as somebody reads: a pipe that is closed or a disk that is full must not cost a run its results.
+
+    `lost` says why nothing is printed any more; the command line tells it on stderr at the end.
+    """
+
+    lost = ""
+
+    def print(self, *objects: Any, **keys: Any) -> None:
+        with self.tolerant():
+            super().print(*objects, **keys)
+
+    @contextmanager
+    def tolerant(self) -> Iterator[None]:
+        """Around whatever prints."""
+        try:
+            yield
+        except OSError as error:
+            self.lose(error)
+
+    def on_broken_pipe(self) -> None:
+        self.lose(BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)))
+
+    def lose(self, error: OSError) -> None:
+        """Print nothing any more, now and when the process ends."""
+        self.lost = self.lost or os.strerror(error.errno or errno.EIO)
+        self.quiet = True
+        with suppress(OSError, ValueError):
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nowhere, sys.stdout.fileno())
+            os.close(nowhere)
+
+
 WIDTH = 100  # columns where neither a terminal nor COLUMNS says how many there are
-console = Console(
+console = Output(
     highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else WIDTH
 )
 PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
@@ -53,7 +88,12 @@ def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterat
     )
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(what, total=total, completed=begin)
-        yield lambda reached: bar.update(task, completed=reached)
+
+        def show(reached: float) -> None:
+            with console.tolerant():
+                bar.update(task, completed=reached)
+
+        yield show
 
 
 @contextmanager
@@ -109,8 +149,8 @@ def print_table(
     console.print(table, soft_wrap=False)
 
 
-def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
-    """The paper's numbers beside the run's."""
+def print_comparison(rows: Sequence[Mapping[str, Any]], steady: bool = True) -> None:
+    """The paper's numbers beside the run's; of a run that did not become `steady` there is no verdict."""
     if not rows:
         return
     cells = []
@@ -120,7 +160,8 @@ def print_comparison(rows: Sequence[Mapping[str, Any]]) -> None:
         numbers = (f"{row['reference']:g}", f"{row['value']:.5g}", f"{row['ratio']:.4f}", bound)
         cells.append((row["label"], row["unit"], *numbers, verdict))
     headings = ("quantity", "unit", "paper", "simulated", "ratio", "bound", "")
-    print_table("Paper and simulation, means over the steady window", headings, cells, words=(0, 1, 6))
+    over = "means over the steady window" if steady else "not steady: no verdict"
+    print_table(f"Paper and simulation, {over}", headings, cells, words=(0, 1, 6))
     for row in rows:
         if row.get("note"):
             tell(f"{row['label']}: {row['note']}")

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 from .. import process
 
 PASSED_ON = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if hasattr(signal, "SIGHUP") else ()
-INSISTED = 3  # Ctrl-C, how often until a child that does not listen is ended: an FMU may never return
+INSISTED = 3  # signals, how many until a child that does not listen is ended: an FMU may never return
 PR_SET_PDEATHSIG = 1  # <sys/prctl.h>
 ADVICE = (
     'isolation = "process" under [components.NAME] of the system file gives a component a process of its own; '
@@ -47,8 +47,11 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
         finally:
             os.write(writer, b"!")  # an FMU that ends the process does not come by here
     os.close(writer)
-    code = _wait(child)
-    if code < 0 or not os.read(reader, 1):
+    code, passed = _wait(child)
+    if -code in passed:  # before there was anything that could be kept
+        print(f"error: ended from outside ({signal.Signals(-code).name})", file=sys.stderr)
+        code = 1
+    elif code < 0 or not os.read(reader, 1):
         how = f"exit code {code}"
         if code < 0:
             how = signal.Signals(-code).name if -code in set(signal.Signals) else f"signal {-code}"
@@ -57,16 +60,15 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
     sys.exit(code)
 
 
-def _wait(child: int) -> int:
-    """The child's exit code, negative for a signal; meanwhile signals are passed on to it."""
-    pressed = 0
+def _wait(child: int) -> tuple[int, list[int]]:
+    """The child's exit code, negative for a signal, and the signals that were passed on to it meanwhile."""
+    passed: list[int] = []
 
     def pass_on(number: int, _frame: Any) -> None:
-        nonlocal pressed
-        pressed += number == signal.SIGINT
-        os.kill(child, signal.SIGKILL if pressed >= INSISTED else number)
+        passed.append(number)
+        os.kill(child, signal.SIGKILL if len(passed) >= INSISTED else number)
 
     for number in PASSED_ON:
         if signal.getsignal(number) is not signal.SIG_IGN:  # nohup, background jobs
             signal.signal(number, pass_on)
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), passed

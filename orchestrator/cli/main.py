@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from contextlib import suppress
 from typing import NoReturn
 
 import typer
@@ -38,25 +40,43 @@ def main() -> NoReturn:
     except RovbrushError as error:
         if debug:
             raise
-        print(f"error: {error}", file=sys.stderr)
+        complain(str(error))
         code = error.exit_code
     except typer.Exit as stop:
         code = stop.exit_code
     except (typer.Abort, KeyboardInterrupt):
-        print("error: interrupted", file=sys.stderr)
+        complain("interrupted")
         code = 1
     except Exception as error:
         if hasattr(error, "format_message"):  # a usage error found by the command line's own parser
             if error.format_message():  # empty behind the help that the bare command prints
-                print(f"error: {error.format_message()} (see `rovbrush --help`)", file=sys.stderr)
+                complain(f"{error.format_message()} (see `rovbrush --help`)")
             code = 2
         elif debug:
             raise
         else:
-            print(
-                f"error: unexpected {type(error).__name__}: {error}; run again with --debug for the traceback",
-                file=sys.stderr,
-            )
+            complain(f"unexpected {type(error).__name__}: {error}; run again with --debug for the traceback")
             code = 1
-    sys.stdout.flush()
-    sys.exit(code if isinstance(code, int) else 0)
+    code = code if isinstance(code, int) else 0
+    if lost := unprinted():
+        complain(f"not everything could be printed: {lost}")
+        code = code or 1
+    sys.exit(code)
+
+
+def complain(message: str) -> None:
+    """An error on stderr, if anybody is there."""
+    with suppress(OSError):
+        print(f"error: {message}", file=sys.stderr, flush=True)
+
+
+def unprinted() -> str:
+    """Why stdout did not take everything, empty if it did; nothing that is left over is printed when Python ends."""
+    printer = sys.modules.get(f"{__package__}.console")  # most commands do without it
+    lost = str(printer.console.lost) if printer else ""
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        lost = lost or error.strerror or str(error)
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+    return lost

@@ -139,18 +139,22 @@ def run(
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
     ] = False,
+    force: Annotated[
+        bool,
+        typer.Option("--force", help="Replace results of others in the folder; resume with another version or CPU."),
+    ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
-    from ..studies.single import resume_system, run_system
     from ..system.request import Request
+    from .run_system import resume_system, run_system
 
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)),
     )  # fmt: skip
     if resume is not None:
-        resume_system(resume, request, check)
+        resume_system(resume, request, check, force)
     elif not system:
         raise InputError("which system? `rovbrush systems` lists the shipped ones; or go on with --resume DIR")
     else:
-        run_system(request, out, check)
+        run_system(request, out, check, force)

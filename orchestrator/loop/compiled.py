@@ -43,6 +43,25 @@ def loop_hash(top: Path) -> str:
     return hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
 
 
+def _named_run() -> tuple[str, Any]:
+    """The loop, not compiled yet, and the name under which it is kept."""
+    import numba
+
+    name = f"run_{loop_hash(Path(loop.__file__))}"
+    run = FunctionType(loop.run.__code__, vars(loop))
+    run.__qualname__ = name
+    return name, numba.njit(cache=True, error_model="numpy")(run)
+
+
+def _is_kept(name: str, compiled: Any) -> bool:
+    return any(Path(compiled.stats.cache_path or ".").glob(f"*{name}*.nbi"))
+
+
+def is_compiled() -> bool:
+    """Whether the loop need not be compiled: it was, on this machine."""
+    return _is_kept(*_named_run())
+
+
 @cache
 def compiled_run() -> Any:
     """`run.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system.
@@ -51,11 +70,8 @@ def compiled_run() -> Any:
     """
     import numba
 
-    name = f"run_{loop_hash(Path(loop.__file__))}"
-    run = FunctionType(loop.run.__code__, vars(loop))
-    run.__qualname__ = name
-    compiled = numba.njit(cache=True, error_model="numpy")(run)
-    if not IN_CHILD and not any(Path(compiled.stats.cache_path or ".").glob(f"*{name}*.nbi")):
+    name, compiled = _named_run()
+    if not IN_CHILD and not _is_kept(name, compiled):
         # Should it fail, this process compiles for itself, and says what is wrong.
         subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
     table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]

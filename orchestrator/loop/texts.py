@@ -69,11 +69,20 @@ class Texts:
         address = int(self.index[ADDRESS] + self.index[OFFSETS + number])
         return ctypes.string_at(address).decode("utf-8", "replace")
 
+    @property
+    def longest(self) -> int:
+        """Bytes of the longest text."""
+        offsets = self.index[OFFSETS : OFFSETS + int(self.index[USED_COUNT])]
+        return int(np.max(np.diff(offsets, append=self.index[USED_BYTES]), initial=0))
+
     def content(self) -> tuple[np.ndarray, np.ndarray]:
         """The bytes of all texts, and where they are; for `restore`."""
         return self.pool[: self.index[USED_BYTES]].copy(), np.delete(self.index, ADDRESS)
 
     def restore(self, pool: np.ndarray, index: np.ndarray) -> None:
-        """Take texts and their numbers from another run."""
+        """Take texts and their numbers from another run. Raises ValueError if they do not fit."""
+        room = (len(self.index) - OFFSETS) // 3
+        if len(index) != len(self.index) - 1 or len(pool) > len(self.pool) or not 0 <= index[USED_COUNT] <= room:
+            raise ValueError("the texts do not fit")
         self.pool[: len(pool)] = pool
         self.index[:] = np.insert(index, ADDRESS, self.pool.ctypes.data)

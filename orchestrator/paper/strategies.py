@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..files import prepare_folder, write_file, write_json
-from ..results.files import plain_value
+from ..results.manifest import plain_value
 from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize

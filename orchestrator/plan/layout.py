@@ -156,6 +156,8 @@ def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ..
         columns = sorted(slots, key=lambda key: (members.index(key[0]), slots[key]))
         made = {key: extra.slot for key, extra in layout.extras.items() if extra.period == period}
         slots, columns = slots | made, [*columns, *made]
+        if not columns:  # nothing of this rate is recorded
+            continue
         owners = (*members, *dict.fromkeys(key[0] for key in made))
         groups.append(Group(period, owners, tuple(columns), np.array([slots[key] for key in columns], dtype=np.int64)))
     return tuple(groups)

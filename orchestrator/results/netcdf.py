@@ -1,16 +1,25 @@
-"""Recorded rows as netCDF: one group per rate; variables carry unit and description."""
+"""Recorded rows as netCDF: one group per rate; variables carry unit and description.
+
+A name that netCDF forbids, such as `tank.gain/y`, is stored as another one, and the variable's attribute
+`recorded_name` holds what it is called; `open_results` gives every variable its own name back.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..clock import seconds_text
+from ..errors import InputError
 from ..plan.plan import Plan
 from .signals import Signals
 from .tables import Run
 
 if TYPE_CHECKING:
     import xarray
+
+OWN_NAME = "recorded_name"
 
 
 def datasets(run: Run) -> dict[str, xarray.Dataset]:
@@ -30,6 +39,65 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
         attributes = {"period": period, "complete": int(not run.failure)}
         found[group_name(run.plan, g)] = xarray.Dataset(variables, {"time": time}, attributes)
     return found
+
+
+def stored(dataset: xarray.Dataset) -> xarray.Dataset:
+    """A dataset as netCDF can hold it: variables whose names it forbids are called otherwise and say so."""
+    other = {own: name for own, name in stored_names(map(str, dataset.data_vars)).items() if own != name}
+    for own in other:
+        dataset[own].attrs[OWN_NAME] = own
+    return dataset.rename(other) if other else dataset
+
+
+def stored_names(names: Iterable[str]) -> dict[str, str]:
+    """What every variable of a table is called in the file: its own name, but for characters that are forbidden."""
+    own = list(names)
+    found = {name: "".join(_allowed(c) for c in name).rstrip(" ") for name in own}
+    taken = {name for name in own if found[name] == name}
+    for name, other in found.items():
+        if other != name:
+            number, unique = 2, other
+            while unique in taken:
+                unique, number = f"{other}_{number}", number + 1
+            found[name] = unique
+            taken.add(unique)
+    return found
+
+
+def _allowed(character: str) -> str:
+    if character == "/":
+        return "|"
+    return character if character.isprintable() else "_"
+
+
+def open_results(path: Path) -> dict[str, xarray.Dataset]:
+    """The tables of a result.nc by the name of their group, every variable by its own name.
+
+    Raises InputError if the file cannot be read.
+    """
+    import xarray
+
+    try:
+        with xarray.open_datatree(path, engine="h5netcdf") as tree:
+            tables = {name: node.to_dataset().load() for name, node in tree.children.items()}
+    except (OSError, RuntimeError, ValueError) as error:
+        raise InputError(f"{path} cannot be read: {error}") from error
+    for name, table in tables.items():
+        own = {key: table[key].attrs[OWN_NAME] for key in table.data_vars if OWN_NAME in table[key].attrs}
+        tables[name] = table.rename(own)
+    return tables
+
+
+def write_netcdf(run: Run, path: Path) -> None:
+    """A group per table."""
+    import h5netcdf  # type: ignore[import-untyped]
+
+    found = datasets(run)
+    if not found:
+        with h5netcdf.File(path, "w"):  # a run may record nothing
+            pass
+    for k, (group, dataset) in enumerate(found.items()):
+        stored(dataset).to_netcdf(path, mode="a" if k else "w", group=group, engine="h5netcdf")
 
 
 def group_name(plan: Plan, group: int) -> str:

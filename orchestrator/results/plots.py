@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from ..system.figure_kinds import figure_kind
@@ -13,18 +13,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def figures(run: Run) -> Iterator[tuple[str, Figure]]:
-    """File name and figure for every `[[figures]]` entry whose signals were recorded.
+def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
+    """The figure of a `[[figures]]` entry; None if a signal of it was not recorded.
 
     An entry has `file`, `title` and `signals`, or a `kind` (see `figure_kinds`); optional: `from`, `to` [s] and
     `reference` (a value drawn as a dashed line).
     """
+    if "kind" in entry:
+        drawn: Figure = figure_kind(entry["kind"]).draw(run.calculated, entry)
+        return drawn
     signals = Signals(run)
-    for entry in run.plan.system.reporting["figures"]:
-        if "kind" in entry:
-            yield entry["file"], figure_kind(entry["kind"]).draw(run.calculated, entry)
-        elif all(name in signals for name in entry["signals"]):
-            yield entry["file"], time_series(signals, entry)
+    return time_series(signals, entry) if all(name in signals for name in entry["signals"]) else None
 
 
 def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, list[Any]]:

@@ -27,6 +27,7 @@ def check_reporting(recorded: set[str], system: System) -> None:
     check_keys(window, WINDOW_KEYS, (), f"{origin}: summary window")
     check_numbers(window, ("start", "end"), f"{origin}: summary window")
     check_summary(recorded, reporting, origin)
+    check_numeric(system, origin)
     merits = [*(key for key in reporting["summary"] if key != "window"), *ALWAYS]
     merits += ["coupling_energy_relative"] if system.bonds else []
     merits += ["energy_balance_relative"] if reporting["balance"] else []
@@ -40,6 +41,24 @@ def check_reporting(recorded: set[str], system: System) -> None:
             raise InputError(f"{label}: reference = 0 has no ratio; compare with another number")
     for entry in reporting["figures"]:
         check_figure(entry, recorded, system, f"{origin}: figure {entry.get('file', '')}".rstrip())
+
+
+def check_numeric(system: System, origin: str) -> None:
+    """Raise InputError for a text of which numbers are wanted: of the window, a figure of merit, or the balance."""
+    reporting = system.reporting
+    wanted = [("summary window", str(reporting["summary"].get("window", {}).get("angle", "")))]
+    wanted += [
+        (f"summary {key} = {str(text)!r}", name)
+        for key, text in reporting["summary"].items()
+        for name in str(text).split()[1:]
+        if key != "window"
+    ]
+    wanted += [(f"balance {key}", str(name)) for key, names in reporting["balance"].items() for name in names]
+    for what, name in wanted:
+        component, _, variable = name.partition(".")
+        owner = system.components.get(component)
+        if owner and variable in owner.fmu.variables and owner.fmu.variables[variable].type in ("String", "Binary"):
+            raise InputError(f"{origin}: {what}: '{name}' is a text; name a number")
 
 
 def check_figure(entry: Mapping[str, Any], recorded: set[str], system: System, label: str) -> None:

@@ -63,23 +63,28 @@ def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], ori
                 )
 
 
-def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, float]:
-    """Begin and end of the window [s] and the number of whole turns in it (0 where no angle is given)."""
+def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, int, bool]:
+    """Begin and end of the window [s], the number of whole turns in it (0 where no angle is given), if it is steady.
+
+    A run that ends before its window begins, or before a whole turn in it, is a transient: the window is its second
+    half then.
+    """
     end = signals.run.end
     begin = float(window.get("start", 0.0))
     if "end" in window and begin < float(window["end"]) < end:
         end = float(window["end"])
+    steady = begin < end or not window
     if begin >= end:  # a run that was made shorter, or ended early
         begin = end / 2
     if "angle" not in window or end <= begin:
-        return begin, end, 0
+        return begin, end, 0, steady
     angle = signals[window["angle"]]
     turned = abs(np.interp(end, angle.time, angle.values) - np.interp(begin, angle.time, angle.values))
     turns = math.floor(turned / (2 * math.pi))
     if turns == 0:
-        return begin, end, 0
+        return begin, end, 0, False
     target = abs(np.interp(end, angle.time, angle.values)) - 2 * math.pi * turns
-    return float(np.interp(target, np.abs(angle.values), angle.time)), end, turns
+    return float(np.interp(target, np.abs(angle.values), angle.time)), end, turns, steady
 
 
 def summarize(run: Run) -> dict[str, Any]:
@@ -87,7 +92,7 @@ def summarize(run: Run) -> dict[str, Any]:
     signals = Signals(run)
     specification = dict(run.plan.system.reporting["summary"])
     window = specification.pop("window", {})
-    begin, end, turns = steady_window(signals, window)
+    begin, end, turns, steady = steady_window(signals, window)
     result: dict[str, Any] = {"complete": not run.failure}
     if run.failure:
         result["failure"] = run.failure
@@ -112,6 +117,8 @@ def summarize(run: Run) -> dict[str, Any]:
             f"{key}_J": getattr(books, key) for key in ("supplied", "lost", "stored", "coupling", "residual")
         }
     result["window_s"] = [begin, end]
+    if window:
+        result["steady"] = steady
     if "angle" in window:
         result["window_turns"] = turns
     result |= coupling(run, signals)
@@ -190,12 +197,16 @@ def _strongest(values: np.ndarray) -> int:
 
 
 def comparison(run: Run, summary: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """One row per `[[compare]]` entry: label, unit, reference, value, ratio, and whether it is within its tolerance."""
+    """One row per `[[compare]]` entry: label, unit, reference, value, ratio, and whether it is within its tolerance.
+
+    Of a run that did not become steady nothing can be said: `within` is None.
+    """
     rows = []
     for entry in run.plan.system.reporting["compare"]:
         value, reference = summary[entry["value"]], float(entry["reference"])
         ratio = value / reference if reference else math.nan
         tolerance = entry.get("tolerance")
-        within = None if tolerance is None else bool(abs(ratio - 1) <= tolerance)
+        unknown = tolerance is None or not summary.get("steady", True)
+        within = None if unknown else bool(abs(ratio - 1) <= tolerance)
         rows.append({**entry, "key": entry["value"], "value": value, "ratio": ratio, "within": within})
     return rows

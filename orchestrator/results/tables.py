@@ -24,8 +24,8 @@ class Stored(Protocol):
     def table(self, group: int) -> np.ndarray:
         """A whole table in cells of the loop, as precise as each signal's own type."""
 
-    def finish(self, path: Any, complete: bool) -> None:
-        """Say how the run ended, and rename the file."""
+    def finish(self, path: Any, complete: bool, partly: bool = False) -> None:
+        """Say how the run ended, and rename the file, without rows that the disk refused if `partly`."""
 
 
 @dataclass

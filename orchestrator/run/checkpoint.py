@@ -1,22 +1,25 @@
 """A run on disk, to go on with another day: bitwise as if it had not been interrupted.
 
     checkpoint/checkpoint.json    what was asked for, how far the run is, what must not change, hashes of the files
+    checkpoint/checkpoint.sha256  the hash of checkpoint.json
     checkpoint/arrays.npz         the cells of all signals, texts, the state of the algorithm, rows not yet on disk
     checkpoint/0.state, 1.state   the states of the FMUs, by position, as they serialize them
     checkpoint/0.kept             the state that an iteration goes back to
     checkpoint/rows.nc            rows that were on disk already
 
-The folder is written under a temporary name and renamed when complete; it replaces an earlier one.
+The folder is written under a temporary name and renamed when complete; it replaces an earlier one. A process that is
+killed in between leaves the new one or the old one under a temporary name, where it is found; see `checkpoint_files`.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
+import math
 import os
 import shutil
 import zipfile
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -24,13 +27,12 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError, RunError
+from ..files import reason
 from ..participant.base import Instance
 from ..plan.plan import Plan
+from .checkpoint_files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
 from .session import Position, Session
-
-FORMAT = 1
-NAME, HEAD, ARRAYS, ROWS = "checkpoint", "checkpoint.json", "arrays.npz", "rows.nc"
 
 
 def unserializable(plan: Plan) -> str:
@@ -60,22 +62,24 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
             if session.space.states[k]:
                 (temporary / f"{k}.kept").write_bytes(instance.serialize(int(session.space.states[k])))
         if session.recorder.stream:
-            session.recorder.stream.close()
-            shutil.copyfile(session.recorder.stream.path, temporary / ROWS)
+            session.recorder.stream.copy(temporary / ROWS)
         head = {
-            "format": FORMAT, "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
-            "files": {path.name: _hash(path) for path in sorted(temporary.iterdir())},
+            "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
+            "set_by_hand": session.set_by_hand,
         }  # fmt: skip
-        (temporary / HEAD).write_text(json.dumps(head, indent=1) + "\n", encoding="utf-8")
+        seal(temporary, head)
         if target.exists():
             target.rename(old)
         temporary.rename(target)
     except OSError as error:
-        raise RunError(f"cannot write {target}: {error.strerror or error}") from error
+        raise RunError(f"cannot write {target}: {reason(error)}") from error
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
         if target.exists():
             shutil.rmtree(old, ignore_errors=True)
+        elif old.exists():
+            with suppress(OSError):
+                old.rename(target)
     return target
 
 
@@ -97,14 +101,13 @@ def _state(instance: Instance) -> bytes:
         instance.forget(state)
 
 
-def _hash(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
 @dataclass(frozen=True)
 class Checkpoint:
-    """A checkpoint on disk, read and found undamaged."""
+    """A checkpoint on disk, read and found undamaged.
+
+    `set_by_hand`: what was set while the run went, by name. The FMUs' states hold it too, but not the elements of an
+    array beside the one that is set next, all of which an FMU wants at once.
+    """
 
     folder: Path
     request: Mapping[str, Any] | None
@@ -112,14 +115,28 @@ class Checkpoint:
     unchanged: Mapping[str, Any]
     files: tuple[str, ...]
     arrays: Mapping[str, np.ndarray]
+    set_by_hand: Mapping[str, Any]
 
-    def restore(self, session: Session) -> None:
-        """Take a session at time 0 to where the other one was. Raises InputError if anything is not as it was."""
-        require_unchanged(self.unchanged, session.plan)
+    def restore(self, session: Session, force: bool = False) -> None:
+        """Take a session at time 0 to where the other one was. Raises InputError if anything is not as it was.
+
+        `force`: see `require_unchanged`.
+        """
+        try:
+            require_unchanged(self.unchanged, session.plan, force)
+            self._require_within(session.plan)
+            self._restore(session)
+        except (ArithmeticError, AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError,
+                ValueError) as error:  # fmt: skip
+            raise InputError(f"{self.folder} is damaged: {reason(error)}; start again") from error
+
+    def _restore(self, session: Session) -> None:
+        for name, value in self.set_by_hand.items():
+            session.set(name, value)
         for name, target in _arrays(session).items():
-            found = self.arrays[name]
+            found = self.arrays.get(name)
             if name not in ("texts", "text_index"):
-                if found.shape != target.shape or found.dtype != target.dtype:
+                if found is None or found.shape != target.shape or found.dtype != target.dtype:
                     raise InputError(f"{self.folder} is of another version of rovbrush; start again")
                 target[...] = found
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
@@ -132,26 +149,41 @@ class Checkpoint:
                 session.space.states[k] = instance.deserialize((self.folder / f"{k}.kept").read_bytes())
         session.at = self.at
 
+    def _require_within(self, plan: Plan) -> None:
+        """Raise InputError for a position that the plan does not have."""
+        stop, at = plan.clock.stop, self.at
+        cycles = stop if plan.adaptive else -(-stop // plan.clock.hyperperiod)
+        if not (0 <= at.cycle <= cycles and 0 <= at.operation < max(len(plan.cycle), 1)):
+            raise InputError(f"{self.folder} is damaged: there is no operation {at.operation} of cycle {at.cycle}")
+
 
 def read_checkpoint(folder: Path) -> Checkpoint:
     """The checkpoint in a results folder. Raises InputError if there is none or it is damaged."""
-    place = folder / NAME
-    if not (place / HEAD).is_file():
+    place = found_in(folder)
+    if place is None:
         raise InputError(
             f"there is no checkpoint in {folder}; `rovbrush run --checkpoint TIME` and Ctrl-C write one into the "
             f"folder of the results"
         )
     try:
-        head = json.loads((place / HEAD).read_text(encoding="utf-8"))
-        if head["format"] != FORMAT:
-            raise InputError(f"{place} has format {head['format']}, this version of rovbrush reads {FORMAT}")
-        for name, digest in head["files"].items():
-            if Path(name).name != name or _hash(place / name) != digest:
-                raise ValueError(f"{name} is not what was written")
+        head = read_head(place)
         with np.load(place / ARRAYS, allow_pickle=False) as file:
             arrays = dict(file)
         return Checkpoint(
-            place, head["request"], Position(**head["at"]), head["unchanged"], tuple(head["files"]), arrays
-        )
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile) as error:
+            place, head["request"], _position(head["at"]), head["unchanged"], tuple(head["files"]), arrays,
+            dict(head["set_by_hand"]),
+        )  # fmt: skip
+    except (
+        CheckpointDamagedError, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError,
+        zipfile.BadZipFile, json.JSONDecodeError,
+    ) as error:  # fmt: skip
         raise InputError(f"{place} is damaged: {error}; start again") from error
+
+
+def _position(content: Mapping[str, Any]) -> Position:
+    """How far the run is. Raises ValueError if that is no position."""
+    at = Position(**content)
+    whole = all(type(number) is int for number in (at.cycle, at.operation))
+    if not whole or not all(isinstance(t, float) and math.isfinite(t) and t >= 0.0 for t in (at.time, at.wall)):
+        raise ValueError("the position in the run is none")
+    return at

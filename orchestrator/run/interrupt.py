@@ -1,10 +1,10 @@
-"""Ctrl-C during a run."""
+"""Signals that end a run in good order: Ctrl-C, and for the command line SIGTERM and SIGHUP."""
 
 from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import Any
 
@@ -12,23 +12,62 @@ import numpy as np
 
 from ..loop import cells
 
+ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+REASONS = {
+    "SIGINT": "interrupted by the user",
+    "SIGTERM": "ended from outside (SIGTERM)",
+    "SIGHUP": "ended because its terminal was closed (SIGHUP)",
+}
 
-@contextmanager
-def stop_on_interrupt(control: np.ndarray) -> Iterator[None]:
-    """Ctrl-C stops the loop at the next instant instead of raising inside an FMU's Python code; twice insists."""
-    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # nohup, and the processes of a sweep
-    if ignored or threading.current_thread() is not threading.main_thread():
-        yield
-        return
 
-    def request(_signal: int, _frame: Any) -> None:
-        if control[cells.STOP_REQUEST]:
+class StopRequests:
+    """Lets signals stop the loop at the next instant instead of ending the process or raising inside an FMU's code.
+
+    `control` is that of the loop, see `loop/run`. A second signal insists: it raises KeyboardInterrupt. What was
+    ignored when the process began (nohup, a background job) stays ignored. A program that is not ours keeps all
+    signals but Ctrl-C.
+    """
+
+    def __init__(self, signals: Sequence[signal.Signals] = (signal.SIGINT,)) -> None:
+        self.signals = signals
+        self.control = np.zeros(cells.CONTROL_CELLS, dtype=np.int64)
+        self.came: int = signal.SIGINT
+        self._listening = False
+
+    @property
+    def reason(self) -> str:
+        """Why the run was stopped, in words."""
+        return REASONS[signal.Signals(self.came).name]
+
+    @property
+    def asked(self) -> bool:
+        """Whether a signal came that nobody has acted upon."""
+        return bool(self.control[cells.STOP_REQUEST])
+
+    def insist(self) -> None:
+        """From now on the first signal raises KeyboardInterrupt."""
+        self.control[cells.STOP_REQUEST] = 1
+
+    @contextmanager
+    def heard(self) -> Iterator[None]:
+        """As long as the block lasts; blocks may be nested."""
+        if self._listening or threading.current_thread() is not threading.main_thread():
+            yield
+            return
+        before = {n: signal.getsignal(n) for n in self.signals if signal.getsignal(n) is not signal.SIG_IGN}
+        self._listening = True
+        try:
+            for number in before:
+                signal.signal(number, self._request)
+            yield
+        finally:
+            self._listening = False
+            for number, handler in before.items():
+                with suppress(TypeError, ValueError):
+                    signal.signal(number, handler)
+
+    def _request(self, number: int, _frame: Any) -> None:
+        if self.control[cells.STOP_REQUEST]:
             raise KeyboardInterrupt
-        control[cells.STOP_REQUEST] = 1
-
-    before = signal.signal(signal.SIGINT, request)
-    try:
-        yield
-    finally:
-        with suppress(TypeError, ValueError):
-            signal.signal(signal.SIGINT, before)
+        self.came = number
+        self.control[cells.STOP_REQUEST] = 1

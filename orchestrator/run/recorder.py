@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
-from ..errors import InputError
+from ..errors import InputError, RunError
 from ..plan.plan import Plan
 from ..results.tables import Stored
 from .memory import Memory
+from .observers import NEVER, Piece
 from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
@@ -33,6 +33,7 @@ class Recorder:
         self.columns = [len(group.slots) for group in plan.groups]
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
+        self._seen = [0] * len(plan.groups)
         wanted = CHUNK if plan.adaptive else plan.clock.stop // plan.clock.hyperperiod
         self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
         for (_, columns, cell), group in zip(self.groups.tolist(), plan.groups, strict=True):
@@ -69,21 +70,35 @@ class Recorder:
             room = self._room()
         elif room == 0:
             self.flush(self.rows.tolist())
+            if self.stream and self.stream.full:
+                raise RunError(self.stream.full)
             room = self._room()
         return min(room, cycles)
+
+    def fresh(self, time: float, tick: int) -> Piece:
+        """The rows that were not in an earlier piece."""
+        counts, before = self.rows[: len(self.columns)].tolist(), self.before
+        first = [min(max(seen, gone), gone + count)
+                 for seen, gone, count in zip(self._seen, before, counts, strict=True)]  # fmt: skip
+        tables = [table[begin - gone :] for table, begin, gone in zip(self.tables(counts), first, before, strict=True)]
+        self._seen = [gone + count for gone, count in zip(before, counts, strict=True)]
+        return Piece(time, tick, first, tables)
 
     def _room(self) -> int:
         """Cycles that still fit; the row of time 0 is there beside them."""
         return min(
-            (self.held * count + 1 - rows) // count
-            for count, rows in zip(self.per_cycle, self.rows.tolist(), strict=True)
+            (
+                (self.held * count + 1 - rows) // count
+                for count, rows in zip(self.per_cycle, self.rows.tolist(), strict=False)  # one more where none is kept
+            ),
+            default=NEVER,
         )
 
     def tables(self, rows: list[int]) -> list[np.ndarray]:
         """The first `rows` rows of every table in the buffer."""
         return [
             self.buffer[first : first + count * columns].reshape(count, columns)
-            for (_, columns, first), count in zip(self.groups.tolist(), rows, strict=True)
+            for (_, columns, first), count in zip(self.groups.tolist(), rows, strict=False)
         ]
 
     def flush(self, rows: list[int]) -> None:
@@ -91,7 +106,7 @@ class Recorder:
         assert self.file is not None
         if self.stream is None:
             self.stream = Stream(self.file, self.plan, self.memory.texts)
-        self.stream.append(self.tables(rows))
+        self.stream.see(Piece(0.0, 0, list(self.before), self.tables(rows)))
         self.rows[:] = 0
 
     @property
@@ -100,11 +115,14 @@ class Recorder:
         return self.stream.rows if self.stream else [0] * len(self.columns)
 
     def recorded(self, rows: list[int]) -> list[np.ndarray] | Stored:
-        """The first `rows` rows of every table, counted from time 0."""
+        """The first `rows` rows of every table, counted from time 0. What the disk refuses is pending in the file."""
         here = [count - gone for count, gone in zip(rows, self.before, strict=True)]
         if self.stream is None:
             return self.tables(here)
-        self.flush(here)
+        try:
+            self.flush(here)
+        except RunError:
+            self.stream.pending = [table.copy() for table in self.tables(here)]
         return self.stream
 
     def content(self) -> dict[str, np.ndarray]:
@@ -114,9 +132,18 @@ class Recorder:
         return {"held": np.array(self.held), "rows": self.rows, "before": np.array(self.before), "cells": cells}
 
     def restore(self, content: Mapping[str, np.ndarray], file: Path) -> None:
-        """Go on where another recorder was; `file` holds the rows that went before, if any did."""
-        self._reserve(int(content["held"]))
-        self.rows[:] = content["rows"]
+        """Go on where another recorder was; `file` holds the rows that went before, if any did.
+
+        Raises ValueError for what no recorder can have held.
+        """
+        held, rows = int(content["held"]), content["rows"]
+        most = [held * count + 1 for count in self.per_cycle]
+        if not 0 < held <= max(self.held, self._cycles_in(IN_MEMORY)) or rows.shape != self.rows.shape:
+            raise ValueError("rows are of another size")
+        if any(not 0 <= count <= limit for count, limit in zip(rows.tolist(), most, strict=False)):
+            raise ValueError("there are more rows than there is room for")
+        self._reserve(held)
+        self.rows[:] = rows
         first = 0
         for table in self.tables(self.rows.tolist()):
             table[...] = content["cells"][first : first + table.size].reshape(table.shape)
@@ -124,6 +151,5 @@ class Recorder:
         if any(content["before"]):
             if self.file is None:
                 raise InputError("this run was recorded to a file; go on with a file to record to")
-            shutil.copyfile(file, self.file)
-            self.stream = Stream(self.file, self.plan, self.memory.texts)
-            self.stream.rows = content["before"].tolist()
+            before = content["before"].tolist()
+            self.stream = Stream.going_on(file, self.file, self.plan, self.memory.texts, before)

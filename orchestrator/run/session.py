@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any
-
-import numpy as np
 
 from ..errors import InputError, RunError
 from ..loop import cells
@@ -24,8 +22,9 @@ from .access import Access
 from .algorithm_state import free_states, make_state
 from .failure import failure_of
 from .initialize import initialize
-from .interrupt import stop_on_interrupt
+from .interrupt import StopRequests
 from .memory import Memory
+from .observers import NEVER, Observer, Progress
 from .recorder import Recorder
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
@@ -53,13 +52,19 @@ class Session:
     `interpreted` executes the plan in plain Python, bitwise equal and slow. A failing FMU, a value that is not finite
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
-    Raises FmuError or InputError if time 0 cannot be reached.
+    `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. Raises
+    FmuError or InputError if time 0 cannot be reached.
     """
 
-    def __init__(self, plan: Plan, interpreted: bool = False, file: Path | None = None) -> None:
+    def __init__(
+        self, plan: Plan, interpreted: bool = False, file: Path | None = None, stop_requests: StopRequests | None = None
+    ) -> None:
         self.plan = plan
         self.failure = ""
-        self.control = np.zeros(cells.CONTROL_CELLS, dtype=np.int64)
+        self.stop_requests = stop_requests or StopRequests()
+        self.control = self.stop_requests.control
+        self.observers: list[Observer] = []
+        self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
         self.instances: dict[str, Instance] = {}
         self._function = run if interpreted else compiled_run()
         self.at = Position()
@@ -67,7 +72,7 @@ class Session:
         self._block, self._began = 1, 0.0
         self._closed = False
         try:
-            with stop_on_interrupt(self.control):
+            with self.stop_requests.heard():
                 for name, component in plan.system.components.items():
                     self.instances[name] = start(component)
                 self.memory = Memory(plan)
@@ -119,17 +124,31 @@ class Session:
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
         last = stop if self.plan.adaptive else -(-until // self._cycle_ticks)  # no step is shorter than a tick
         last = last if cycles is None else min(last, self.at.cycle + cycles)
-        self.space.clock[cells.UNTIL] = until
-        with stop_on_interrupt(self.control):
+        watching = [*self.observers, *([Progress(progress)] if progress else [])]
+        with self.stop_requests.heard():
             while self.at.cycle < last and self.tick < until and not self.failure:
-                self._run_block(last - self.at.cycle)
-                if progress and not self.failure:
-                    progress(self.at.time)
+                due = min((observer.due(self.tick) for observer in watching), default=NEVER)
+                self.space.clock[cells.UNTIL] = min(until, due)
+                whole = last if self.plan.adaptive else min(last, -(-due // self._cycle_ticks))
+                self._run_block(max(whole - self.at.cycle, 1))
+                if not self.failure:
+                    self._show(watching)
+
+    def _show(self, watching: Sequence[Observer]) -> None:
+        """Let observers see the rows that are new."""
+        if watching:
+            piece = self.recorder.fresh(self.at.time, self.tick)
+            for observer in watching:
+                observer.see(piece)
 
     def _run_block(self, cycles: int) -> None:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
         plan, clock = self.plan, self.plan.clock
-        size = 1 if self.at.operation else self.recorder.make_room(min(self._block, cycles))
+        try:
+            size = 1 if self.at.operation else self.recorder.make_room(min(self._block, cycles))
+        except RunError as error:  # the disk refuses: what was computed is not to be lost for it
+            self.failure = f"t = {self.at.time:.9g} s: {error}"
+            return
         self.control[cells.RESUME_AT] = self.at.operation
         begin = time.perf_counter()
         code = self._function(
@@ -148,9 +167,19 @@ class Session:
             if self._interrupted:
                 self.at.operation = int(self.control[cells.AT_OPERATION])
             self.at.time, self.failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
+            if self._interrupted:
+                self.failure = f"{self.stop_requests.reason} at t = {self.at.time:.9g} s"
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
             self.at.time = clock.time(self.tick)
+
+    def fail(self, why: str) -> None:
+        """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
+        if not self.failure:
+            ends = [(rows - 1) * group.period for rows, group in zip(self._rows, self.plan.groups, strict=True)]
+            if ends and not self.plan.adaptive and self.plan.system.algorithm != "iterated":
+                self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
+            self.failure = why
 
     @property
     def resumable(self) -> bool:
@@ -173,6 +202,8 @@ class Session:
         """
         self._require_alive()
         self._access.set(name, value)
+        self.set_by_hand.pop(name, None)  # the order in which they are set again is that of the last times
+        self.set_by_hand[name] = value.tolist() if hasattr(value, "tolist") else value
 
     @property
     def _rows(self) -> list[int]:

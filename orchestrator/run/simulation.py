@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 from ..plan.plan import Plan
 from ..results.tables import Run, require_complete
-from .interrupt import stop_on_interrupt
 from .session import Session
 
 __all__ = ["Run", "require_complete", "simulate"]
@@ -19,6 +18,6 @@ def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], 
     with the time reached [s]. A failing FMU, a value that is not finite and Ctrl-C end the run early; the tables
     hold what was computed and `failure` says who, what and when. Raises FmuError before time 0.
     """
-    with Session(plan, interpreted) as session, stop_on_interrupt(session.control):
+    with Session(plan, interpreted) as session, session.stop_requests.heard():
         session.advance(progress=progress)
         return session.run()

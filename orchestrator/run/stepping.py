@@ -15,7 +15,6 @@ from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.recorded import matches
-from .interrupt import stop_on_interrupt
 from .ports import reader_of, writer_of
 from .session import Session
 
@@ -37,6 +36,9 @@ class Stepping(Session):
 
     def __init__(self, plan: Plan, interpreted: bool = False) -> None:
         super().__init__(plan, interpreted)
+        if self.stop_requests.asked:  # while the FMUs were initialized
+            Session.close(self)
+            raise KeyboardInterrupt
         self._readers: dict[str, Callable[[], Any]] = {}
         self._writers: dict[str, Callable[[float], bool]] = {}
         self._counts: dict[Time, int] = {}
@@ -161,7 +163,7 @@ class Stepping(Session):
         super().close()
 
     def __enter__(self) -> Stepping:
-        self._guard.enter_context(stop_on_interrupt(self.control))
+        self._guard.enter_context(self.stop_requests.heard())
         self._guarded = True
         self.control[STOP_REQUEST] = 1
         return self

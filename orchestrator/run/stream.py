@@ -1,53 +1,77 @@
 """Rows on their way to disk: the results file of a run that is too long to be kept in memory, as far as it is written.
 
 It is a netCDF file from the beginning, of the same content as that of a shorter run, and says that it is incomplete
-until it is finished.
+until it is finished. After every piece all of it is in the file, and room is reserved for the next one: a disk that
+fills up ends the run before a row is lost.
 """
 
 from __future__ import annotations
 
 import os
+import shutil
+from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from ..errors import RunError
+from ..files import reason
 from ..fmu.types import encode_cells
 from ..loop.texts import Texts
 from ..plan.plan import Plan
+from ..results.netcdf import group_name, stored, stored_names
 from ..results.signals import instants, typed
 from ..results.tables import Run
+from .observers import NEVER, Piece
+from .own_file import OwnFile, room_for
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
-NO_CACHE = 0  # bytes: what is written is not read again
-
-
-def _opened(path: Path, mode: str) -> Any:
-    import h5netcdf  # type: ignore[import-untyped]
-
-    return h5netcdf.File(path, mode, rdcc_nbytes=NO_CACHE)
+TEXT = 64  # bytes that a text takes beside its own
+REFUSED = (OSError, RuntimeError, ValueError, KeyError)  # what HDF5 raises where the disk does, or a descriptor is lost
 
 
 class Stream:
-    """A file that grows by chunks of rows; `rows` per table are in it."""
+    """An observer: a file that grows by chunks of rows; `rows` per table are in it.
+
+    `full` says why there is no room for another piece; `pending` holds rows that the disk refused.
+    """
 
     def __init__(self, path: Path, plan: Plan, texts: Texts) -> None:
         self.path, self.plan, self.texts = path, plan, texts
         self.rows = [0] * len(plan.groups)
-        self._file: Any = None
+        self.full = ""
+        self.pending: list[np.ndarray] = []
+        self._file: OwnFile | None = None
+        self._finished = False
+        self._names = [stored_names(".".join(key) for key in group.columns) for group in plan.groups]
+
+    @classmethod
+    def going_on(cls, file: Path, path: Path, plan: Plan, texts: Texts, rows: list[int]) -> Stream:
+        """The stream of a run that was interrupted: a copy of its `file` at `path`."""
+        shutil.copyfile(file, path)
+        stream = cls(path, plan, texts)
+        stream.rows, stream._file = rows, OwnFile(path)
+        return stream
+
+    def due(self, tick: int) -> int:
+        return NEVER
+
+    def see(self, piece: Piece) -> None:
+        """Write more rows of every table. Raises RunError if the disk refuses; what was in the file stays there."""
+        self.append(piece.tables)
 
     def append(self, tables: list[np.ndarray]) -> None:
-        """Write more rows of every table. Raises RunError if the disk refuses."""
+        """See `see`."""
         try:
-            if not any(self.rows):
+            if self._file is None:
                 self._create(tables)
             elif any(map(len, tables)):
                 self._extend(tables)
-        except OSError as error:
-            why = os.strerror(error.errno) if error.errno else str(error)
-            raise RunError(f"cannot write {self.path}: {why}; record less (--record) or make room") from error
+        except REFUSED as error:
+            raise RunError(f"cannot write {self.path}: {reason(error)}; record less (--record) or make room") from error
         self.rows = [rows + len(table) for rows, table in zip(self.rows, tables, strict=True)]
+        if any(map(len, tables)):
+            self._reserve(tables)
 
     def _create(self, tables: list[np.ndarray]) -> None:
         """The file with the first rows; how it looks is left to xarray."""
@@ -56,44 +80,81 @@ class Stream:
         found = datasets(Run(self.plan, tables, failure="being written", texts=self.texts))
         for k, (name, dataset) in enumerate(found.items()):
             chunk = {"chunksizes": (min(max(dataset.sizes["time"], 1), LARGEST_CHUNK),)}
-            dataset.to_netcdf(
+            there = stored(dataset)
+            there.to_netcdf(
                 self.path, mode="a" if k else "w", group=name, engine="h5netcdf", unlimited_dims=("time",),
-                encoding=dict.fromkeys(map(str, dataset.variables), chunk),
+                encoding=dict.fromkeys(map(str, there.variables), chunk),
             )  # fmt: skip
+        self._file = OwnFile(self.path)
 
     def _extend(self, tables: list[np.ndarray]) -> None:
-        from ..results.netcdf import group_name
-
+        file = self._opened()
         for g, table in enumerate(tables):
-            group, first = self._open()[group_name(self.plan, g)], self.rows[g]
+            group, first = file.tables[group_name(self.plan, g)], self.rows[g]
             group.resize_dimension("time", first + len(table))
             ticks = self.plan.groups[g].period * np.arange(first, first + len(table))
             for k, key in enumerate(self.plan.groups[g].columns):
                 values = typed(self.plan, key, table[:, k], self.texts)
-                group[".".join(key)][first:] = values
+                group[self._names[g][".".join(key)]][first:] = values
                 if self.plan.adaptive and key == ("coupling", "tick"):
                     ticks = table[:, k].astype(np.int64)
             group["time"][first:] = instants(self.plan.clock, ticks)
+        file.flush()
 
-    def _open(self) -> Any:
-        if self._file is None:
-            self._file = _opened(self.path, "a")
+    def _reserve(self, tables: list[np.ndarray]) -> None:
+        """Room for another piece of this size; `full` says so if there is none."""
+        try:
+            file, size = self._opened(), 0
+            for g, table in enumerate(tables):
+                chunk, columns = file.chunk(group_name(self.plan, g)), self.plan.groups[g].columns
+                size += room_for(self.rows[g], len(table), len(columns) + 1, chunk)
+                size += len(table) * sum(map(self._is_text, columns)) * (TEXT + self.texts.longest)
+            file.reserve(size)
+        except OSError as error:
+            self.full = (
+                f"the rows cannot grow in {self.path.parent}: {reason(error)}; record less (--record) or make room"
+            )
+
+    def _is_text(self, key: tuple[str, str]) -> bool:
+        component = self.plan.system.components.get(key[0])
+        return component is not None and component.fmu.variables[key[1]].type == "String"
+
+    def _opened(self) -> OwnFile:
+        """The file, opened anew if it was closed or an FMU has taken its descriptor away."""
+        assert self._file is not None
+        if self._file.closed:
+            self._file = OwnFile(self.path, "r" if self._finished else "a")
+        elif not self._file.is_own:
+            self._move(self.path.with_name(self.path.name.replace(".tmp.", "_anew.tmp.")))
         return self._file
 
+    def _move(self, path: Path) -> None:
+        """Go on in a copy of the file, as far as it is whole."""
+        assert self._file is not None
+        before, self._file = self._file, self._file.copied(path)
+        with suppress(OSError):
+            if path != self.path:
+                self.path.unlink(missing_ok=True)
+        before.give_up()
+        self.path = path
+        for g in range(len(self.plan.groups)):  # a piece may have been cut short
+            self._file.tables[group_name(self.plan, g)].resize_dimension("time", self.rows[g])
+
+    def copy(self, path: Path) -> None:
+        """A copy of the file as it is now. Raises OSError."""
+        self._opened().copy(path)
+
     def close(self) -> None:
-        """Bring everything to disk; `append` opens the file again."""
+        """Bring everything to disk."""
         if self._file is not None:
-            self._file.close()
-            self._file = None
+            with suppress(*REFUSED):
+                self._file.close()
 
     def values(self, group: int, column: int) -> np.ndarray:
         """All values of one signal, in its own type."""
-        from ..results.netcdf import group_name
-
         key = self.plan.groups[group].columns[column]
-        self.close()
-        with _opened(self.path, "r") as file:
-            found: np.ndarray = file[group_name(self.plan, group)][".".join(key)][:]
+        table = self._opened().tables[group_name(self.plan, group)]
+        found: np.ndarray = table[self._names[group][".".join(key)]][:]
         if found.dtype.kind == "O":
             texts = [text.decode() if isinstance(text, bytes) else text for text in found.tolist()]
             return np.array(texts, dtype=object)
@@ -113,12 +174,30 @@ class Stream:
             cells[:, k] = encode_cells(values)
         return cells
 
-    def finish(self, path: Path, complete: bool) -> None:
-        """Say how the run ended, and rename the file. Raises OSError if the disk refuses."""
-        from ..results.netcdf import group_name
+    def finish(self, path: Path, complete: bool, partly: bool = False) -> None:
+        """Write what is pending, say how the run ended, and give the file its name, also in another folder.
 
-        for g in range(len(self.plan.groups)):
-            attributes = self._open()[group_name(self.plan, g)].attrs
-            attributes["complete"] = np.asarray(attributes["complete"]).dtype.type(complete)
-        self.close()
-        self.path = self.path.replace(path)
+        `partly`: without what is pending. Raises OSError or RunError if the disk refuses.
+        """
+        if self._finished:
+            shutil.copyfile(self.path, path)
+            return
+        assert self._file is not None or self.pending
+        if path.parent != self.path.parent or not self.path.exists():
+            there = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
+            if self._file is None:
+                self.path = there
+            else:
+                self._move(there)
+        if self.pending and not partly:
+            self.append(self.pending)
+        self.pending = []
+        if self._file is None:
+            raise RunError(f"cannot write {path}: no row found room")
+        if complete:
+            for g in range(len(self.plan.groups)):
+                self._opened().mark_complete(group_name(self.plan, g))
+        self._opened().close()
+        self.path.replace(path)
+        self.path, self._finished = path, True
+        self._file = OwnFile(path, "r")

@@ -61,6 +61,11 @@ def write_boundary(run: Run, name: str, folder: Path, title: str = "") -> list[P
     ]
 
 
+def boundary_files(title: str) -> list[str]:
+    """The names of the files of a recording."""
+    return [f"{title}_{end}" for end in ("in.csv", "ref.csv", "ref.opt", "parameters.csv")]
+
+
 def _text(value: object) -> object:
     return str(value).lower() if isinstance(value, bool) else value
 

@@ -13,7 +13,7 @@ import xarray
 from helpers import interrupted, system_text
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies import single
+from rovbrush.orchestrator.run import carry_out
 
 # The command with progress lines at every look, so that a test sees when the run is under way.
 COMMAND = """
@@ -127,7 +127,7 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_the_run(
 ) -> None:
     # A file in the way stops every user, also one who may write anywhere.
     (tmp_path / "taken").write_text("mine")
-    monkeypatch.setattr(single, "Session", lambda *_args, **_keys: pytest.fail("the run began"))
+    monkeypatch.setattr(carry_out, "Session", lambda *_args, **_keys: pytest.fail("the run began"))
     out = tmp_path / "taken" / below
     assert rovbrush(monkeypatch, "run", "nominal", "--fmus", fmus, "--out", out) == 2
     assert "cannot write to the output folder" in capsys.readouterr().err

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from helpers import Measured, column, last, plan_of, run_of, system_text
 from quarter_car import energy_made_by_holding
+from rovbrush.orchestrator.cli.run_system import run_system
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.studies.single import run_system
 from rovbrush.orchestrator.system.request import Request
 
 WIRES = ["c.v_c -> w.v_c (hold)", "w.F -> c.F (hold)"]

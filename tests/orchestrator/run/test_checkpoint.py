@@ -13,7 +13,7 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import cells, run
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results.files import write_netcdf
+from rovbrush.orchestrator.results.netcdf import write_netcdf
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint

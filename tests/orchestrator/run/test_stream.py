@@ -13,13 +13,13 @@ import pytest
 import xarray
 from helpers import Measured, Part, plan_of
 from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
-from rovbrush.orchestrator.errors import InputError, RunError
+from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results.files import write_results
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.results.writing import write_results, write_rows
 from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
@@ -118,11 +118,15 @@ def test_a_table_of_an_earlier_run_does_not_stay(tmp_path: Path, fmus: Path) -> 
 
 
 @pytest.mark.usefixtures("small")
-def test_a_disk_that_refuses_is_a_clear_error(tmp_path: Path, fmus: Path) -> None:
-    file = tmp_path / "missing" / "rows.nc"
-    with Session(car(tmp_path, fmus, "jacobi"), file=file) as session, pytest.raises(RunError) as refused:
+def test_a_disk_that_refuses_ends_the_run_and_costs_no_row(tmp_path: Path, fmus: Path) -> None:
+    file, plan = tmp_path / "missing" / "rows.nc", car(tmp_path, fmus, "jacobi")
+    with Session(plan, file=file) as session:
         session.advance()
-    assert f"cannot write {file}: No such file" in str(refused.value)
+        run = session.run()
+        assert f"cannot write {file}: No such file" in run.failure and 0.0 < run.end < plan.clock.time(plan.clock.stop)
+        written = write_rows(run, tmp_path / "out")
+    with xarray.open_dataset(written.folder / "result.nc", group="every_1_ms", engine="h5netcdf") as found:
+        assert found.attrs["complete"] == 0 and found.time.values[-1] == run.end
 
 
 @needs_gcc

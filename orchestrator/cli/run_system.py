@@ -1,0 +1,108 @@
+"""`rovbrush run`: from what was asked for to a planned run, and what a person is told of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields, replace
+from pathlib import Path
+
+from ..errors import InputError, RunError
+from ..exchange.recordings.write import boundary_files, write_boundary
+from ..plan.plan import Plan
+from ..results.energy import require_energy
+from ..results.netcdf import group_name
+from ..results.writing import ROWS, More
+from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
+from ..run.checkpoint import Checkpoint, read_checkpoint
+from ..run.fingerprint import require_unchanged
+from ..run.planned import planned
+from ..run.recorder import IN_MEMORY
+from ..system.assemble import assemble_request
+from ..system.request import Request
+from .console import console, print_comparison, print_notes, print_summary, progress
+
+
+def run_system(request: Request, out: Path, check: bool, force: bool = False) -> None:
+    """Run, write and print. Raises RunError after an early end (what was computed is written) or a failed check."""
+    plan = planned(assemble_request(request))
+    checkpoint_ticks(plan, request.checkpoint)
+    folder, older = claim(out, plan.system.name, force)
+    print_notes(plan.system)
+    _run(plan, request, folder, check, older)
+
+
+def resume_system(folder: Path, asked: Request, check: bool, force: bool = False) -> None:
+    """Go on from the checkpoint in a results folder, and write the results there. Errors as of `run_system`.
+
+    Of `asked` only `fmus` and `checkpoint` may be given; they replace what was asked for then.
+    """
+    taken = [f.name for f in fields(asked) if getattr(asked, f.name) and f.name not in ("fmus", "checkpoint")]
+    if taken:
+        names = ", ".join(name.rstrip("_").replace("_", "-") for name in taken)
+        raise InputError(f"--resume takes {names} from the checkpoint; leave it out")
+    checkpoint = read_checkpoint(folder)
+    try:
+        request = Request.of(checkpoint.request or {})
+    except ValueError:
+        raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
+    request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
+    plan = planned(assemble_request(request))
+    require_unchanged(checkpoint.unchanged, plan, force)
+    checkpoint_ticks(plan, request.checkpoint)
+    out, older = claim(folder, plan.system.name, force, "--resume")
+    console.print(f"going on from t = {checkpoint.at.time:.9g} s")
+    _run(plan, request, out, check, older, replace(checkpoint, folder=out / checkpoint.folder.name), force)
+
+
+def _run(
+    plan: Plan, request: Request, out: Path, check: bool, older: Sequence[str], begin: Checkpoint | None = None,
+    force: bool = False,
+) -> None:  # fmt: skip
+    from ..loop.compiled import is_compiled
+
+    first = "" if is_compiled() else "; the first run compiles the loop, which takes about half a minute"
+    console.print(f"loading the FMUs{first}")
+    more = [_boundary(plan, component) for component in request.record_boundary]
+    reached = int(begin.at.time) if begin else 0
+    with progress(float(plan.system.stop), f"running {plan.system.name}", begin=reached) as report:
+        finished = carry_out(plan, out, request, older, begin, force, report, more)
+    tell(finished)
+    require_good(finished, check)
+
+
+def _boundary(plan: Plan, component: str) -> More:
+    return boundary_files(component), lambda run, folder: write_boundary(run, component, folder)
+
+
+def tell(finished: Finished) -> None:
+    """Print what a run left."""
+    run, written = finished.run, finished.written
+    print_comparison(written.comparison, written.summary.get("steady", True))
+    print_summary(written.summary)
+    console.print(f"wrote {', '.join(path.name for path in written.paths)} to {written.folder}")
+    groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]
+    if groups and any(path.name == ROWS for path in written.paths):
+        console.print(f'open {ROWS} with xarray.open_datatree("{written.folder / ROWS}")["{groups[0]}"]'
+                      + (f"; its tables: {', '.join(groups)}" if len(groups) > 1 else ""), markup=False)  # fmt: skip
+    if not isinstance(run.recorded, list):
+        console.print(f"no result.csv: the tables take more than {IN_MEMORY / 1e6:g} MB; result.nc holds all rows")
+
+
+def require_good(finished: Finished, check: bool) -> None:
+    """Raise RunError for an early end, for anything that could not be made, or for a failed check."""
+    run, written = finished.run, finished.written
+    if finished.failures:
+        lines = list(finished.failures)
+        if run.failure:
+            lines.append(f"what was computed until then is in {written.folder}, marked incomplete")
+        elif not written.elsewhere:
+            lines.append(f"the rows are in {written.folder / ROWS}")
+        raise RunError("\n".join([*lines, finished.resume]).strip())
+    require_energy(run)
+    if not check:
+        return
+    if not written.summary.get("steady", True):
+        raise RunError("the run ended before it was steady: nothing could be compared; give it a later --stop")
+    outside = [row["label"] for row in written.comparison if row["within"] is False]
+    if outside:
+        raise RunError(f"outside their bounds: {', '.join(outside)}")

@@ -1,0 +1,50 @@
+"""What was run, for who finds the results later: manifest.json."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterable
+from importlib.metadata import version
+from typing import Any
+
+from ..system.series import manifest_of
+from .tables import Run
+
+PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
+
+
+def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
+    """Everything needed to know what was run: values, content hashes, versions. No dates: reruns are equal.
+
+    `files`: what the run writes into its folder, for the next run there to know what it may replace.
+    """
+    system = run.plan.system
+    components = {}
+    for name, component in system.components.items():
+        fmu = component.fmu
+        values = {v: fmu.variables[v].start for v in fmu.names("parameter")}
+        components[name] = {
+            "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
+            "period_s": float(component.period),
+            "parameters": {v: plain_value(value) for v, value in {**values, **component.parameters}.items()},
+            "inputs": {**component.inputs, **manifest_of(component.series)},
+        }  # fmt: skip
+    return {
+        "system": system.name, "description": system.description,
+        "stop_s": float(system.stop), "complete": not run.failure,
+        "components": components, "calculated": run.calculated,
+        "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],
+        "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},
+        "platform": f"{platform.system()} {platform.machine()}",
+        "files": list(files),
+    }  # fmt: skip
+
+
+def plain_value(value: Any) -> Any:
+    """A start value of a model description (text) as a number where it is one."""
+    if not isinstance(value, str):
+        return value
+    try:
+        return {"true": True, "false": False}[value] if value in ("true", "false") else float(value)
+    except ValueError:
+        return value
