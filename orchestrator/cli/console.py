@@ -20,42 +20,43 @@ if TYPE_CHECKING:
     from ..system.model import System
 
 
-class Output(Console):
-    """Prints as long as somebody reads: a pipe that is closed or a disk that is full must not cost a run its results.
+class Stdout:
+    """Standard output as long as somebody reads: a closed pipe or a full disk must not cost a run its results.
 
     `lost` says why nothing is printed any more; the command line tells it on stderr at the end.
     """
 
     lost = ""
 
-    def print(self, *objects: Any, **keys: Any) -> None:
-        with self.tolerant():
-            super().print(*objects, **keys)
+    def write(self, text: str) -> int:
+        self._try(sys.stdout.write, text)
+        return len(text)
 
-    @contextmanager
-    def tolerant(self) -> Iterator[None]:
-        """Around whatever prints."""
+    def flush(self) -> None:
+        self._try(sys.stdout.flush)
+
+    def _try(self, act: Callable[..., object], *arguments: str) -> None:
         try:
-            yield
+            if not self.lost:
+                act(*arguments)
         except OSError as error:
-            self.lose(error)
+            self.lost = os.strerror(error.errno or errno.EIO)
+            with suppress(OSError, ValueError):  # what is still in a buffer goes nowhere when the process ends
+                nowhere = os.open(os.devnull, os.O_WRONLY)
+                os.dup2(nowhere, sys.stdout.fileno())
+                os.close(nowhere)
 
-    def on_broken_pipe(self) -> None:
-        self.lose(BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)))
-
-    def lose(self, error: OSError) -> None:
-        """Print nothing any more, now and when the process ends."""
-        self.lost = self.lost or os.strerror(error.errno or errno.EIO)
-        self.quiet = True
-        with suppress(OSError, ValueError):
-            nowhere = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nowhere, sys.stdout.fileno())
-            os.close(nowhere)
+    def __getattr__(self, name: str) -> Any:
+        return getattr(sys.stdout, name)
 
 
+stdout = Stdout()
 WIDTH = 100  # columns where neither a terminal nor COLUMNS says how many there are
-console = Output(
-    highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else WIDTH
+console = Console(
+    file=stdout,  # type: ignore[arg-type]
+    highlight=False,
+    soft_wrap=True,
+    width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else WIDTH,
 )
 PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 
@@ -88,12 +89,7 @@ def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterat
     )
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(what, total=total, completed=begin)
-
-        def show(reached: float) -> None:
-            with console.tolerant():
-                bar.update(task, completed=reached)
-
-        yield show
+        yield lambda reached: bar.update(task, completed=reached)
 
 
 @contextmanager

@@ -73,7 +73,7 @@ def complain(message: str) -> None:
 def unprinted() -> str:
     """Why stdout did not take everything, empty if it did; nothing that is left over is printed when Python ends."""
     printer = sys.modules.get(f"{__package__}.console")  # most commands do without it
-    lost = str(printer.console.lost) if printer else ""
+    lost = str(printer.stdout.lost) if printer else ""
     try:
         sys.stdout.flush()
     except OSError as error:

@@ -19,7 +19,7 @@ from ..run.planned import planned
 from ..run.recorder import IN_MEMORY
 from ..system.assemble import assemble_request
 from ..system.request import Request
-from .console import console, print_comparison, print_notes, print_summary, progress
+from .console import print_comparison, print_notes, print_summary, progress, tell, wrote
 
 
 def run_system(request: Request, out: Path, check: bool, force: bool = False) -> None:
@@ -50,7 +50,7 @@ def resume_system(folder: Path, asked: Request, check: bool, force: bool = False
     require_unchanged(checkpoint.unchanged, plan, force)
     checkpoint_ticks(plan, request.checkpoint)
     out, older = claim(folder, plan.system.name, force, "--resume")
-    console.print(f"going on from t = {checkpoint.at.time:.9g} s")
+    tell(f"going on from t = {checkpoint.at.time:.9g} s")
     _run(plan, request, out, check, older, replace(checkpoint, folder=out / checkpoint.folder.name), force)
 
 
@@ -61,12 +61,12 @@ def _run(
     from ..loop.compiled import is_compiled
 
     first = "" if is_compiled() else "; the first run compiles the loop, which takes about half a minute"
-    console.print(f"loading the FMUs{first}")
+    tell(f"loading the FMUs{first}")
     more = [_boundary(plan, component) for component in request.record_boundary]
     reached = int(begin.at.time) if begin else 0
     with progress(float(plan.system.stop), f"running {plan.system.name}", begin=reached) as report:
         finished = carry_out(plan, out, request, older, begin, force, report, more)
-    tell(finished)
+    show(finished)
     require_good(finished, check)
 
 
@@ -74,18 +74,18 @@ def _boundary(plan: Plan, component: str) -> More:
     return boundary_files(component), lambda run, folder: write_boundary(run, component, folder)
 
 
-def tell(finished: Finished) -> None:
+def show(finished: Finished) -> None:
     """Print what a run left."""
     run, written = finished.run, finished.written
     print_comparison(written.comparison, written.summary.get("steady", True))
     print_summary(written.summary)
-    console.print(f"wrote {', '.join(path.name for path in written.paths)} to {written.folder}")
+    wrote(written.paths, written.folder)
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]
     if groups and any(path.name == ROWS for path in written.paths):
-        console.print(f'open {ROWS} with xarray.open_datatree("{written.folder / ROWS}")["{groups[0]}"]'
-                      + (f"; its tables: {', '.join(groups)}" if len(groups) > 1 else ""), markup=False)  # fmt: skip
+        others = f"; its tables: {', '.join(groups)}" if len(groups) > 1 else ""
+        tell(f'open {ROWS} with xarray.open_datatree("{written.folder / ROWS}")["{groups[0]}"]{others}')
     if not isinstance(run.recorded, list):
-        console.print(f"no result.csv: the tables take more than {IN_MEMORY / 1e6:g} MB; result.nc holds all rows")
+        tell(f"no result.csv: the tables take more than {IN_MEMORY / 1e6:g} MB; result.nc holds all rows")
 
 
 def require_good(finished: Finished, check: bool) -> None:

@@ -51,11 +51,26 @@ def test_a_short_run_ends_with_0(fmus: Path, tmp_path: Path, monkeypatch: pytest
 def test_a_value_outside_its_bound_ends_with_1_when_checked(
     fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # Too short to be steady.
-    options = ("run", "nominal", "--stop", "40 ms", "--fmus", fmus, "--out", tmp_path)
+    parts, bound = {"w": ("wave", "1 ms", {"c0": 1.0})}, '[summary]\nmean = "mean w.y"\n[[compare]]\nlabel = "y"\n'
+    (tmp_path / "case.toml").write_text(
+        system_text(parts, stop="10 ms") + bound + 'value = "mean"\nunit = "1"\nreference = 2.0\ntolerance = 0.1\n'
+    )
+    options = ("run", tmp_path / "case.toml", "--fmus", fmus, "--out", tmp_path / "out")
     assert rovbrush(monkeypatch, *options) == 0
     assert rovbrush(monkeypatch, *options, "--check") == 1
     assert "outside their bounds" in capsys.readouterr().err
+
+
+def test_a_run_that_ends_before_it_is_steady_gets_no_verdict(
+    fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = ("run", "nominal", "--stop", "40 ms", "--fmus", fmus, "--out", tmp_path)
+    assert rovbrush(monkeypatch, *options) == 0
+    seen = capsys.readouterr().out
+    assert "not steady: no verdict" in seen and "within" not in seen and "outside" not in seen
+    assert json.loads((tmp_path / "summary.json").read_text())["steady"] is False
+    assert rovbrush(monkeypatch, *options, "--check") == 1
+    assert "nothing could be compared" in capsys.readouterr().err
 
 
 def test_an_interrupted_nominal_run_keeps_what_was_computed(fmus: Path, tmp_path: Path) -> None:
