@@ -24,7 +24,7 @@ from .console import print_comparison, print_notes, print_summary, progress, tel
 
 def run_system(request: Request, out: Path, check: bool, force: bool = False) -> None:
     """Run, write and print. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(assemble_request(request))
+    plan = planned(assemble_request(request), request.record_boundary)
     checkpoint_ticks(plan, request.checkpoint)
     folder, older = claim(out, plan.system.name, force)
     print_notes(plan.system)
@@ -46,7 +46,7 @@ def resume_system(folder: Path, asked: Request, check: bool, force: bool = False
     except ValueError:
         raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
     request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
-    plan = planned(assemble_request(request))
+    plan = planned(assemble_request(request), request.record_boundary)
     require_unchanged(checkpoint.unchanged, plan, force)
     checkpoint_ticks(plan, request.checkpoint)
     out, older = claim(folder, plan.system.name, force, "--resume")

@@ -177,7 +177,7 @@ class Session:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
         if not self.failure:
             ends = [(rows - 1) * group.period for rows, group in zip(self._rows, self.plan.groups, strict=True)]
-            if ends and not self.plan.adaptive and self.plan.system.algorithm != "iterated":
+            if ends and not self.plan.adaptive and not self.plan.algorithm.repeats_rows:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
 

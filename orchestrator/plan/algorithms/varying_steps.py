@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import ceil, gcd, inf, lcm
+from math import ceil, gcd, lcm
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -109,7 +109,7 @@ class VaryingSteps(Algorithm):
 
     def figures(self, values: Callable[[str], np.ndarray]) -> dict[str, Any]:
         step = values("step")[1:]
-        return {"step_min_s": float(np.min(step, initial=inf)), "step_max_s": float(np.max(step, initial=0.0))}
+        return {"step_min_s": float(np.min(step)), "step_max_s": float(np.max(step))} if len(step) else {}
 
 
 class VaryingSchedule(Schedule):
