@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -35,12 +36,17 @@ NATIVE = ("fmi2", "fmi3")  # the folders of native FMUs
 
 
 def build_all(
-    folder: Path, names: tuple[str, ...] = COMPONENTS, rows: int = 0, platforms: tuple[str, ...] = ()
+    folder: Path,
+    names: tuple[str, ...] = COMPONENTS,
+    rows: int = 0,
+    platforms: tuple[str, ...] = (),
+    missing: Callable[[str], None] | None = None,
 ) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
     `rows`: how many rows of an array with columns are outputs of their own (the brush: per-filament outputs).
     `platforms`: build native FMUs with binaries for these (`linux64`, `win64`) instead, into `folder`/native.
+    `missing`: hears of platforms without a compiler, which are left out unless there is no other; None: an error.
 
     Raises UnknownComponentError for a wrong name, BuildError for an unwritable folder or a failing build. An FMU
     appears under its final name only when it is complete.
@@ -50,6 +56,10 @@ def build_all(
             close = difflib.get_close_matches(name, COMPONENTS, n=1)
             hint = f"did you mean '{close[0]}'?" if close else f"there are {', '.join(COMPONENTS)}"
             raise UnknownComponentError(f"no component '{name}'; {hint}")
+    if platforms and missing is not None:
+        from .native.compile import available
+
+        platforms = available(platforms, missing)
     return [path for name in names for path in build(HERE / name, folder, rows, platforms)]
 
 

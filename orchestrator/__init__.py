@@ -20,6 +20,10 @@ __all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunErr
 _PLACES = {"load": "api", "Model": "api", "Result": "results.result", "Stepping": "run.stepping"}
 
 
+def __dir__() -> list[str]:
+    return __all__
+
+
 def __getattr__(name: str) -> Any:
     """What is imported when it is asked for, so that a command loads no more than it needs."""
     if name not in __all__:

@@ -16,7 +16,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from .clock import duration
+from .clock import duration, seconds_text
 from .errors import InputError
 from .plan.explain import explain
 from .plan.plan import Plan
@@ -75,6 +75,9 @@ class Model:
         if self._planned is not None:
             return replace(self._planned, system=self.system)
         return planned(self.system)
+
+    def __repr__(self) -> str:
+        return f"<Model {self.system.name}: {', '.join(self.system.components)}, to {seconds_text(self.system.stop)}>"
 
     def set(self, name: str | Mapping[str, object], value: object = None) -> Model:
         """With a parameter, or an input that nothing drives: `set("motor.R", 0.1)`, `set({"motor.R": 0.1, ...})`.

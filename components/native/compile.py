@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 import shutil
 import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,6 +49,29 @@ PLATFORMS = {
         ("-static-libgcc", "-D__USE_MINGW_ANSI_STDIO=1", "-Wl,--no-insert-timestamp"),
     ),
 }  # fmt: skip
+
+
+def available(names: tuple[str, ...], missing: Callable[[str], None]) -> tuple[str, ...]:
+    """Those of the platforms that there is a compiler for; `missing` hears of the others.
+
+    Raises BuildError for an unknown platform, and if there is a compiler for none.
+    """
+    found: list[str] = []
+    errors: list[BuildError] = []
+    for name in names:
+        if name not in PLATFORMS:
+            raise BuildError(f"no platform '{name}'; there are {', '.join(PLATFORMS)}")
+        try:
+            PLATFORMS[name].compiler()
+        except BuildError as error:
+            errors.append(error)
+        else:
+            found.append(name)
+    if not found:
+        raise errors[0]
+    for why in errors:
+        missing(str(why))
+    return tuple(found)
 
 
 def compile_library(sources: Path, files: tuple[str, ...], target: Platform) -> bytes:

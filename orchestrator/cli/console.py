@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import sys
+import textwrap
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -52,11 +53,13 @@ class Stdout:
 
 stdout = Stdout()
 WIDTH = 100  # columns where neither a terminal nor COLUMNS says how many there are
+ALWAYS = {"simulated_s": "s", "wall_s": "s", "start_s": "s", "peak_memory_MB": "MB"}  # units in every summary
+FOLDING = sys.stdout.isatty() or "COLUMNS" in os.environ  # a file or a pipe gets whole lines
 console = Console(
     file=stdout,  # type: ignore[arg-type]
     highlight=False,
-    soft_wrap=True,
-    width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else WIDTH,
+    soft_wrap=not FOLDING,
+    width=None if FOLDING else WIDTH,
 )
 PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 
@@ -99,9 +102,22 @@ def share(what: str) -> Iterator[Callable[[float], None]]:
         yield lambda done: report(round(100.0 * done, 1))
 
 
-def tell(line: str) -> None:
-    """A line as it is."""
-    console.print(line, markup=False)
+def tell(text: str) -> None:
+    """Plain text: lines that are too long for the terminal are folded between words, and go on indented."""
+    if FOLDING:
+        text = "\n".join(map(_folded, text.split("\n")))
+    console.print(text, markup=False)
+
+
+def _folded(line: str) -> str:
+    if len(line) <= console.width:
+        return line
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    words = textwrap.wrap(
+        line, console.width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
+        drop_whitespace=True, replace_whitespace=False,
+    )  # fmt: skip
+    return "\n".join(words)
 
 
 @contextmanager
@@ -170,12 +186,13 @@ def print_notes(system: System) -> None:
             tell(note)
 
 
-def print_summary(summary: Mapping[str, Any]) -> None:
-    """Figures of merit, one a line."""
+def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = None) -> None:
+    """Figures of merit, one a line, with the `units` of those that have one."""
+    known = {**ALWAYS, **(units or {})}
     for key, value in summary.items():
-        if isinstance(value, float):
-            console.print(f"  {key:<28} {value:.6g}")
-        elif isinstance(value, (int, str)):
-            console.print(f"  {key:<28} {value}")
+        if isinstance(value, (int, float, str)):
+            number = f"{value:.6g}" if isinstance(value, float) else str(value)
+            unit = known.get(key, "")
+            tell(f"  {key:<28} {number}{'' if unit in ('', '1') else f' {unit}'}")
     for loop, residual in summary.get("initial_loops", {}).items():
-        console.print(f"  at time 0, {loop}: residual {residual:.3g}")
+        tell(f"  at time 0, {loop}: residual {residual:.3g}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import NoReturn
 
@@ -21,14 +22,20 @@ __all__ = [
 ]  # fmt: skip
 
 
-LOADING = ("run", "plan", "converge")  # commands that load FMUs into their own process
+# The commands that load FMUs into their own process.
+LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "strategies", "bench")
 
 
 def program() -> NoReturn:
     """The command as it is started from a shell: what loads FMUs is guarded against their crashes."""
-    if sys.argv[1:2] and sys.argv[1] in LOADING:
+    if command_of(sys.argv[1:]) in LOADING:
         guarded(main)
     main()
+
+
+def command_of(arguments: Sequence[str]) -> str:
+    """The command: the first word, since the options before it have no values."""
+    return next((word for word in arguments if not word.startswith("-")), "")
 
 
 def main() -> NoReturn:

@@ -16,19 +16,22 @@ app = typer.Typer(
 )
 
 
-def _print_version(asked: bool) -> None:
-    if asked:
+def _version(wanted: bool) -> None:
+    if wanted:
         print(f"rovbrush {version('rovbrush')}")
         raise typer.Exit
 
 
 @app.callback()
-def _for_all_commands(
-    _version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
+def every_command(
+    debug: Annotated[
+        bool, typer.Option("--debug", help="Tracebacks of unexpected errors; may stand anywhere.")
+    ] = False,
+    version_: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
-    pass
+    """Options of all commands: `--debug` is taken away before the command line is read."""
 
 
 SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from ..errors import InputError, RunError
+from .console import tell
 from .options import (
     SYSTEM_HELP,
     FmusOption,
@@ -23,6 +24,8 @@ from .options import (
     SystemName,
     app,
 )
+
+PLATFORMS = ("linux64", "win64")  # of native FMUs
 
 
 @app.command()
@@ -39,8 +42,11 @@ def build(
     ] = False,
     platform: Annotated[
         list[str],
-        typer.Option("--platform", help="Binaries of native FMUs: linux64, win64; repeatable; both by default."),
-    ] = ["linux64", "win64"],  # noqa: B006
+        typer.Option(
+            "--platform",
+            help="Binaries of native FMUs: linux64, win64; repeatable; by default those there is a compiler for.",
+        ),
+    ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
     from ..system.reader import fmu_folder
@@ -51,15 +57,16 @@ def build(
     for builder in found:
         try:
             chosen = {"names": tuple(names)} if names else {}
-            platforms = tuple(platform) if native else ()
-            paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms)
+            platforms = (tuple(platform) or PLATFORMS) if native else ()
+            missing = None if platform else lambda why: tell(f"left out: {why}")
+            paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms, missing=missing)
         except Exception as error:
             kind = {"BuildError": RunError, "UnknownComponentError": InputError}.get(type(error).__name__)
             if kind:  # by name: the builder's own package is not known here
                 raise kind(str(error)) from error
             raise
         for path in paths:
-            print(f"built {path} ({path.stat().st_size // 1000} kB)")
+            tell(f"built {path} ({path.stat().st_size // 1000} kB)")
 
 
 @app.command()
@@ -69,10 +76,10 @@ def systems() -> None:
     from ..system.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():
-        print(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
-    print("\nsweeps, for `rovbrush sweep`:")
+        tell(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
+    tell("\nsweeps, for `rovbrush sweep`:")
     for name in shipped_sweeps():
-        print(f"{name:<14} {system_description(SWEEPS / f'{name}.toml')}")
+        tell(f"{name:<14} {system_description(SWEEPS / f'{name}.toml')}")
 
 
 @app.command()
@@ -97,9 +104,9 @@ def plan(
     request = Request(system, set_=tuple(set_), replace=tuple(replace), map_=tuple(map_), period=tuple(period),
                       step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)))  # fmt: skip
     planned = make_plan(assemble_request(request))
-    print(explain(planned, None if all_operations else 40))
+    tell(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
-        print(f"\nat time 0, {loop}: residual {residual:.3g}, relative to the inputs")
+        tell(f"\nat time 0, {loop}: residual {residual:.3g}, relative to the inputs")
 
 
 @app.command()

@@ -11,6 +11,7 @@ from ..exchange.recordings.write import boundary_files, write_boundary
 from ..plan.plan import Plan
 from ..results.energy import require_energy
 from ..results.netcdf import group_name
+from ..results.summary import figure_units
 from ..results.writing import ROWS, More
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
 from ..run.checkpoint import Checkpoint, read_checkpoint
@@ -78,7 +79,7 @@ def show(finished: Finished) -> None:
     """Print what a run left."""
     run, written = finished.run, finished.written
     print_comparison(written.comparison, written.summary.get("steady", True))
-    print_summary(written.summary)
+    print_summary(written.summary, figure_units(run.plan.system))
     wrote(written.paths, written.folder)
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]
     if groups and any(path.name == ROWS for path in written.paths):

@@ -88,6 +88,11 @@ class Lab:
             self._cases[command] = Case(run, Signals(run), summarize(run), command)
         return self._cases[command]
 
+    @property
+    def cases(self) -> list[Case]:
+        """All runs so far."""
+        return list(self._cases.values())
+
     def stand(self, values: Mapping[str, object] | None = None) -> Case:
         """The test stand for 10 s, touching at the paper's no-load speed: what sensitivities are measured on."""
         return self.case("test_stand", {"motor.omega_b_start": 20.0, **(values or {})}, "10 s")

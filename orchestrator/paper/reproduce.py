@@ -34,8 +34,9 @@ def reproduce(
         if number not in CLAIMS:
             raise InputError(f"--claim {number}: the claims are 1 to {max(CLAIMS)}{nearest(str(number), [])}")
     if not numbers:
-        if find_spec("plotly") is None:
-            raise InputError("the report's animation needs plotly: python -m pip install 'rovbrush[report]'")
+        for library in ("jinja2", "plotly"):
+            if find_spec(library) is None:
+                raise InputError(f"the report needs {library}: python -m pip install 'rovbrush[report]'")
         prepare_folder(out)
     lab = Lab(fmus, tell)
     rows = []

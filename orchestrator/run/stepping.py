@@ -21,6 +21,9 @@ from .session import Session
 Time = str | float | Fraction
 
 
+PUBLIC = ("failure", "finish", "get", "names", "period", "plan", "result", "set", "step", "stop", "time")
+
+
 class Stepping(Session):
     """A run that goes on when it is told to.
 
@@ -45,6 +48,13 @@ class Stepping(Session):
         self._last = plan.clock.stop // (1 if plan.adaptive else plan.clock.hyperperiod)  # no step is below a tick
         self._guard = ExitStack()
         self._guarded = False
+
+    def __repr__(self) -> str:
+        return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
+
+    def __dir__(self) -> list[str]:
+        """What is meant to be used; the rest is the run's own."""
+        return sorted(PUBLIC)
 
     @property
     def period(self) -> float:

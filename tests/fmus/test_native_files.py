@@ -18,7 +18,7 @@ from fmpy.validation import validate_fmu
 from helpers import FIXTURES, Measured
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.errors import BuildError
-from rovbrush.components.native.compile import PLATFORMS
+from rovbrush.components.native.compile import PLATFORMS, available
 from rovbrush.components.native.translate import plain_c
 
 VERSIONS = ("fmi2", "fmi3")
@@ -101,6 +101,20 @@ def test_missing_compiler_is_named_with_the_package_that_brings_it(tmp_path: Pat
         with pytest.raises(BuildError, match=r"no compiler for win64 .*apt install gcc-mingw-w64-x86-64.*--platform"):
             build(HERE / "dc_motor", tmp_path, 0, ("win64",))
     assert not list(tmp_path.rglob("*.fmu"))
+
+
+def test_a_platform_without_a_compiler_is_left_out_and_named_but_the_last_one_is_an_error() -> None:
+    found = {"gcc": "/usr/bin/gcc", "x86_64-linux-gnu-gcc": "/usr/bin/gcc"}
+    said: list[str] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("shutil.which", found.get)
+        assert available(("linux64", "win64"), said.append) == ("linux64",)
+        assert len(said) == 1 and "no compiler for win64" in said[0]
+        found.clear()
+        with pytest.raises(BuildError, match="no compiler for linux64"):
+            available(("linux64", "win64"), said.append)
+    with pytest.raises(BuildError, match="no platform 'win32'"):
+        available(("win32",), said.append)
 
 
 def test_missing_pyccel_is_named_with_the_extra_that_brings_it(tmp_path: Path) -> None:

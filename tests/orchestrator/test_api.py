@@ -198,3 +198,22 @@ def test_importing_the_package_loads_nothing_heavy() -> None:
     assert done.stdout.strip() == "set()", done.stderr
     done = python("from rovbrush.orchestrator import nothing")
     assert "cannot import name 'nothing'" in done.stderr
+
+
+def test_the_public_names_and_what_objects_say_of_themselves(fmus: Path) -> None:
+    import rovbrush
+    from rovbrush import orchestrator
+
+    for package in (rovbrush, orchestrator):
+        assert {"load", "Model", "Result", "RunError"} <= set(dir(package))
+        assert all(hasattr(package, name) for name in dir(package))
+    model = load("test_stand", fmus=fmus, stop="10 ms")
+    assert repr(model).startswith("<Model test_stand: ") and "to 10 ms>" in repr(model)
+    with model.start() as session:
+        session.step()
+        assert repr(session) == f"<Session of test_stand at {session.time:.9g} s of 0.01 s>"
+        shown = dir(session)
+        assert {"get", "set", "step", "time", "result"} <= set(shown) and len(shown) < 15
+        assert all(getattr(type(session), name, None) is not None or hasattr(session, name) for name in shown)
+        documented = [getattr(type(session), name) for name in shown if hasattr(type(session), name)]
+        assert all(found.__doc__ for found in documented), shown

@@ -6,7 +6,6 @@ from typing import Any
 
 from .. import energy_flow
 from ..lab import Lab
-from .html import Html, element, join, table
 from .mission_picture import mission_figure
 from .motion import Motion
 
@@ -14,15 +13,15 @@ MISSION = "hull_pass"  # what is shown in motion
 CONFIG = {"displaylogo": False, "responsive": True}
 
 
-def plotly_html(figure: Any, with_script: bool) -> Html:
+def plotly_html(figure: Any, with_script: bool) -> str:
     """A plotly figure; the first one of the page brings the script."""
     import plotly.io
 
-    text = plotly.io.to_html(figure, config=CONFIG, full_html=False, include_plotlyjs=with_script, auto_play=False)
-    return Html(text)
+    text: str = plotly.io.to_html(figure, config=CONFIG, full_html=False, include_plotlyjs=with_script, auto_play=False)
+    return text
 
 
-def energy(lab: Lab) -> Html:
+def energy(lab: Lab) -> dict[str, Any]:
     """The flow diagram of the nominal run and its numbers."""
     import plotly.graph_objects as go
 
@@ -42,23 +41,17 @@ def energy(lab: Lab) -> Html:
     figure.update_layout(height=430, margin={"l": 10, "r": 10, "t": 20, "b": 20}, font={"size": 13})
     rows = [(x.source, x.target, f"{x.energy:.2f}", f"{100 * x.energy / supplied:.2f} %") for x in links]
     open_ends = ", ".join(f"{node} {energy_flow.imbalance(links, node):+.3f} J" for node in ("motor", "brush"))
-    return join([
-        element("p", f"Energies of motor and brush over {case.run.end:g} s of the nominal run, from the FMUs' own "
-                     f"meters. What the two nodes do not pass on is made by the coupling: {open_ends}."),
-        plotly_html(figure, with_script=True),
-        table(["from", "to", "energy [J]", "of the battery's"], rows, "numbers"),
-        element("code", case.command),
-    ])  # fmt: skip
+    return {
+        "end": case.run.end, "open_ends": open_ends, "figure": plotly_html(figure, with_script=True), "rows": rows,
+        "command": case.command,
+    }  # fmt: skip
 
 
-def motion(lab: Lab) -> Html:
+def motion(lab: Lab) -> dict[str, Any]:
     """The animation of the closed loop."""
     case = lab.case(MISSION)
     moved, words = Motion(case), case.run.plan.system.description
-    return join([
-        element("p", f"{words[0].upper()}{words[1:]}. Press play or move the slider. The longest arrow is "
-                     f"{moved.largest:.0f} N; forces are averages over the time between two frames. The size of the "
-                     "body is for the picture only."),
-        plotly_html(mission_figure(moved), with_script=False),
-        element("code", case.command),
-    ])  # fmt: skip
+    return {
+        "words": f"{words[0].upper()}{words[1:]}", "largest": moved.largest,
+        "figure": plotly_html(mission_figure(moved), with_script=False), "command": case.command,
+    }  # fmt: skip

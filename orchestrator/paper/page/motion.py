@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ..lab import Case
 
@@ -13,16 +14,6 @@ LONGEST = 0.5  # m, of an arrow
 SPOKES = 12
 
 
-def rotation(q: np.ndarray) -> np.ndarray:
-    """Matrix of a unit quaternion, scalar first, (3, 3)."""
-    w, x, y, z = q
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ])  # fmt: skip
-
-
 class Motion:
     """What is drawn of a run at the instants `time`, in the world as the eye has it: north, west, up."""
 
@@ -31,7 +22,7 @@ class Motion:
         self.time = np.linspace(0.0, case.run.end, frames)
         self.position = np.array([self.at(f"vehicle.{axis}_n") for axis in "xyz"]).T
         quaternion = np.array([self.at(f"vehicle.quat[{k}]") for k in (1, 2, 3, 4)]).T
-        self.attitude = [rotation(q / np.linalg.norm(q)) for q in quaternion]
+        self.attitude = Rotation.from_quat(quaternion, scalar_first=True).as_matrix()
         self.mounting = case.parameters("vehicle.R_tool_body").reshape(3, 3)
         self.r_tool, self.radius = case.parameters("vehicle.r_tool"), case.parameter("vehicle.R_brush")
         self.angle = self.at("brush.theta_b")

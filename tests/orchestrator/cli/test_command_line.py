@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray
 from helpers import interrupted, system_text
-from rovbrush.orchestrator.cli.main import main
+from rovbrush.orchestrator.cli.main import LOADING, main, program
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.run import carry_out
 
@@ -171,3 +174,49 @@ def test_debug_gives_the_traceback(fmus: Path, monkeypatch: pytest.MonkeyPatch) 
     quiet, loud = (subprocess.run([*command, *more], capture_output=True, text=True) for more in ([], ["--debug"]))
     assert quiet.returncode == 2 and "Traceback" not in quiet.stderr
     assert loud.returncode != 0 and "Traceback" in loud.stderr and "did you mean 'nominal'" in loud.stderr
+
+
+def test_the_version_is_that_of_the_package(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import rovbrush
+
+    monkeypatch.setattr(sys, "argv", ["rovbrush", "--version"])
+    with pytest.raises(SystemExit) as ending:
+        main()
+    assert ending.value.code == 0
+    assert capsys.readouterr().out == f"rovbrush {version('rovbrush')}\n" and rovbrush.__version__ == version(
+        "rovbrush"
+    )
+
+
+@pytest.mark.parametrize("command", LOADING)
+@pytest.mark.parametrize("before", [(), ("--debug",)])
+def test_every_command_that_loads_fmus_is_guarded_whatever_stands_before_it(
+    command: str, before: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    guarded: list[object] = []
+    monkeypatch.setattr(sys, "argv", ["rovbrush", *before, command, "nominal", "--set", "motor.R=plan"])
+    monkeypatch.setattr("rovbrush.orchestrator.cli.main.guarded", guarded.append)
+    monkeypatch.setattr("rovbrush.orchestrator.cli.main.main", lambda: None)
+    program()
+    assert len(guarded) == 1
+
+
+def test_at_100_columns_no_name_or_number_is_cut(fmus: Path, tmp_path: Path) -> None:
+    path = tmp_path / "long.toml"
+    name = "a_component_with_a_name_of_some_length_that_a_table_must_fold_and_not_cut"
+    parts = {f"{name}_{k}": ("integrator", "1 ms", {"=u": 1.0}) for k in (1, 2)}
+    path.write_text(system_text(parts, stop="10 ms") + f'\n[summary]\nx_mean = "mean {name}_1.x"\n')
+    for command in ("plan", "run", "converge"):
+        out = () if command == "plan" else ("--out", str(tmp_path / "out"))
+        done = subprocess.run(
+            [sys.executable, "-m", "rovbrush.orchestrator", command, str(path), "--fmus", str(fmus), *out],
+            capture_output=True, text=True, check=False, env={**os.environ, "COLUMNS": "100"},
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        words = [line for line in done.stdout.splitlines() if len(line) > 100]
+        assert all(len(line.split()) == 1 for line in words), words  # a word that is longer goes over the edge
+        shown = "".join(re.findall(r"^│ (\S*)", done.stdout, re.M)) if "│" in done.stdout else done.stdout
+        assert "…" not in done.stdout
+        assert command == "run" or all(f"{name}_{k}" in shown for k in (1, 2)), done.stdout

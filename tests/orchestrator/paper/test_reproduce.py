@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import ROOT, Measured
+from jinja2 import UndefinedError
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.paper import elastica, energy_flow, references, reproduce, verification
@@ -21,8 +22,8 @@ from rovbrush.orchestrator.paper.beam import centrifugal_frequencies, shape, slo
 from rovbrush.orchestrator.paper.claims import CLAIMS, VERDICTS, Check, Finding
 from rovbrush.orchestrator.paper.claims.claim import at_least, at_most, near, within
 from rovbrush.orchestrator.paper.lab import Case, Lab
-from rovbrush.orchestrator.paper.page.html import Html, element, page, table
-from rovbrush.orchestrator.paper.page.motion import Motion, rotation
+from rovbrush.orchestrator.paper.page.motion import Motion
+from rovbrush.orchestrator.paper.page.rendering import templates
 
 NOT_REPRODUCIBLE = {2, 4, 7, 8, 10, 15, 16, 19, 21}
 BY_CALIBRATION = {11, 12, 13, 14, 17, 18}
@@ -128,6 +129,8 @@ def test_the_page_has_its_figures_and_all_claims(parsed: Page, rows: dict[int, d
     for row in rows.values():
         assert row["claim"] in words
         assert row.get("arithmetic", "") in words
+    for name in ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed"):
+        assert f"{name}.fmu" in words, name
     for anchor in ("claims", "table3", "figures", "readings", "verification", "energy", "motion", "provenance"):
         assert any(a.get("id") == anchor for _, a in parsed.tags), anchor
 
@@ -190,10 +193,19 @@ def test_a_verdict_follows_from_the_checks_alone() -> None:
 
 
 def test_text_is_escaped() -> None:
-    assert element("p", "a < b & <script>", class_='x"y') == '<p class="x&quot;y">a &lt; b &amp; &lt;script&gt;</p>'
-    assert element("p", Html("<b>")) == "<p><b></p>"
-    assert "&lt;th&gt;" in table(["<th>"], [["1"]])
-    assert "<title>&lt;&amp;&gt;</title>" in page("<&>", "lead", [])
+    source = (
+        '{% from "tables.html" import table, picture %}{{ table(heading, rows, code=1) }}{{ picture("data:", words) }}'
+    )
+    text = templates().from_string(source).render(heading=["<h>", "&"], rows=[["a < b", "<script>"]], words='"><b>')
+    page = Page(text)
+    assert "".join(page.words).split() == ["<h>&", "a", "<", "b<script>"]
+    assert {tag for tag, _ in page.tags} == {"div", "table", "thead", "tbody", "tr", "th", "td", "span", "code", "img"}
+    assert dict(page.tags)["img"] == {"alt": '"><b>', "src": "data:"}
+
+
+def test_a_value_that_a_template_lacks_is_an_error() -> None:
+    with pytest.raises(UndefinedError, match="'rows' is undefined"):
+        templates().from_string("{{ rows | length }}").render()
 
 
 def test_exact_elastica_agrees_with_the_published_table(measured: Measured) -> None:
@@ -270,5 +282,8 @@ def test_motion_is_drawn_where_the_vehicle_is(fmus: Path) -> None:
     assert np.ptp(hull) < 1e-9
     assert low - hull[0] == pytest.approx(-case.signals["vehicle.delta"].values[0], abs=1e-9)
     assert motion.box(0).mean(axis=0) == pytest.approx(motion.position[0] * [1.0, -1.0, -1.0])
-    half = np.sqrt(0.5)
-    assert rotation(np.array([half, 0.0, 0.0, half])) @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 1.0, 0.0])  # yaw
+    assert np.linalg.det(motion.attitude) == pytest.approx(np.ones(5))
+    for name, (row, column) in {"psi": (1, 0), "theta": (2, 0)}.items():  # yaw turns the nose to the east, pitch up
+        angle = motion.at(f"vehicle.{name}")
+        lever = np.cos(motion.at("vehicle.theta")) if name == "psi" else -1.0
+        assert motion.attitude[:, row, column] == pytest.approx(lever * np.sin(angle), abs=1e-6)

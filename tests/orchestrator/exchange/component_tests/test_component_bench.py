@@ -226,9 +226,26 @@ def test_plugin_runs_beside_other_tests_and_obeys_k(motor: Path, mapped: Mapped,
     options = ("--fmu", str(motor), "--as", "dc_motor", "--map", str(mapped()))
     run = run_pytest(tmp_path, *options, "-k", "own or no_load_speed or interface_fits", "-v")
     assert run.returncode == 0 and "3 passed" in run.stdout, run.stdout
-    for half in (options[:2], options[2:4]):
+    for half in (("--rovbrush-fmu", str(motor)), ("--rovbrush-as", "dc_motor")):
         run = run_pytest(tmp_path, *half)
         assert run.returncode == 4 and "go together" in run.stderr
+
+
+def test_plugin_has_names_of_its_own_and_leaves_the_short_ones_to_others(
+    motor: Path, mapped: Mapped, tmp_path: Path
+) -> None:
+    options = ("--rovbrush-fmu", str(motor), "--rovbrush-as=dc_motor", f"--rovbrush-map={mapped()}")
+    run = run_pytest(tmp_path, *options, "-k", "interface_fits")
+    assert run.returncode == 0 and "1 passed" in run.stdout, run.stdout + run.stderr
+    shown = run_pytest(tmp_path, "--help").stdout
+    assert "--rovbrush-fmu" in shown and not re.search(r"^ +--(fmu|as|map)\b", shown, re.M)
+    (tmp_path / "conftest.py").write_text(
+        "def pytest_addoption(parser):\n    for name in ('--fmu', '--as', '--map'):\n        parser.addoption(name)\n\n"
+        "def pytest_configure(config):\n    print('theirs is', config.getoption('--map'))\n"
+    )
+    (tmp_path / "test_theirs.py").write_text("def test_own():\n    pass\n")
+    theirs = run_pytest(tmp_path, "--map", "x.txt", "-s")
+    assert theirs.returncode == 0 and "theirs is x.txt" in theirs.stdout, theirs.stdout + theirs.stderr
 
 
 def test_plugin_imports_nothing_heavy() -> None:
