@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from .console import print_table, tell
+from .console import print_table, share, tell
 from .options import FmusOption, app
 
 Rows = Sequence[Mapping[str, Any]]
@@ -16,40 +16,54 @@ Rows = Sequence[Mapping[str, Any]]
 
 @app.command()
 def bench(
+    parts: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[PART]...", help="masters, start, components, long, growth; all by default."),
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
+    against: Annotated[
+        Path | None,
+        typer.Option("--against", metavar="PYTHON", help="Compare with another installation, by its interpreter."),
+    ] = None,
     json_file: Annotated[Path | None, typer.Option("--json", help="Write the rows to this file.")] = None,
     fmus: FmusOption = None,
 ) -> None:
     """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
+    from ..studies.bench.bench import Asked
     from ..studies.bench.bench import bench as measure
 
-    found = measure(json_file, fmus, tell)
-    print_systems(found.systems)
-    print_components(found.components)
-    print_long_runs(found.long_runs)
+    with share("bench") as progress:
+        found = measure(Asked(tuple(parts or ()), quick, fmus, against), json_file, tell, progress)
+    for name, rows in found.parts.items():
+        PRINTED[name](rows)
     if json_file:
         tell(f"wrote {json_file}")
 
 
 def print_systems(rows: Rows) -> None:
     """The systems and masters."""
-    from ..studies.bench.bench import REPEATS
+    from ..studies.bench.masters import REPEATS
 
     cells = []
     for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
         same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
         costs = [f"{same[on]['us_per_macro_step']:.3g}" if on in same else "" for on in (False, True)]
-        extra = [
-            f"{same[True][key]:.3g}" if key in same.get(True, {}) else ""
-            for key in ("real_time_factor", "start_s", "peak_memory_MB")
-        ]
-        cells.append((system, master, *costs, *extra))
-    headings = ("system", "master", "off [us]", "recording\non [us]", "times\nreal time", "start\n[s]", "memory\n[MB]")
+        real_time = same.get(True, {}).get("real_time_factor")
+        cells.append((system, master, *costs, "" if real_time is None else f"{real_time:.3g}"))
+    headings = ("system", "master", "off [us]", "recording on [us]", "times real time")
     print_table(f"Cost per macro step, medians of {REPEATS} runs", headings, cells, words=(0, 1))
-    for r in rows:
-        if "load_s" in r:
-            figures = {"load": r["load_s"], "first run": r["first_run_s"], "next run": r["next_run_s"]}
-            spent = ", ".join(f"{name} {1e3 * seconds:.3g} ms" for name, seconds in figures.items())
-            tell(f"{r['system']} to 20 ms from Python: {spent}")
+
+
+def print_start(rows: Rows) -> None:
+    """Starts of a run, by the command and from Python."""
+    names = {
+        "start_s": "command: start to first step", "load_s": "Python: load",
+        "first_run_s": "Python: first run of 20 ms",
+        "next_run_s": "Python: next run of 20 ms",
+    }  # fmt: skip
+    cells = [(f"{r['system']}, {words}", f"{1e3 * r[key]:.3g}") for r in rows for key, words in names.items()]
+    print_table("Starts, in processes of their own", ("", "[ms]"), cells)
+    tell("; ".join(f"peak memory of the command: {r['peak_memory_MB']:.0f} MB" for r in rows))
 
 
 def print_components(rows: Rows) -> None:
@@ -72,3 +86,26 @@ def print_long_runs(rows: Rows) -> None:
     ]
     headings = ("macro steps", "loop [s]", "whole command [s]", "peak memory [MB]")
     print_table("Long runs of two native FMUs: every row in result.nc", headings, cells, words=())
+
+
+def print_growth(rows: Rows) -> None:
+    """Reader and plan of growing systems."""
+    cells = [
+        (r["grows"], f"{r['size']}", f"{r['reader_s']:.2f}", f"{r['plan_s']:.2f}", f"{r['peak_memory_MB']:.0f}")
+        for r in rows
+    ]
+    headings = ("what grows", "size", "reader [s]", "plan [s]", "peak memory [MB]")
+    print_table("Growth: CPU time, each system in a process of its own", headings, cells)
+
+
+def print_against(rows: Rows) -> None:
+    """This installation over another one."""
+    cells = [(r["figure"], f"{r['here_s']:.4g}", f"{r['there_s']:.4g}", f"{r['ratio']:.3f}") for r in rows]
+    title = f"This installation and the other, medians of {rows[0]['rounds']} runs in turns"
+    print_table(title, ("", "here [s]", "there [s]", "ratio"), cells)
+
+
+PRINTED = {
+    "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
+    "growth": print_growth, "against": print_against,
+}  # fmt: skip

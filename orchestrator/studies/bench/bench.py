@@ -1,146 +1,138 @@
-"""What the master costs: microseconds per macro step, beside other masters and the bare calls, all in one run.
-
-A macro step is one period of the fastest component. Ratios of rows from one run count; the machine does not.
-"""
+"""`rovbrush bench`: what the master costs, part by part, each with how long it takes to find out."""
 
 from __future__ import annotations
 
-import json
-import statistics
-import subprocess
-import sys
 import tempfile
-import time
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
+from ...errors import InputError, counted, nearest
 from ...files import prepare_folder, write_file, write_json
-from ...plan.plan import Plan, make_plan
-from ...results.tables import require_complete
-from ...run.simulation import simulate
-from ...run.stepping import Stepping
-from ...system.model import System
+from .against import against
 from .components import component_rows
-from .floor import floor_loop
-from .hosts import HOSTS, missing, run_host
+from .growth import growth_rows
+from .hosts import HOSTS, missing
+from .masters import measured, process_figures, rerun_figures
 from .streaming import long_runs
-from .systems import Case, cases
+from .systems import cases
 
-REPEATS = 5
-ELSEWHERE = 3  # repetitions in another master, each in a process of its own
+Rows = list[dict[str, Any]]
 
 
 @dataclass(frozen=True)
+class Part:
+    """What a part measures, and about how long that takes on two cores [s], in full and quick."""
+
+    words: str
+    full: float
+    quick: float
+
+
+PARTS = {
+    "masters": Part("systems in this master, in others and as bare calls", 260.0, 45.0),
+    "start": Part("a start to the first step, and runs from Python", 30.0, 20.0),
+    "components": Part("every component by itself", 60.0, 15.0),
+    "long": Part("memory of long runs", 80.0, 10.0),
+    "growth": Part("reader and plan of large systems", 40.0, 15.0),
+    "against": Part("this installation against another one", 300.0, 60.0),
+}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Which parts (all but `against`, if none is named), how thoroughly, and the other installation's interpreter."""
+
+    parts: tuple[str, ...] = ()
+    quick: bool = False
+    fmus: Path | None = None
+    python: Path | None = None
+
+    def chosen(self) -> tuple[str, ...]:
+        """The parts, in order. Raises InputError for an unknown one, or `against` without an interpreter."""
+        for name in self.parts:
+            if name not in PARTS:
+                raise InputError(f"bench {name}: no such part{nearest(name, PARTS)}; there are {', '.join(PARTS)}")
+        if "against" in self.parts and self.python is None:
+            raise InputError("bench against: against which? give the other interpreter, --against OTHER/bin/python")
+        names = self.parts or tuple(name for name in PARTS if name != "against")
+        return tuple(name for name in PARTS if name in names or (name == "against" and self.python))
+
+    def seconds(self, name: str) -> float:
+        """About how long a part takes."""
+        return PARTS[name].quick if self.quick else PARTS[name].full
+
+
+@dataclass
 class Measured:
-    """The rows of `rovbrush bench`: systems in all masters, components by themselves, long runs, and lines to tell."""
+    """The rows of each part that was measured."""
 
-    systems: list[dict[str, Any]]
-    components: list[dict[str, Any]]
-    long_runs: list[dict[str, Any]]
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """All of them."""
-        return [*self.systems, *self.components, *self.long_runs]
+    parts: dict[str, Rows] = field(default_factory=dict)
 
 
-def bench(json_file: Path | None, fmus: Path | None, tell: Callable[[str], None] = lambda _line: None) -> Measured:
-    """Measure all systems in all masters, and write the rows. Raises RunError if a run fails."""
+def bench(
+    asked: Asked,
+    json_file: Path | None = None,
+    tell: Callable[[str], None] = lambda _line: None,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> Measured:
+    """Measure; write the rows to a file if one is given.
+
+    `tell` hears how long it will take and what cannot be measured, `progress` the share of that time that is over, 0 to
+    1. Raises InputError, or RunError if a run fails.
+    """
+    names = asked.chosen()
     if json_file:
         prepare_folder(json_file.parent, "--json")
-    absent = {host: why for host in HOSTS if (why := missing(host))}
-    for host, why in absent.items():
-        tell(f"without {host}: {why}")
-    rows: list[dict[str, Any]] = []
-    with tempfile.TemporaryDirectory() as folder:
-        found = cases(Path(folder), fmus)
-        for case in found:
-            rows += measured(case, [host for host in HOSTS if host not in absent], tell)
-        parts = component_rows(native=found[-1].system, python=found[-2].system)
-    mark(rows, "nominal", process_figures(fmus) | rerun_figures(fmus))
-    result = Measured(rows, parts, long_runs(tell))
+    whole = sum(map(asked.seconds, names))
+    tell(f"{counted(len(names), 'part')}, about {_duration(whole)} on two cores: {', '.join(names)}")
+    if not asked.quick and whole > 60:
+        tell("--quick takes fewer repetitions and shorter runs; `rovbrush bench PART` measures one part")
+    result, done = Measured(), 0.0
+    for name in names:
+        rows: Rows = []
+        for share, row in _measure(name, asked, tell):
+            rows.append(row)
+            progress((done + share * asked.seconds(name)) / whole)
+        result.parts[name] = rows
+        done += asked.seconds(name)
+        progress(done / whole)
     if json_file:
-        write_file(json_file, lambda path: write_json(path, result.rows))
+        every = [{"part": name, **row} for name, rows in result.parts.items() for row in rows]
+        write_file(json_file, lambda path: write_json(path, every))
     return result
 
 
-def measured(case: Case, hosts: list[str], tell: Callable[[str], None]) -> list[dict[str, Any]]:
-    """The rows of one system, recording off and on."""
-    rows: list[dict[str, Any]] = []
-    for recording in (False, True):
-        system = replace(case.system, record=("*",) if recording else (), bonds=())
-        label: dict[str, Any] = {"system": case.name, "recording": recording}
-        tell(f"measuring {case.name}, recording {'on' if recording else 'off'}")
-        rows.append({**label, "master": "rovbrush", "us_per_macro_step": per_step(system, rovbrush_loop)})
-        if case.steps_elsewhere:
-            steps = min(c.period for c in system.components.values()) * case.steps_elsewhere
-            by_hand = per_step(replace(system, stop=steps), hand_loop)
-            rows.append({**label, "master": "rovbrush by hand", "us_per_macro_step": by_hand})
-            if not recording:
-                rows.append({**label, "master": "calls alone", "us_per_macro_step": per_step(system, floor_loop)})
-            for host in hosts:
-                seconds = statistics.median(
-                    run_host(host, system, case.steps_elsewhere, recording).seconds_per_step for _ in range(ELSEWHERE)
-                )
-                rows.append({**label, "master": host, "us_per_macro_step": 1e6 * seconds})
-        else:
-            wall = 1e-6 * rows[-1]["us_per_macro_step"] / float(min(c.period for c in system.components.values()))
-            rows[-1]["real_time_factor"] = 1.0 / wall
-    return rows
+def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[tuple[float, dict[str, Any]]]:
+    """The rows of a part as they are found, each with the share of the part that is done."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        if name == "masters":
+            absent = {host: why for host in HOSTS if (why := missing(host))}
+            for host, why in absent.items():
+                tell(f"without {host}: {why}")
+            found = cases(folder, asked.fmus)
+            hosts = [host for host in HOSTS if host not in absent]
+            for k, case in enumerate(found):
+                yield from _shared(measured(case, hosts, asked.quick), (k + 1) / len(found))
+        elif name == "start":
+            yield 1.0, {"system": "nominal", **process_figures(asked.fmus), **rerun_figures(asked.fmus)}
+        elif name == "components":
+            found = cases(folder, asked.fmus)
+            rows = component_rows(native=found[-1].system, python=found[-2].system, quick=asked.quick)
+            yield from _shared(rows, 1.0)
+        elif name == "long":
+            yield from _shared(long_runs(asked.quick), 1.0)
+        elif name == "growth":
+            yield from growth_rows(folder, asked.quick)
+        elif asked.python:
+            yield from against(asked.python, folder, asked.fmus, asked.quick)
 
 
-def per_step(system: System, loop: Callable[[Plan], float]) -> float:
-    """Median over REPEATS runs of a loop's wall time, in microseconds per macro step."""
-    plan = make_plan(system)
-    steps = plan.clock.stop // min(plan.clock.periods.values())
-    return 1e6 * statistics.median(loop(plan) for _ in range(REPEATS)) / steps
+def _shared(rows: Sequence[dict[str, Any]], share: float) -> Iterator[tuple[float, dict[str, Any]]]:
+    return ((share, row) for row in rows)
 
 
-def rovbrush_loop(plan: Plan) -> float:
-    """Seconds that the compiled master takes."""
-    return require_complete(simulate(plan)).wall
-
-
-def hand_loop(plan: Plan) -> float:
-    """Seconds that the same steps take if Python asks for each."""
-    with Stepping(plan) as session:
-        begin = time.perf_counter()
-        while session.tick < plan.clock.stop:
-            session.step()
-        return time.perf_counter() - begin
-
-
-def mark(rows: list[dict[str, Any]], system: str, figures: dict[str, float]) -> None:
-    """Add figures to the row of a system with recording on."""
-    next(r for r in rows if (r["system"], r["master"], r["recording"]) == (system, "rovbrush", True)).update(figures)
-
-
-def process_figures(fmus: Path | None) -> dict[str, float]:
-    """Start to first step [s] and peak memory [MB] of a `rovbrush run nominal` in its own process, caches warm."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-m", "rovbrush.orchestrator", "run", "nominal", "--out", folder]
-        done = subprocess.run(
-            [*command, *(["--fmus", str(fmus)] if fmus else [])], capture_output=True, text=True, check=False
-        )
-        if done.returncode:
-            raise RunError(f"the nominal run in a process of its own failed: {done.stderr.strip()}")
-        summary = json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
-    return {key: summary[key] for key in ("start_s", "peak_memory_MB")}
-
-
-def rerun_figures(fmus: Path | None) -> dict[str, float]:
-    """Wall time [s] of 20 ms of the nominal run from Python, in a process of its own: loading, first and later runs."""
-    code = (
-        "import json, sys, time\nfrom rovbrush.orchestrator import load\ntimes = [time.perf_counter()]\n"
-        "system = load('nominal', stop='20 ms', fmus=sys.argv[1] or None)\ntimes.append(time.perf_counter())\n"
-        "for k in range(6):\n    system.set('motor.R', 0.1 + 0.001 * k).run()\n    times.append(time.perf_counter())\n"
-        "print(json.dumps([b - a for a, b in zip(times, times[1:])]))"
-    )
-    done = subprocess.run([sys.executable, "-c", code, str(fmus or "")], capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise RunError(f"the nominal run from Python failed: {done.stderr.strip()}")
-    loading, first, *later = json.loads(done.stdout)
-    return {"load_s": loading, "first_run_s": first, "next_run_s": statistics.median(later)}
+def _duration(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"

@@ -17,7 +17,7 @@ REPEATS = 7
 KINDS = {"native": "native FMU", "python": "Python FMU", "kernel": "kernel under Numba"}
 
 
-def component_rows(native: System, python: System) -> list[dict[str, Any]]:
+def component_rows(native: System, python: System, quick: bool = False) -> list[dict[str, Any]]:
     """Microseconds per call for every component of a system of native and one of Python FMUs, measured in turns."""
     timings = [entry.load() for entry in entry_points(group="rovbrush.timings")]
     rows = []
@@ -27,7 +27,7 @@ def component_rows(native: System, python: System) -> list[dict[str, Any]]:
         component = single["python"].components[name]
         values = {**component.parameters, **component.inputs}
         seconds: dict[str, list[float]] = {}
-        for _ in range(REPEATS):
+        for _ in range(1 if quick else REPEATS):
             for kind, plan in plans.items():
                 steps = plan.clock.stop // plan.clock.periods[name]
                 seconds.setdefault(kind, []).append(floor_loop(plan) / steps)
