@@ -123,3 +123,31 @@ def test_a_point_that_kills_its_process_costs_nothing_but_itself(fmus: Path, tmp
         sweep(str(plain_case(tmp_path)), out, Options(["p.mode=0,6,3,7"], workers=2, fmus=fmus)).require_all()
     with xarray.open_dataset(out / "sweep.nc") as result:
         assert np.isnan(result.y_last.values).tolist() == [False, True, False, False]
+
+
+@pytest.mark.parametrize("sampler", ["latin", "sobol"])
+def test_latin_and_sobol_points_fill_every_range_evenly(sampler: str, case: Path, fmus: Path) -> None:
+    """Of 64 points every 64th of a Latin hypercube's range holds one, every 8th of the Sobol sequence's holds 8."""
+    design = design_of(case, fmus, "w.c0=1:3", "w.a=2:8:log", count=64, seed=5, sampler=sampler)
+    again = design_of(case, fmus, "w.c0=1:3", "w.a=2:8:log", count=64, seed=5, sampler=sampler)
+    other = design_of(case, fmus, "w.c0=1:3", "w.a=2:8:log", count=64, seed=6, sampler=sampler)
+    assert design == again and design != other and (design.kind, design.seed) == (sampler, 5)
+    c0, a = (np.array(axis.values, dtype=float) for axis in design.axes)
+    for share in ((c0 - 1.0) / 2.0, np.log(a / 2.0) / np.log(4.0)):
+        cells = 64 if sampler == "latin" else 8
+        assert set(np.bincount((share * cells).astype(int), minlength=cells)) == {64 // cells}
+
+
+def test_latin_and_sobol_points_take_lists_and_whole_numbers(fmus: Path, tmp_path: Path) -> None:
+    path = plain_case(tmp_path)
+    design = design_of(path, fmus, "p.mode=0:3", "p.u=1.5,2.5", count=16, sampler="sobol")
+    mode, u = (axis.values for axis in design.axes)
+    assert {mode.count(k) for k in range(4)} == {4} and {u.count(v) for v in (1.5, 2.5)} == {8}
+    assert all(isinstance(value, int) for value in mode)
+
+
+def test_an_unknown_sampler_or_one_without_a_count_is_refused(case: Path, fmus: Path) -> None:
+    with pytest.raises(InputError, match="--design sobl; did you mean 'sobol'"):
+        design_of(case, fmus, "w.c0=1:3", count=4, sampler="sobl")
+    with pytest.raises(InputError, match="--design latin needs the number of points"):
+        design_of(case, fmus, "w.c0=1:3:4", sampler="latin")

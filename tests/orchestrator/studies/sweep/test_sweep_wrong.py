@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from helpers import system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
 from rovbrush.orchestrator.studies.sweep.points import Points
 from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
-from sweep_cases import lines, rovbrush
+from sweep_cases import PARTS, lines, plain_case, rovbrush
 
 
 @pytest.mark.parametrize(
@@ -92,3 +93,44 @@ def test_a_folder_that_cannot_be_written_ends_with_2(
 ) -> None:
     assert rovbrush(monkeypatch, "sweep", case, "--vary", "w.c0=1,2", "--fmus", fmus, "--out", case / "below") == 2
     assert "cannot write to the output folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("vary", "keys"),
+    [
+        (["w.c0=1:2"], {"random": 10_000_000_000}),
+        (["w.c0=1:2:1000", "w.a=1:2:1000", "w.b=1:2:1000"], {}),
+    ],
+)
+def test_a_design_too_large_for_memory_is_refused_before_it_is_made(
+    vary: list[str], keys: dict[str, int], case: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rovbrush.orchestrator.studies.sweep.design.drawn", lambda *_: pytest.fail("points were drawn"))
+    with pytest.raises(InputError, match="a sweep may have 1000000 points at most"):
+        sweep(str(case), tmp_path / "out", Options(vary, fmus=fmus, **keys))  # type: ignore[arg-type]
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_system_without_figures_of_merit_is_refused_before_the_plan_with_the_lines_to_write(
+    fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "bare.toml"
+    path.write_text(system_text(PARTS, ["w.y -> x.u"], stop="10 ms"))
+    options = Options(["w.c0=1:2:2"], workers=1, fmus=fmus)
+    with monkeypatch.context() as patch:
+        patch.setattr("rovbrush.orchestrator.studies.sweep.point.make_plan", lambda *_: pytest.fail("planned"))
+        with pytest.raises(InputError, match=r"no \[summary\], so that there is nothing to gather") as error:
+            sweep(str(path), tmp_path / "out", options)
+    lines = str(error.value).splitlines()[-2:]
+    path.write_text(path.read_text() + "\n" + "\n".join(lines) + "\n")
+    assert len(sweep(str(path), tmp_path / "out", options).require_all().data_vars) == 2  # as it says, and `error`
+
+
+def test_one_point_is_told_in_the_singular(fmus: Path, tmp_path: Path) -> None:
+    said: list[str] = []
+    failed = sweep(
+        str(plain_case(tmp_path)), tmp_path / "out", Options(["p.mode=6"], workers=1, fmus=fmus), said.append
+    )
+    with pytest.raises(RunError, match="1 of 1 point failed"):
+        failed.require_all()
+    assert failed.cost and failed.cost.text.startswith("1 point in ")

@@ -1,0 +1,63 @@
+"""`rovbrush bench`: parts, how long they take, and the systems on which growth is measured."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+from native_build import needs_gcc
+from rovbrush.orchestrator.errors import InputError, RunError
+from rovbrush.orchestrator.studies.bench import growth
+from rovbrush.orchestrator.studies.bench.against import loop_seconds
+from rovbrush.orchestrator.studies.bench.bench import PARTS, Asked, bench
+from rovbrush.orchestrator.system.reader import load_system
+
+
+def test_all_parts_are_measured_but_the_comparison_that_needs_an_interpreter() -> None:
+    assert set(Asked().chosen()) == set(PARTS) - {"against"}
+    assert Asked(("growth", "start")).chosen() == ("start", "growth")
+    assert Asked(("growth",), python=Path(sys.executable)).chosen() == ("growth", "against")
+    with pytest.raises(InputError, match="no such part; did you mean 'growth'"):
+        Asked(("grwth",)).chosen()
+    with pytest.raises(InputError, match="against which"):
+        Asked(("against",)).chosen()
+    assert all(part.quick < part.full for part in PARTS.values())
+
+
+@needs_gcc
+def test_growth_is_measured_on_systems_of_the_stated_size(tmp_path: Path) -> None:
+    sizes = {}
+    for what in growth.SIZES:
+        path = tmp_path / "system.toml"
+        path.write_text(growth.text(tmp_path, what, 12))
+        system = load_system(str(path))
+        inputs = sum(len(c.inputs) for c in system.components.values())
+        sizes[what] = (len(system.connections), len(system.components), inputs)
+    assert sizes == {"connections": (12, 2, 0), "FMUs": (12, 12, 0), "stated inputs": (0, 1, 12)}
+
+
+@needs_gcc
+def test_bench_says_how_long_it_will_take_and_what_share_is_done(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(growth, "SIZES", {"connections": (4, 8), "FMUs": (2, 4)})
+    said: list[str] = []
+    shares: list[float] = []
+    found = bench(Asked(("growth",)), tmp_path / "rows.json", said.append, shares.append)
+    assert said == ["1 part, about 40 s on two cores: growth"]
+    assert shares == sorted(shares) and shares[-1] == 1.0 and len(shares) > 3
+    rows = found.parts["growth"]
+    assert [(r["grows"], r["size"]) for r in rows] == [("connections", 4), ("connections", 8), ("FMUs", 2), ("FMUs", 4)]
+    assert all(r["reader_s"] > 0 and r["plan_s"] > 0 and r["peak_memory_MB"] > 1 for r in rows)
+    assert json.loads((tmp_path / "rows.json").read_text()) == [{"part": "growth", **row} for row in rows]
+    quick = bench(Asked(("growth",), quick=True)).parts["growth"]
+    assert [(r["grows"], r["size"]) for r in quick] == [("connections", 8), ("FMUs", 4)]
+
+
+def test_another_installation_that_cannot_answer_is_an_error_that_names_it(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"--against .*nowhere cannot be started"):
+        loop_seconds(tmp_path / "nowhere", "nominal", "fmus")
+    with pytest.raises(RunError, match="no system 'nothing'"):
+        loop_seconds(Path(sys.executable), "nothing", str(tmp_path))
