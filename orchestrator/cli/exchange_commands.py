@@ -13,35 +13,6 @@ from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, 
 
 
 @app.command()
-def check(
-    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="The files to check, FMI 2.0 or 3.0.")],
-    json_file: Annotated[Path | None, typer.Option("--json", help="Write all rows to this file.")] = None,
-) -> None:
-    """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own."""
-    from ..exchange.checks.chain import check_all
-
-    if not check_all(fmus, json_file):
-        raise typer.Exit(1)
-
-
-@app.command("test-component")
-def test_component(
-    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to test, FMI 2.0 or 3.0.")],
-    component: Annotated[str, typer.Option("--as", metavar="NAME", help="The component that it claims to be.")],
-    map_: Annotated[Path | None, typer.Option("--map", help="Mapping file, where it has other names.")] = None,
-    tolerance: Annotated[
-        float, typer.Option("--tolerance", min=0.0, help="Relative error granted to its solver.")
-    ] = 1e-3,
-) -> None:
-    """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
-    from ..exchange.component_tests.tables import run_bench
-    from ..shelter import sheltered
-
-    if sheltered(fmu, run_bench, fmu, component, map_, tolerance):
-        raise typer.Exit(1)
-
-
-@app.command()
 def replay(
     fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to drive alone, FMI 2.0 or 3.0.")],
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where `run --record-boundary` wrote its files.")],

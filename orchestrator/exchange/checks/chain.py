@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import json
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 from ...errors import FmuError
+from ...files import write_file
 from .archive_rules import archive_rows, loadable_row
 from .description_rules import capability_rows, description_rows
 from .dry_run import dry_run_rows
 from .external import fmpy_row, fmutool_row
 from .rows import Report, Row
 from .subject import Subject, open_subject
-from .table import print_report, write_json
 from .unit_rules import unit_rows
 
 
@@ -46,12 +48,17 @@ def _rows(subject: Subject) -> Iterator[Row]:
         yield from dry_run_rows(subject)
 
 
-def check_all(paths: list[Path], json_file: Path | None) -> bool:
-    """Check and print each FMU, write the JSON file if one is wanted; True if there is no error and no finding."""
-    reports = []
-    for path in paths:
-        reports.append(check_fmu(path))
-        print_report(reports[-1])
-    if json_file:
-        write_json(reports, json_file)
-    return all(report.clean for report in reports)
+def write_reports(reports: Sequence[Report], path: Path) -> None:
+    """All reports as one JSON file: a list with path, kind, counts and rows of each FMU. Raises RunError."""
+    content = [
+        {
+            "fmu": str(report.path),
+            "kind": report.kind,
+            "errors": report.count("error"),
+            "findings": report.count("finding"),
+            "rows": [asdict(row) for row in report.rows],
+        }
+        for report in reports
+    ]
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    write_file(path, lambda temporary: temporary.write_text(text, encoding="utf-8"))

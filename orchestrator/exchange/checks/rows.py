@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
+from ...errors import counted
+
 Verdict = Literal["pass", "finding", "error", "not applicable", "skipped"]
 SHOWN = 4  # names in a row
 
@@ -42,6 +44,14 @@ class Report:
     def clean(self) -> bool:
         """Neither an error nor a finding."""
         return self.count("error", "finding") == 0
+
+    @property
+    def text(self) -> str:
+        """How many checks passed, and what did not."""
+        parts = [f"{self.count('pass')} passed", counted(self.count("error"), "error")]
+        parts.append(counted(self.count("finding"), "finding"))
+        others: tuple[Verdict, ...] = ("not applicable", "skipped")
+        return ", ".join([*parts, *(f"{self.count(kind)} {kind}" for kind in others if self.count(kind))])
 
 
 def listed(names: Iterable[str]) -> str:

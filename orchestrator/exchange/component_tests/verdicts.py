@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from ...errors import FmuError
+from ...errors import FmuError, RunError
 from ...fmu.fmu import Fmu
 from ...system.replace.mapping import VariableMapping, load_mapping
 from .compare import Comparison, compare
@@ -70,6 +70,12 @@ def judge(test: Callable[[Any], None], unit: FmuUnit) -> Verdict:
     except FmuError as error:
         return Verdict(claim, "failed", first_line(error))
     return Verdict(claim, "passed", closest(unit.observed))
+
+
+def require_applicable(path: Path, component: str, verdicts: Sequence[Verdict]) -> None:
+    """Raise RunError if not one test could be run."""
+    if all(v.verdict == "not applicable" for v in verdicts):
+        raise RunError(f"{path.name}: no test of {component} could be run on it; a mapping file can name its variables")
 
 
 def closest(observed: list[tuple[str, float, float]]) -> str:

@@ -257,7 +257,7 @@ def test_array_starts_of_the_wrong_number_are_found(native: Path, tmp_path: Path
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
-    environment = {**os.environ, "COLUMNS": "300"}
+    environment = {**os.environ, "COLUMNS": "100"}
     return subprocess.run(
         [sys.executable, "-m", "rovbrush.orchestrator", "check", *arguments],
         capture_output=True, text=True, check=False, env=environment,
@@ -279,7 +279,13 @@ def test_the_command_shows_a_table_writes_json_and_returns_the_verdict(fmus: Pat
     assert broken["errors"] == sum(row["verdict"] == "error" for row in broken["rows"]) == 1
 
 
-def test_the_exit_code_is_zero_without_findings_and_one_for_a_missing_file(fmus: Path, tmp_path: Path) -> None:
-    assert command(str(fmus / "gain.fmu")).returncode == 0
+def test_the_exit_code_is_zero_without_errors_and_one_for_a_missing_file(
+    fmus: Path, gain: Edit, tmp_path: Path
+) -> None:
+    assert command(str(fmus / "gain.fmu"), "--strict").returncode == 0
+    found = gain({}, {'description="input" ': ""})
+    run = command(str(found))
+    assert run.returncode == 0 and "0 errors, 1 finding" in run.stdout
+    assert command(str(found), "--strict").returncode == 1
     run = command(str(tmp_path / "none.fmu"))
     assert run.returncode == 1 and "does not exist" in run.stdout

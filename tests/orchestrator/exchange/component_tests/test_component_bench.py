@@ -188,7 +188,10 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     return python("from rovbrush.orchestrator.cli.main import main; main()", "test-component", *arguments)
 
 
-def test_command_prints_verdicts_within_100_columns_and_returns_them(motor: Path, mapped: Mapped) -> None:
+def test_command_prints_verdicts_within_100_columns_and_returns_them(
+    motor: Path, mapped: Mapped, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "100")
     good = command(str(motor), "--as", "dc_motor", "--map", str(mapped()))
     assert good.returncode == 0, good.stderr
     assert "0 failed" in good.stdout and "not applicable" in good.stdout
@@ -196,6 +199,8 @@ def test_command_prints_verdicts_within_100_columns_and_returns_them(motor: Path
     assert max(map(len, good.stdout.splitlines())) <= 100
     bad = command(str(motor), "--as", "dc_motor", "--map", str(mapped(fault=1)))
     assert bad.returncode == 1 and "failed" in bad.stdout
+    first, _, again = bad.stdout.partition("What failed")
+    assert again.count("│ failed") == first.count("│ failed") > 0 and "│ not applicable" not in again
     wrong = command(str(motor), "--as", "dc_motr")
     assert wrong.returncode == 2 and wrong.stderr.startswith("error: no tests are known for a component 'dc_motr'")
 
