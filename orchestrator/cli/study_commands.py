@@ -135,6 +135,8 @@ def sweep(
     if found.cost:
         tell(found.cost.text)
     print_points(found.table)
+    for axis in found.table.without_effect():
+        tell(f"{axis} has no effect here: no figure of merit changes, to the last bit")
     wrote([out / "points.jsonl", out / "sweep.nc", out / "sweep.csv"], out)
     found.require_all()
 

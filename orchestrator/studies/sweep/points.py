@@ -146,6 +146,18 @@ class Table:
         values = [self.records.get(k, {}).get("figures", {}).get(figure) for k in range(len(self.design))]
         return np.array([math.nan if value is None else value for value in values])
 
+    def without_effect(self) -> list[str]:
+        """The axes of a complete grid along which no figure of merit changes, to the last bit."""
+        if self.design.kind != "grid" or any(self.errors()):
+            return []
+        grids = [self.column(figure).reshape(self.design.shape) for figure in self.figures]
+        return [
+            axis.name
+            for k, axis in enumerate(self.design.axes)
+            if len(axis.values) > 1
+            and all(np.array_equal(np.broadcast_to(np.take(g, [0], k), g.shape), g, equal_nan=True) for g in grids)
+        ]
+
     def errors(self) -> list[str]:
         """Why a point has no values; empty where it has."""
         records = [self.records.get(k, {"error": NOT_COMPUTED}) for k in range(len(self.design))]

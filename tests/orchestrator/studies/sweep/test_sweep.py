@@ -151,3 +151,13 @@ def test_an_unknown_sampler_or_one_without_a_count_is_refused(case: Path, fmus: 
         design_of(case, fmus, "w.c0=1:3", count=4, sampler="sobl")
     with pytest.raises(InputError, match="--design latin needs the number of points"):
         design_of(case, fmus, "w.c0=1:3:4", sampler="latin")
+
+
+def test_a_parameter_without_any_effect_is_named(
+    case: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The angular frequency w of a wave without amplitude; c0 changes what is read."""
+    vary = ("--vary", "w.c0=1,2", "--vary", "w.w=1,2")
+    assert rovbrush(monkeypatch, "sweep", case, *vary, "--out", tmp_path, "--fmus", fmus, "--workers", "1") == 0
+    said = capsys.readouterr().out
+    assert said.count("has no effect here") == 1 and "w.w has no effect here" in said
