@@ -45,7 +45,7 @@ class SuiteCheck:
         return f"components/{self.behaviour}" if self.behaviour else self.file
 
 
-_BRUSH, _BEHAVIOUR = "tests/components/test_filament_brush", "tests/components/test_behaviour.py"
+_BRUSH, _BEHAVIOUR = "tests/components/filament_brush/test_filament_brush", "tests/components/test_behaviour.py"
 SUITE = (
     SuiteCheck("Rotating cantilever, brush kernel", "Wright et al. 1982", f"{_BRUSH}_modes.py",
                "test_rotating_frequencies_match_the_reference_table"),
@@ -57,9 +57,9 @@ SUITE = (
                "test_step_response_is_that_of_wu_2018", "rov_vehicle/behaviour.py"),
     SuiteCheck("Vehicle step response, Benzon 2022", "Fossen's published library", _BEHAVIOUR,
                "test_step_response_is_that_of_benzon_2022", "rov_vehicle/behaviour.py"),
-    SuiteCheck("Allocation matrix", "published matrix", "tests/components/test_rov_vehicle.py",
+    SuiteCheck("Allocation matrix", "published matrix", "tests/components/rov_vehicle/test_rov_vehicle.py",
                "test_allocation_matrix_equals_the_printed_one_up_to_column_signs"),
-    SuiteCheck("Thrust curve, 12 and 16 V", "T200 thrust table", "tests/components/test_rov_vehicle.py",
+    SuiteCheck("Thrust curve, 12 and 16 V", "T200 thrust table", "tests/components/rov_vehicle/test_rov_vehicle.py",
                "test_thrust_curve_follows_the_published_table"),
     SuiteCheck("Motor step response", "matrix exponential", _BEHAVIOUR,
                "test_step_response_is_the_matrix_exponential", "dc_motor/behaviour.py"),

@@ -7,7 +7,9 @@ import random
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent.parent))  # helpers, native_build: as the tests see them
+TESTS = Path(__file__).parent.parent
+for shared in ("orchestrator", "fmus", "components", "."):
+    sys.path.insert(0, str(TESTS / shared))  # helpers, native_build and the like: as the tests see them
 
 
 def seeded(name: str, index: int) -> random.Random:

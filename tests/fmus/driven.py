@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,10 +11,8 @@ import numpy as np
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 from fmpy.fmi3 import FMU3Slave
-from rovbrush.orchestrator.participant.exit_guard import end_before_library_destructors
-
-sys.path.insert(0, str(Path(__file__).parent.parent / "components"))
 from lives import Instance, component
+from rovbrush.orchestrator.participant.exit_guard import end_before_library_destructors
 
 COLLECTED = ctypes.POINTER(ctypes.c_double)
 

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from helpers import Measured
+from helpers import ROOT, Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 from scipy.integrate import quad
 
 DECLARED = component("filament_brush")
 P = DECLARED.parameters()
-REFERENCE = Path(__file__).parent.parent / "reference"
+REFERENCE = ROOT / "tests" / "reference"
 LAMBDA = (1.875104068711961, 4.694091132974175, 7.854757438237613,
           10.995540734875467, 14.137168391046471, 17.278759532088237)  # fmt: skip
 

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from helpers import Measured
+from helpers import ROOT, Measured
 from lives import Instance, component
 from rovbrush.components.kernels import compiled
 from rovbrush.components.rov_vehicle.parameters import NOMINAL, Parameters, about_origin
 from rovbrush.components.thrusters import K_T
 
 DECLARED = component("rov_vehicle")
-REFERENCE = Path(__file__).parent.parent / "reference"
+REFERENCE = ROOT / "tests" / "reference"
 
 
 def vehicle(chosen: Parameters = NOMINAL, inputs: dict[str, Any] | None = None, **changes: Any) -> Instance:
