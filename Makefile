@@ -1,5 +1,6 @@
 # make run   own virtual environment, install, build the FMUs, nominal run, results/ and the Table 3 comparison
 # make test  the same environment with what the tests need, then all tests and checks
+# make lowest  the lowest versions that pyproject.toml allows, in an environment of their own, with the tests that touch libraries most
 # make evidence  claims of many thousand cases (tests/evidence/README.md); goes on where it was stopped
 PYTHON ?= python3
 VENV := .venv
@@ -19,6 +20,15 @@ test: $(VENV)/test.stamp
 evidence: $(VENV)/test.stamp
 	$(BIN)/python -m tests.evidence
 
+lowest:
+	$(PYTHON) -m venv .lowest
+	.lowest/bin/python -m pip install --quiet --disable-pip-version-check uv
+	.lowest/bin/uv pip install --quiet --python .lowest/bin/python --resolution lowest-direct --editable ".[test]"
+	.lowest/bin/python -m pytest -n logical --dist worksteal -o cache_dir=.lowest/cache tests/packaging tests/system/test_nominal.py \
+	  tests/fmus tests/components/dc_motor tests/components/test_kernels_have_three_lives.py $(addprefix tests/orchestrator/, \
+	  test_api.py test_units.py cli/test_command_line.py exchange fmu paper participant results system studies/test_convergence.py \
+	  studies/sweep/test_sweep_dask.py)
+
 $(VENV)/run.stamp: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
@@ -30,6 +40,6 @@ $(VENV)/test.stamp: pyproject.toml
 	touch $@
 
 clean:
-	rm -rf $(VENV) results fmus/*.fmu build *.egg-info
+	rm -rf $(VENV) .lowest results fmus/*.fmu build *.egg-info
 
-.PHONY: run test evidence clean
+.PHONY: run test lowest evidence clean

@@ -126,3 +126,25 @@ def test_fmu_files_hold_names_and_no_equations(name: str) -> None:
 def test_every_component_has_the_same_files(name: str) -> None:
     files = {path.name for path in (ROOT / "components" / name).iterdir() if path.is_file()}
     assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "behaviour.py", "README.md"} <= files
+
+
+def test_contributing_names_files_and_rooms_that_exist() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").replace("<name>", COMPONENTS[0])
+    for named in re.findall(r"`([\w./-]+)`", text):
+        if "/" in named or named.endswith(".py"):
+            places = [ROOT / named, ROOT / "orchestrator" / named, *(ROOT / "orchestrator").rglob(named.strip("/"))]
+            places += (ROOT / "components" / COMPONENTS[0]).glob(named.strip("/"))
+            assert any(place.exists() for place in places), named
+
+
+def test_test_files_have_names_of_their_own() -> None:
+    """pytest imports them by their base names, whatever their folders."""
+    names = [path.name for path in (ROOT / "tests").rglob("*.py") if path.name not in ("__init__.py", "conftest.py")]
+    names = [name for name in names if name.startswith("test_")]
+    assert len(names) == len(set(names))
+
+
+def test_tests_lie_in_folders_named_as_the_rooms() -> None:
+    files = [path for top in ("orchestrator", "components") for path in (ROOT / "tests" / top).rglob("*.py")]
+    for folder in {path.parent for path in files}:
+        assert (ROOT / folder.relative_to(ROOT / "tests")).is_dir(), folder
