@@ -8,8 +8,9 @@ DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on.
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = range(7)
 
-# `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before it.
-NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, CLOCK_CELLS = range(7)
+# `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before
+# it, and where in the macro step its second half begins while that is done.
+NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET, CLOCK_CELLS = range(8)
 
 # `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks.
 FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT = range(9)

@@ -35,6 +35,7 @@ from .cells import (
     NOT_CONVERGED,
     NOT_FINITE,
     NOW,
+    OFFSET,
     REFERENCES,
     RESUME_AT,
     SET_STATE,
@@ -51,10 +52,13 @@ from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
+    ADVANCE,
     CONTROL,
     COPY,
+    ESTIMATE,
     GAUGE,
     GET,
+    HALVE,
     ITERATE,
     LEDGER,
     LINEAR,
@@ -76,6 +80,7 @@ from .operations import (
 )  # fmt: skip
 from .step_control import control as choose_step
 from .step_control import gauge
+from .step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
 
 
 def run(
@@ -93,14 +98,14 @@ def run(
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (6): a stop request from outside, where and why the run ended, and the operation with which the first cycle
-    goes on; clock (6): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
+    goes on; clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; states (n): FMU
     states; state_calls (n, 3): addresses of the functions that get, set and free one.
     """
     begin = control[RESUME_AT]
     control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
-        base = cycle * cycle_ticks + clock[NOW]
+        base = cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
         last_tick = -1
         m = begin - 1
         begin = 0
@@ -226,6 +231,23 @@ def run(
                 z[a + 1] = (clock[STEP_TICKS] * numerator) / denominator
                 z[a + 2] = choose_step(clock, coefficients, k, work)
                 z[a] = clock[NOW]
+            elif code == HALVE:
+                clock[STEP_TICKS] //= 2
+            elif code == ADVANCE:
+                clock[OFFSET] = clock[STEP_TICKS]
+                base = cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
+            elif code == ESTIMATE:
+                z[b + 1] = (2 * clock[STEP_TICKS] * numerator) / denominator
+                verdict = estimate(z, p, q, clock, coefficients, k, work)
+                if verdict == ACCEPTED:
+                    z[b], z[b + 2], z[b + 3] = clock[NOW], work[INDICATOR], work[REPEATED]
+                    work[REPEATED] = 0.0
+                    m = a - 1
+                elif verdict == REJECTED:
+                    base = cycle * cycle_ticks + clock[NOW]
+                else:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return NOT_CONVERGED
         if cycle_ticks == 0 and clock[NOW] >= clock[UNTIL]:
             return DONE
     return DONE

@@ -47,7 +47,16 @@ def control(clock: np.ndarray, settings: np.ndarray, k: int, work: np.ndarray) -
     factor = min(max(factor, settings[k + 3]), settings[k + 4])
     work[SUM], work[BONDS], work[BEFORE] = 0.0, 0.0, eps
     clock[NOW] += clock[STEP_TICKS]
-    length = min(max(int(clock[STEP_TICKS] * factor), clock[MINIMUM]), clock[MAXIMUM])
-    left = clock[STOP] - clock[NOW]
-    clock[STEP_TICKS] = left if left < length + clock[MINIMUM] else length
+    clock[STEP_TICKS] = fitted(clock, int(clock[STEP_TICKS] * factor), 1)
     return eps
+
+
+@register_jitable
+def fitted(clock: np.ndarray, length: int, even: int) -> int:
+    """The next step [ticks], a multiple of `even`: between its limits, never beyond the largest one, and so that no
+    small rest is left before the stop: that is taken along, or shared between the two last steps."""
+    length = min(max(length // even * even, clock[MINIMUM]), clock[MAXIMUM])
+    left = clock[STOP] - clock[NOW]
+    if left >= length + clock[MINIMUM]:
+        return int(length)
+    return int(left if left <= clock[MAXIMUM] else left // (2 * even) * even)

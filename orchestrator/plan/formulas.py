@@ -26,8 +26,17 @@ HISTORY = {
     "interpolate": 1,
     "mean": 1,
     "iterated": 1,
+    "end": 0,
+    "end on line": 1,
 }  # earlier samples that a transfer needs
-CHANGING = ("linear", "quadratic", "interpolate")  # transfers that change the input between samples of its source
+ITERATED = ("iterated", "end", "end on line")  # the mean of both ends of the step, or the value at its end
+BOTH_ENDS = ("mean", "iterated", "end on line")  # transfers that need the source at the beginning of its step too
+CHANGING = (
+    "linear",
+    "quadratic",
+    "interpolate",
+    *ITERATED,
+)  # transfers that change the input between samples of its source
 
 
 @dataclass(frozen=True)

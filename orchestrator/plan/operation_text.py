@@ -8,10 +8,13 @@ from ..clock import seconds_text
 from ..fmu.fmu import Fmu
 from ..loop.operations import (
     ACCUMULATE,
+    ADVANCE,
     CONTROL,
     COPY,
+    ESTIMATE,
     GAUGE,
     GET,
+    HALVE,
     ITERATE,
     LEDGER,
     LINEAR,
@@ -63,7 +66,7 @@ class OperationText:
         code, _, component, *_ = row
         name = list(self.plan.system.components)[component] if component >= 0 else ""
         describe = self._exchange if code in (SET, STEP, GET, SAVE, RESTORE) else self._signal
-        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL):
+        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
         return f"{NAMES[code]:<10}  {describe(row, name)}"
 
@@ -93,6 +96,15 @@ class OperationText:
             return f"from operation {a + 1} on"
         if code == ITERATE:
             return f"go to operation {a + 1} if {q} unknowns are consistent within {c[k]:g}, at most {c[k + 1]:g} times"
+        if code == HALVE:
+            return "the macro step, to do it again as two"
+        if code == ADVANCE:
+            return "to the middle of the macro step"
+        if code == ESTIMATE:
+            return (
+                f"{s[b]}, {s[b + 1]}, {s[b + 2]}, {s[b + 3]}: move the clock on and go to operation {a + 1} if {q} "
+                f"signals of one step and of two agree within {c[k]:g}; otherwise go back and take a shorter step"
+            )
         if code == GAUGE:
             return f"{s[b]} times {s[p]} against {s[q]} times {s[a]}, tolerance {c[k]:g} J plus {c[k + 1]:g} of it"
         return f"{s[a]}, {s[a + 1]}, {s[a + 2]}: move the clock on and choose the next step"

@@ -90,10 +90,14 @@ class Schedule:
 
     def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, and what is recorded of this instant."""
+        yield from self.steps(tick)
+        yield from self.record(tick)
+
+    def steps(self, tick: int) -> Iterator[Row]:
+        """The steps that end now."""
         due = [name for name in self.due(tick) if name not in self.design.early]
         for k, name in enumerate(due):
             yield from self._step(tick, name, due[:k])
-        yield from self.record(tick)
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
@@ -212,6 +216,11 @@ class Schedule:
     def length(self, name: str) -> int:
         """Length of a component's step [ticks]."""
         return self.clock.periods[name]
+
+    def nominal(self, key: Key) -> float:
+        """The size of a signal as its FMU states it, otherwise 1."""
+        stated = self.system.components[key[0]].fmu.variables[key[1]].nominal
+        return abs(float(stated or 0.0)) or 1.0
 
     def works(self, tick: int, name: str) -> Iterator[Row]:
         """The work of the step that was just done, at every bond of the component."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..clock import Clock, seconds_text
 from ..errors import InputError
 from ..system.model import Connection, System
-from .formulas import CHANGING, Choice, choose
+from .formulas import BOTH_ENDS, CHANGING, Choice, choose
 from .order import discrete
 
 
@@ -74,13 +74,13 @@ def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, s
     found: dict[str, str] = {}
     for c, choice in choices.items():
         name, output = c.source
-        if choice.transfer not in ("mean", "iterated"):
+        if choice.transfer not in BOTH_ENDS:
             continue
         answers = system.components[name].fmu.feedthrough()[output]
         changing = [
             i.target[1]
             for i, transfer in choices.items()
-            if i.target[0] == name and i.target[1] in answers and transfer.transfer in (*CHANGING, "iterated")
+            if i.target[0] == name and i.target[1] in answers and transfer.transfer in CHANGING
         ]
         changing += [v for v, series in system.components[name].series.items() if v in answers and not series.sampled]
         if changing and name not in found:

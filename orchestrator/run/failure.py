@@ -32,7 +32,7 @@ def failure_of(
     end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
     if plan.adaptive:
         now, step = int(space.clock[cells.NOW]), int(space.clock[cells.STEP_TICKS])
-        at, end = clock.time(now + step), clock.time(now)
+        at, end = clock.time(now + int(space.clock[cells.OFFSET]) + step), clock.time(now)
     if plan.algorithm.repeats_rows:
         end = clock.time(begin)
     if code == cells.INTERRUPTED:

@@ -22,8 +22,8 @@ from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWI
 from ...system.model import Connection, System
 from ..capabilities import require_state
 from ..design import Design
-from ..formulas import Choice
-from ..layout import Layout
+from ..formulas import ITERATED, Choice
+from ..layout import Key, Layout
 from ..schedule import Row, Schedule
 from .base import Algorithm, LoopArrays
 from .settings import setting
@@ -39,6 +39,12 @@ class IteratedSettings:
     """`[iteration]`: the residual of an input is relative to its size, or to its nominal value where that is larger."""
 
     method: Literal["aitken", "newton"] = setting("aitken", "fixed point with Aitken's relaxation, or Newton")
+    inputs: Literal["mean", "end"] = setting(
+        "mean", "over a step: the mean of the source over it (second order), or its value at the end (first order)"
+    )
+    sweep: Literal["jacobi", "gauss-seidel"] = setting(
+        "jacobi", "a pass takes what the one before it gave, or where it is known what this one gave"
+    )
     tolerance: float = setting(1e-8, "residual at which the inputs of a step are consistent [1]")
     max_iterations: int = setting(50, "passes of one step, those for a Jacobian aside, before the run fails [1]")
 
@@ -56,9 +62,11 @@ class Iterated(Algorithm):
 
     def explanation(self) -> str:
         s = self.settings
+        wanted = "the mean of both ends of its step" if s.inputs == "mean" else "the value at the end of its step"
+        order = "; a pass takes the latest values" if s.sweep == "gauss-seidel" else ""
         return (
             f"each macro step repeated from saved states ({s.method}, at most {s.max_iterations} times) until every "
-            f"input is the mean of both ends of its step within {s.tolerance:g}"
+            f"input is {wanted} within {s.tolerance:g}{order}"
         )
 
     def check(self, system: System) -> None:
@@ -72,24 +80,31 @@ class Iterated(Algorithm):
         sampler = next((end[0] for end in (c.source, c.target) if end[0] in samplers), None)
         if sampler and c.transfer in ("", "hold"):
             return Choice("hold", f"{sampler} samples its inputs and holds its outputs")
-        if sampler or c.transfer not in ("", "mean"):
+        held = "the mean over their step" if self.settings.inputs == "mean" else "the value at the end of their step"
+        if sampler or c.transfer not in ("", "mean" if self.settings.inputs == "mean" else ""):
             raise InputError(
-                f"connection {c.label}: algorithm 'iterated' holds inputs at the mean over their step, so "
+                f"connection {c.label}: algorithm 'iterated' holds inputs at {held}, so "
                 f"'{c.transfer}' has no meaning; leave it out {c.where}"
             )
-        return Choice("iterated", "the mean of the source over the step, both ends known by iteration: second order")
+        if self.settings.inputs == "mean":
+            return Choice(
+                "iterated", "the mean of the source over the step, both ends known by iteration: second order"
+            )
+        if clock.periods[c.target[0]] % clock.periods[c.source[0]] == 0:
+            return Choice("end", "the source at the end of the step, known by iteration: first order")
+        return Choice("end on line", "the source at the end of the step, on the line over its own: first order")
 
     def extend(self, system: System, clock: Clock, order: tuple[str, ...], choices: Mapping[Connection, Choice],
                layout: Layout) -> None:  # fmt: skip
         """Iterations, residual, unknowns, images. Raises InputError if Newton has many unknowns."""
         layout.extra("iterations", "1", "passes, but those for a Jacobian, that the step took", clock.hyperperiod)
         layout.extra("residual", "1", "largest relative residual of an input at the end", clock.hyperperiod)
-        steps = [
-            (c.target, j)
-            for c, choice in choices.items()
-            if choice.transfer == "iterated"
-            for j in range(clock.hyperperiod // clock.periods[c.target[0]])
-        ]
+        steps: list[tuple[Key, int]] = []
+        known: list[tuple[Key, int]] = []
+        for c, choice in choices.items():
+            if choice.transfer in ITERATED:
+                for j in range(clock.hyperperiod // clock.periods[c.target[0]]):
+                    (known if self._known(clock, order, c, j) else steps).append((c.target, j))
         if self.settings.method == "newton" and len(steps) > LARGEST_NEWTON:
             raise InputError(
                 f"iteration: Newton with {len(steps)} unknowns (inputs times steps in "
@@ -99,6 +114,15 @@ class Iterated(Algorithm):
         for table, words in ((layout.unknowns, "unknown"), (layout.images, "image of")):
             for (component, variable), j in steps:
                 table[(component, variable), j] = layout.slot(f"{words} {component}.{variable}, step {j + 1}")
+        for (component, variable), j in known:
+            words = f"what {component}.{variable} is sent, step {j + 1}"
+            layout.images[(component, variable), j] = layout.slot(words)
+
+    def _known(self, clock: Clock, order: tuple[str, ...], c: Connection, j: int) -> bool:
+        """Whether a pass knows all that step j of an input needs when that step is done."""
+        end = (j + 1) * clock.periods[c.target[0]]
+        before = order.index(c.source[0]) < order.index(c.target[0])
+        return self.settings.sweep == "gauss-seidel" and before and end % clock.periods[c.source[0]] == 0
 
     def schedule(self, design: Design) -> Schedule:
         return IteratedSchedule(design, self.settings)
@@ -133,12 +157,16 @@ class IteratedSchedule(Schedule):
         super().__init__(design)
         self.settings = settings
         self.begun: set[int] = set()  # images that have their first part
+        self.driven: dict[str, list[Connection]] = {}  # iterated connections by their sources
+        for c, choice in design.choices.items():
+            if choice.transfer in ITERATED:
+                self.driven.setdefault(c.source[0], []).append(c)
 
     def rows(self) -> Iterator[Row]:
         layout, end = self.layout, self.clock.hyperperiod
         unknowns, images = list(layout.unknowns.values()), list(layout.images.values())
-        first = unknowns[0] if unknowns else layout.size
-        signals = first - 2  # all signals but what the iteration itself counts
+        signals = layout.extras["coupling", "iterations"].slot  # all but what the iteration itself counts
+        first = signals + 2
         rows: list[Row] = [*self._predict(), *((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())]
         rows.append((SAVE, 0, -1, signals, 0, 0, 0, 0))
         again = len(rows)
@@ -159,20 +187,18 @@ class IteratedSchedule(Schedule):
     def _settings(self) -> int:
         """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""
         s = self.settings
-        nominal = []
-        for (name, variable), _ in self.layout.unknowns:
-            stated = self.system.components[name].fmu.variables[variable].nominal
-            nominal.append(abs(float(stated or 0.0)) or 1.0)
+        nominal = [self.nominal(key) for key, _ in self.layout.unknowns]
         method = NEWTON if s.method == "newton" else AITKEN
         return self.constants.at(s.tolerance, float(s.max_iterations), float(method), *nominal)
 
     def _predict(self) -> Iterator[Row]:
         """The first pass takes every input as its source left it."""
         for c, choice in self.design.choices.items():
-            if choice.transfer == "iterated":
+            if choice.transfer in ITERATED:
                 k, a = self.constants.at(c.gain, c.offset), self.layout.outputs[c.source]
-                for (key, _), slot in self.layout.unknowns.items():
-                    if key == c.target:
+                for j in range(self.clock.hyperperiod // self.clock.periods[c.target[0]]):
+                    slot = self.layout.unknowns.get((c.target, j))
+                    if slot is not None:
                         yield (COPY, 0, self.index[c.target[0]], a, slot, 0, 0, k)
 
     def begin(self, tick: int) -> Iterator[Row]:
@@ -202,8 +228,9 @@ class IteratedSchedule(Schedule):
         """The inputs of one step: unknowns, and what samplers hold or take."""
         for c in self.design.into(name):
             b = self.layout.inputs[c.target]
-            if self.design.choices[c].transfer == "iterated":
-                a = self.layout.unknowns[c.target, start // self.clock.periods[name]]
+            if self.design.choices[c].transfer in ITERATED:
+                step = (c.target, start // self.clock.periods[name])
+                a = self.layout.unknowns.get(step, self.layout.images[step])  # what this pass knows already
                 yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
             elif name in self.design.samplers or self._real(c):
                 yield self.held(c.target, tick, self.layout.outputs[c.source], b, c.gain, c.offset)
@@ -213,18 +240,29 @@ class IteratedSchedule(Schedule):
 
     def _collect(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """What the step from `start` to `tick` adds to the images of the inputs that it drives."""
-        h = tick - start
-        for c, choice in self.design.choices.items():
-            if choice.transfer != "iterated" or c.source[0] != name:
-                continue
-            H = self.clock.periods[c.target[0]]
+        for c in self.driven.get(name, []):
+            transfer, H = self.design.choices[c].transfer, self.clock.periods[c.target[0]]
             for j in range(start // H, -(-tick // H)):
-                x, y = (Fraction(t - start, h) for t in (max(start, j * H), min(tick, (j + 1) * H)))
-                late = Fraction(h, H) * (y * y - x * x) / 2
-                early = Fraction(h, H) * (y - x) - late
+                if transfer != "iterated" and (j + 1) * H > tick:
+                    continue  # a later step of the source reaches the end of that one
+                parts = self._mean(start, tick, j, H) if transfer == "iterated" else self._end(start, tick, j, H)
+                late, early = map(float, parts)
                 image = self.layout.images[c.target, j]
                 kept = 1.0 if image in self.begun else 0.0
                 self.begun.add(image)
-                weights = (kept, c.gain * float(late), c.gain * float(early), 0.0 if kept else c.offset)
-                a, p = self.layout.outputs[c.source], self.layout.start(c.source)
+                weights = (kept, c.gain * late, c.gain * early, 0.0 if kept else c.offset)
+                a = self.layout.outputs[c.source]
+                p = a if transfer == "end" else self.layout.start(c.source)
                 yield (MIX, tick, self.index[c.target[0]], a, image, p, 0, self.constants.at(*weights))
+
+    def _mean(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
+        """Weights of the end and of the beginning of a source's step in the mean over step j of length H."""
+        h = tick - start
+        x, y = (Fraction(t - start, h) for t in (max(start, j * H), min(tick, (j + 1) * H)))
+        late = Fraction(h, H) * (y * y - x * x) / 2
+        return late, Fraction(h, H) * (y - x) - late
+
+    def _end(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
+        """The same in the value at the end of step j."""
+        late = Fraction((j + 1) * H - start, tick - start)
+        return late, 1 - late

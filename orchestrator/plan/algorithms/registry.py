@@ -8,6 +8,7 @@ from ...errors import InputError, nearest
 from ...system.model import System
 from ...system.settings import KEYS
 from ...toml_file import TomlFile
+from .adaptive import Adaptive
 from .base import Algorithm
 from .ecco import Ecco
 from .gauss_seidel import GaussSeidel
@@ -15,7 +16,7 @@ from .iterated import Iterated
 from .jacobi import Jacobi
 from .settings import read_settings, schema_of
 
-ALGORITHMS: tuple[type[Algorithm], ...] = (GaussSeidel, Jacobi, Iterated, Ecco)
+ALGORITHMS: tuple[type[Algorithm], ...] = (GaussSeidel, Jacobi, Iterated, Ecco, Adaptive)
 
 
 def algorithm_of(system: System) -> Algorithm:

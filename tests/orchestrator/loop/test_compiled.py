@@ -15,7 +15,19 @@ FILES = loop_files(HERE)
 
 def test_the_loop_is_made_of_these_files() -> None:
     assert {path.stem for path in FILES} == {
-        *("run", "cells", "exchange", "calls", "texts", "types", "operations", "iteration", "step_control", "lookup")
+        *(
+            "run",
+            "cells",
+            "exchange",
+            "calls",
+            "texts",
+            "types",
+            "operations",
+            "iteration",
+            "step_control",
+            "step_doubling",
+            "lookup",
+        )
     }
 
 

@@ -56,10 +56,17 @@ def test_times_are_exact_and_the_last_is_the_stop(stop: str, tmp_path: Path, fmu
     assert run.ticks[0][-1] == run.plan.clock.stop
 
 
-def test_steps_stay_between_their_limits(tmp_path: Path, fmus: Path) -> None:
-    run = car(tmp_path, fmus, ecco={**ECCO, "minimum": "0.5 ms", "maximum": "3 ms"})
+@pytest.mark.parametrize("stop", ["4 s", "34 ms", "34.9 ms", "100.1 ms"])
+def test_steps_stay_between_their_limits(stop: str, tmp_path: Path, fmus: Path) -> None:
+    """The last two too: what is left before the stop is shared between them where it is more than the largest step."""
+    run = car(tmp_path, fmus, ecco={**ECCO, "minimum": "0.5 ms", "maximum": "3 ms", "tolerance": 10.0}, stop=stop)
     step = column(run, "coupling.step")[1][1:]
-    assert np.min(step[:-1]) >= 0.5e-3 and np.max(step[:-1]) <= 3e-3  # the last one ends at the stop
+    assert np.min(step) >= 0.5e-3 and np.max(step) <= 3e-3
+    assert run.end == float(run.plan.system.stop)
+
+
+def test_steps_vary(tmp_path: Path, fmus: Path) -> None:
+    step = column(car(tmp_path, fmus, ecco={**ECCO, "minimum": "0.5 ms", "maximum": "3 ms"}), "coupling.step")[1][1:]
     assert np.ptp(step) > 2e-3
 
 
