@@ -23,7 +23,10 @@ from .errors import BuildError, UnknownComponentError
 
 HERE = Path(__file__).parent
 COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed")
-SHARED = ("interface.py", "kernels.py", "model_description.py", "options.py", "slave.py", "state.py", "thrusters.py")
+SHARED = (
+    "interface.py", "kernel_cache.py", "kernels.py", "model_description.py", "options.py", "slave.py", "state.py",
+    "thrusters.py",
+)  # fmt: skip
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
 ENTRY_SCRIPT = """from {package}.{name}.fmu import {component}

@@ -1,8 +1,8 @@
 """A kernel as one source text, and compiled by Numba.
 
 A kernel may be spread over files of its folder (`from .modes import tables`); `joined_source` makes one text of them.
-The compiled form lives in a per-user cache under the hash of that text, wherever the FMU was unpacked: a second run
-starts at once, and code compiled from other text is never taken.
+The compiled form lives in a per-user cache under the hash of that text (`kernel_cache.py`), wherever the FMU was
+unpacked: a second run starts at once, and code compiled from other text is never taken.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ import ast
 import hashlib
 import importlib.util
 import inspect
-import os
 import sys
-import tempfile
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
 import numba
+
+from .kernel_cache import CheckedCache, stored
 
 
 def joined_source(kernel: ModuleType) -> str:
@@ -60,40 +60,15 @@ def compiled(kernel: ModuleType) -> ModuleType:
     name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(text.encode()).hexdigest()[:24]}"
     if name in sys.modules:
         return sys.modules[name]
-    spec = importlib.util.spec_from_file_location(name, _stored(name, text))
+    spec = importlib.util.spec_from_file_location(name, stored(name, text))
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)
-    jit = numba.njit(cache=True, error_model="numpy")
+    jit = numba.njit(error_model="numpy")
     for key, function in inspect.getmembers(module, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
-            setattr(module, key, jit(function))
+            dispatcher: Any = jit(function)
+            dispatcher._cache = CheckedCache(function)
+            setattr(module, key, dispatcher)
     return module
-
-
-def _stored(name: str, text: str) -> Path:
-    """The file `name.py` in the cache, with exactly this text; in a temporary folder where there is no cache."""
-    for folder in (_cache_folder(), Path(tempfile.gettempdir()) / f"rovbrush-{os.getpid()}"):
-        path = folder / "kernels" / f"{name}.py"
-        try:
-            if path.is_file() and path.read_text(encoding="utf-8") == text:
-                return path
-            path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            temporary = path.with_name(f"{name}.{os.getpid()}.tmp")
-            temporary.write_text(text, encoding="utf-8")
-            temporary.replace(path)
-            return path
-        except OSError:
-            continue
-    raise OSError(
-        f"no folder to keep compiled kernels in: {_cache_folder()} cannot be written; set ROVBRUSH_CACHE to another"
-    )
-
-
-def _cache_folder() -> Path:
-    own = os.environ.get("ROVBRUSH_CACHE")
-    if own:
-        return Path(own).absolute()
-    shared = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
-    return (Path(shared).absolute() if shared else Path.home() / ".cache") / "rovbrush"

@@ -1,77 +1,42 @@
-"""Safe unpacking of FMUs from strangers, into a per-user cache folder named by the content hash."""
+"""Archives from strangers: what their entries may be called, how much they may hold, and how they are unpacked."""
 
 from __future__ import annotations
 
 import hashlib
-import os
-import shutil
 import stat
-import tempfile
+import struct
+import sys
 import zipfile
 import zlib
-from collections import Counter
-from pathlib import Path, PurePosixPath
-
-from platformdirs import user_cache_path
+from calendar import timegm
+from collections.abc import Iterator
+from contextlib import contextmanager
+from os import utime
+from pathlib import Path
 
 from ..errors import FmuError
 
 LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
+MOST = 50_000  # entries
+LONGEST, LONGEST_PART = 1000, 255  # bytes in an entry's name, and between two slashes of it
+METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # those that FMI and SSP allow
+BLOCK = 1 << 20
+OURS = ".rovbrush"  # the folder beside the files of an unpacked archive in which we keep what we know of them
+CASELESS = sys.platform in ("win32", "darwin")  # there `A` and `a` are one file
+
+Contents = dict[str, zipfile.ZipInfo]  # entries by their path; that of a folder ends with a slash
 
 
-def cache_folder() -> Path:
-    """Where FMUs are unpacked: $ROVBRUSH_CACHE or the user's cache; plain ASCII, because some FMUs fail elsewhere."""
-    chosen = os.environ.get("ROVBRUSH_CACHE")
-    folder = Path(chosen).absolute() if chosen else user_cache_path("rovbrush")  # FMI takes it as a URI
-    if not str(folder).isascii():
-        raise FmuError(
-            f"cache folder {folder}: FMUs cannot be loaded from a path beyond plain ASCII; "
-            f"set ROVBRUSH_CACHE to another folder"
-        )
-    return folder
+@contextmanager
+def opened(path: Path, kind: str = "FMU") -> Iterator[tuple[zipfile.ZipFile, Contents]]:
+    """An archive with its entries, checked. `kind` is what messages call it.
 
-
-def content_hash(path: Path) -> str:
-    """SHA-256 of the file, as hexadecimal text."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
-    """Unpack an FMU unless its content is in the cache already; returns (folder, content hash).
-
-    `kind` is what messages call the archive: an SSP is unpacked in the same way.
-
-    Raises FmuError for a missing or corrupt file, for entries that leave the folder, links and oversized archives.
+    Raises FmuError for a missing or corrupt file, here and while it is read; for entries that leave the folder, links,
+    two entries for one file, and for more than may be unpacked.
     """
-    if not path.is_file():
-        raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`")
-    digest = content_hash(path)
-    folder = cache_folder() / "fmus" / digest[:24]
-    if folder.is_dir():
-        return folder, digest
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        temporary = Path(tempfile.mkdtemp(prefix="unpacking-", dir=folder.parent))
-    except OSError as error:
-        raise FmuError(
-            f"cannot write to the cache folder {folder.parent}: {error.strerror}; set ROVBRUSH_CACHE to another folder"
-        ) from error
     try:
         with zipfile.ZipFile(path) as archive:
-            for entry in archive.infolist():
-                _check_entry(f"{kind} {path}", entry)
-            twice = [name for name, count in Counter(archive.namelist()).items() if count > 1]
-            if twice:
-                raise FmuError(f"{kind} {path}: entry '{twice[0]}' is there twice; refused")
-            if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
-                raise FmuError(f"{kind} {path} would unpack to more than {LARGEST >> 30} GiB; refused")
-            archive.extractall(temporary)
-        try:
-            temporary.rename(folder)
-        except OSError:
-            if not folder.is_dir():  # otherwise another process has just put the same content there
-                raise
+            yield archive, _contents(f"{kind} {path}", archive)
     except (
         zipfile.BadZipFile,
         zipfile.LargeZipFile,
@@ -79,19 +44,91 @@ def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
         NotImplementedError,
         RuntimeError,
         ValueError,
+        OverflowError,
+        struct.error,
         zlib.error,
     ) as error:
         raise FmuError(f"{kind} {path} is not a readable zip archive ({error}); get or build it again") from error
+
+
+def content_hash(path: Path, kind: str = "FMU") -> str:
+    """SHA-256 of a file, as hexadecimal text. Raises FmuError where there is none to read."""
+    if not path.is_file():
+        raise FmuError(f"{kind} {path} does not exist; build the project's own with `rovbrush build`")
+    try:
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
-        raise FmuError(f"{kind} {path} cannot be unpacked to {folder.parent}: {error.strerror or error}") from error
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
-    return folder, digest
+        raise FmuError(f"{kind} {path} cannot be read: {error.strerror}") from error
 
 
-def _check_entry(archive: str, entry: zipfile.ZipInfo) -> None:
-    parts = PurePosixPath(entry.filename)
-    if parts.is_absolute() or ".." in parts.parts or "\\" in entry.filename or ":" in entry.filename:
-        raise FmuError(f"{archive}: entry '{entry.filename}' would leave the unpack folder; refused")
-    if stat.S_ISLNK(entry.external_attr >> 16):
-        raise FmuError(f"{archive}: entry '{entry.filename}' is a symbolic link; refused")
+def extract(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path) -> str:
+    """Write one entry to a file, with its date and, if it may be executed, the right to; returns its SHA-256."""
+    digest = hashlib.sha256()
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with archive.open(entry) as source, target.open("xb") as file:
+        while block := source.read(BLOCK):
+            digest.update(block)
+            file.write(block)
+    if entry.external_attr >> 16 & 0o111:
+        target.chmod(0o755)
+    utime(target, (date_of(entry), date_of(entry)))
+    return digest.hexdigest()
+
+
+def date_of(entry: zipfile.ZipInfo) -> int:
+    """The date that an unpacked file gets [s since 1970]: whoever unpacks it, it is the same."""
+    try:
+        return timegm((*entry.date_time, 0, 0, 0))
+    except ValueError:  # month 0, hour 31 and the like
+        return 0
+
+
+def _contents(archive: str, opened: zipfile.ZipFile) -> Contents:
+    entries = opened.infolist()
+    if len(entries) > MOST:
+        raise FmuError(f"{archive} has {len(entries)} entries, more than {MOST}; refused")
+    if sum(entry.file_size for entry in entries) > LARGEST:
+        raise FmuError(f"{archive} would unpack to more than {LARGEST >> 30} GiB; refused")
+    found: Contents = {}
+    for entry in entries:
+        path = _checked(archive, entry)
+        if path and found.setdefault(path, entry) is not entry and not path.endswith("/"):
+            raise FmuError(f"{archive}: entry '{path}' is there twice; refused")
+    files = {_key(path) for path in found if not path.endswith("/")}
+    if len(files) < sum(not path.endswith("/") for path in found):
+        raise FmuError(f"{archive} has entries whose names differ in upper and lower case only; refused")
+    for path in map(_key, found):
+        parts = path.rstrip("/").split("/")
+        above = ("/".join(parts[:n]) for n in range(1, len(parts) + path.endswith("/")))
+        inside = next((name for name in above if name in files), None)
+        if inside:
+            raise FmuError(f"{archive}: entry '{inside}' is a file and a folder; refused")
+    return found
+
+
+def _key(path: str) -> str:
+    return path.casefold() if CASELESS else path
+
+
+def _checked(archive: str, entry: zipfile.ZipInfo) -> str:
+    """The path of an entry without `.` and empty parts; empty for the folder of the archive itself."""
+    name = entry.filename
+    shown = f"{archive}: entry '{name if len(name) < 100 else name[:100] + '...'}'"
+    parts = [part for part in name.split("/") if part not in ("", ".")]
+    if name.startswith("/") or ".." in parts or "\\" in name or ":" in name:
+        raise FmuError(f"{shown} would leave the unpack folder; refused")
+    nameless = not name or (not parts and not entry.is_dir())
+    if nameless or parts[:1] == [OURS] or any(ord(letter) < 32 or letter == "\x7f" for letter in name):
+        raise FmuError(f"{shown} has a name that no file may have; refused")
+    size = len(name.encode("utf-8", "surrogatepass"))
+    if size > LONGEST or any(len(part.encode("utf-8", "surrogatepass")) > LONGEST_PART for part in parts):
+        raise FmuError(f"{shown} has too long a name; refused")
+    mode = entry.external_attr >> 16
+    if stat.S_ISLNK(mode):
+        raise FmuError(f"{shown} is a symbolic link; refused")
+    if stat.S_IFMT(mode) not in (0, stat.S_IFREG, stat.S_IFDIR):
+        raise FmuError(f"{shown} is no file and no folder; refused")
+    if entry.compress_type not in METHODS:
+        raise FmuError(f"{shown} is compressed by a method that FMI does not allow (only deflate); refused")
+    return "/".join(parts) + ("/" if entry.is_dir() and parts else "")

@@ -1,34 +1,32 @@
-"""One FMU as its description tells it: variables, types, and what it can do. Instances are in `instances.py`."""
+"""One FMU as its description tells it: variables, types, and what it can do. `participant/` loads and runs it."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 
 from attrs import evolve
-from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable
+from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..errors import InputError
-from .archive import unpack
+from ..cache import cache_folder
+from ..errors import FmuError, InputError
+from .attributes import parse_value
+from .binary import platform_folder
+from .capabilities import Capabilities
 from .crossing import Crossing
-from .description import platform_folder, read_description, scalars_of
+from .description import read_description
 from .types import TYPES, FmiType
+from .unpacked import unpack
+from .variables import Elements, Place, elements_of
+
+SETTLED = 0.1  # s; a file that was written later could be written again without a later date
 
 
 @dataclass(frozen=True)
-class Place:
-    """Where a scalar lives in its FMU: the value reference, and its position in an array of `count` values."""
-
-    reference: int
-    index: int
-    count: int
-
-
-@dataclass(frozen=True)
-class Fmu:
+class Fmu(Capabilities):
     """An unpacked FMI 2.0 or 3.0 co-simulation FMU and what its model description says."""
 
     path: Path
@@ -43,11 +41,16 @@ class Fmu:
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
-        """Unpack and read an FMU. Raises FmuError if it is missing, corrupt, or no FMU that can be run here."""
-        folder, digest = unpack(path)
-        fmu = cls(path, folder, digest, *read_description(path, folder))
-        _ = fmu.places  # an array that cannot be laid out is refused now
-        return fmu
+        """Unpack and read an FMU, each file once. Raises FmuError: missing, corrupt, or none that can be run here."""
+        try:
+            status = path.stat()
+        except (OSError, ValueError):
+            raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`") from None
+        unchanged = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
+        if time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
+            return _read(path)
+        fmu = _read_once(path, cache_folder(), unchanged)
+        return fmu if fmu.library.is_dir() else _read(path)  # the cache was emptied by hand
 
     @property
     def version(self) -> int:
@@ -55,20 +58,14 @@ class Fmu:
         return int(self.description.fmiMajorVersion)
 
     @property
-    def interface(self) -> CoSimulation:
-        """What the description says about co-simulation."""
-        assert self.description.coSimulation is not None
-        return self.description.coSimulation
-
-    @property
     def library(self) -> Path:
         """Folder of the binary for this machine."""
-        return self.folder / "binaries" / platform_folder(self.description)
+        return self.folder / "binaries" / platform_folder(self.version)
 
     @cached_property
-    def _elements(self) -> dict[str, dict[str, ModelVariable]]:
+    def _elements(self) -> Elements:
         """The scalars of every variable, by its own name."""
-        return {v.name: scalars_of(self.path, v, self.texts) for v in self.description.modelVariables}
+        return elements_of(self.path, self.description.modelVariables, self.texts)
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:
@@ -149,33 +146,6 @@ class Fmu:
         value = v.start if v.start is not None else empty
         return parse_value(v, value, f"{self.path.name}: start value of {name}", kind)
 
-    @property
-    def can_save_state(self) -> bool:
-        """Whether its state can be saved and restored, as rollback needs it."""
-        return bool(self.interface.canGetAndSetFMUstate)
-
-    @property
-    def can_serialize_state(self) -> bool:
-        """Whether its state can be written to disk, as a checkpoint needs it."""
-        return self.can_save_state and bool(self.interface.canSerializeFMUstate)
-
-    @property
-    def can_vary_step(self) -> bool:
-        """Whether steps of different lengths are allowed."""
-        return bool(self.interface.canHandleVariableCommunicationStepSize)
-
-    @property
-    def recommended_step(self) -> Fraction | None:
-        """The communication step that its maker had in mind [s]."""
-        experiment = self.description.defaultExperiment
-        return Fraction(experiment.stepSize) if experiment is not None and experiment.stepSize else None
-
-    @property
-    def internal_step(self) -> Fraction | None:
-        """The step that it makes inside (FMI 3 fixedInternalStepSize) [s]; a communication step is a multiple of it."""
-        step = self.interface.fixedInternalStepSize
-        return Fraction(str(step)) if step is not None and float(step) > 0 else None
-
     def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
         """For each output the inputs on which it depends at once; all of them where the description does not say.
 
@@ -202,51 +172,13 @@ class Fmu:
         }
 
 
-def parse_value(
-    variable: ModelVariable, value: object, label: str, kind: FmiType | None = None
-) -> float | int | bool | str:
-    """A parameter or start value in the variable's type and range. Raises InputError saying what is allowed."""
-    unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
-    real = variable.type in ("Real", "Float64", "Float32")
-    try:
-        if variable.type in ("String", "Binary"):
-            return str(value)
-        if variable.type == "Boolean":
-            return {"true": True, "1": True, "1.0": True, "false": False, "0": False, "0.0": False}[
-                str(value).strip().lower()
-            ]
-        number: float | int = float(str(value)) if real else _whole(str(value))
-        if number != number or abs(number) == float("inf"):
-            raise ValueError
-    except (ValueError, KeyError, OverflowError):
-        what = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
-        raise InputError(f"{label} = {value!s} is not {what}") from None
-    low, high = _bounds(variable, real, kind or TYPES[2].get(variable.type) or TYPES[3].get(variable.type))
-    if not low <= number <= high:
-        shown = f"{number:g}" if real else f"{number}"
-        raise InputError(f"{label} = {shown}{unit} is out of range: {_text(low)} to {_text(high)}{unit} are allowed")
-    return number
+def _read(path: Path) -> Fmu:
+    folder, digest = unpack(path)
+    fmu = Fmu(path, folder, digest, *read_description(path, folder))
+    _ = fmu.places  # an array that cannot be laid out is refused now
+    return fmu
 
 
-def _whole(text: str) -> int:
-    """A whole number, exact to 64 bits; `3.0` is one."""
-    try:
-        return int(text)
-    except ValueError:
-        if float(text) != int(float(text)):
-            raise ValueError from None
-        return int(float(text))
-
-
-def _bounds(variable: ModelVariable, real: bool, kind: FmiType | None) -> tuple[float | int, float | int]:
-    """The allowed range: what the variable declares, within what its type can hold."""
-    if real:
-        low = float(variable.min) if variable.min is not None else -float("inf")
-        return low, float(variable.max) if variable.max is not None else float("inf")
-    limits = kind.range if kind else (-(2**63), 2**63 - 1)
-    low = max(limits[0], int(variable.min)) if variable.min is not None else limits[0]
-    return low, min(limits[1], int(variable.max)) if variable.max is not None else limits[1]
-
-
-def _text(bound: float | int) -> str:
-    return f"{bound:g}" if isinstance(bound, float) else f"{bound}"
+@cache
+def _read_once(path: Path, _cache: Path, _unchanged: tuple[int, ...]) -> Fmu:
+    return _read(path)

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, nearest
-from ..fmu.fmu import Fmu, parse_value
+from ..fmu.attributes import parse_value
+from ..fmu.fmu import Fmu
 from .series import Series
 
 Value = float | int | bool | str

@@ -20,7 +20,8 @@ import numpy as np
 
 from ..clock import Clock, seconds_text
 from ..errors import InputError
-from ..fmu.fmu import Fmu, parse_value
+from ..fmu.attributes import parse_value
+from ..fmu.fmu import Fmu
 from ..fmu.types import FmiType, decode, encode
 from ..loop.lookup import held_at, value_at
 from ..units import conversion

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import itertools
-import re
+import posixpath
 import zipfile
 from collections.abc import Iterator
 
+from ...fmu.binary import LONGEST, is_identifier
 from .rows import Row, judged, listed
 from .subject import PLATFORMS, Subject, suffix
 
 STAGE = "archive"
-IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"
 
 
 def archive_rows(subject: Subject) -> Iterator[Row]:
@@ -49,7 +49,8 @@ def _sources(subject: Subject) -> Row:
     )
     if not folder.is_dir() and not named:
         return Row(STAGE, rule, "not applicable", "no sources")
-    missing = [name for name in named if not (folder / name).is_file()]
+    there = {file.relative_to(folder).as_posix() for file in folder.rglob("*") if file.is_file()}
+    missing = [name[:100] for name in named if posixpath.normpath(name) not in there]
     if not named:
         missing = ["a list of the source files"]
     where = "SourceFiles of modelDescription.xml" if subject.version == 2 else "sources/buildDescription.xml"
@@ -59,8 +60,8 @@ def _sources(subject: Subject) -> Row:
 
 def _binaries(subject: Subject) -> Iterator[Row]:
     identifier = str(subject.interface.modelIdentifier)
-    bad = [] if re.fullmatch(IDENTIFIER, identifier) else [identifier]
-    mend = "use letters, digits and _ only"
+    bad = [] if is_identifier(identifier) else [identifier[:100]]
+    mend = f"use letters, digits and _ only, at most {LONGEST}"
     yield judged(STAGE, "modelIdentifier is a C name", bad, identifier, "is none", mend, "error")
     there = subject.binaries
     unknown = [name for name in there if name not in PLATFORMS[subject.version]]

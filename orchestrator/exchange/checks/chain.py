@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ...errors import FmuError
 from ...files import write_file
+from ...fmu.archive import OURS
 from .archive_rules import archive_rows, loadable_row
 from .description_rules import capability_rows, description_rows
 from .dry_run import dry_run_rows
@@ -27,7 +28,8 @@ def check_fmu(path: Path) -> Report:
         return Report(path, "", [Row("archive", "can be read", "error", found or mend, mend if found else "")])
     described = subject.description
     kind = f"FMI {described.fmiVersion}, {described.modelName}"
-    good = f"{sum(p.is_file() for p in subject.folder.rglob('*'))} files, none outside the folder"
+    files = sum(p.is_file() and OURS not in p.parts for p in subject.folder.rglob("*"))
+    good = f"{files} files, none outside the folder"
     return Report(path, kind, [Row("archive", "can be read", "pass", good), *_rows(subject)])
 
 

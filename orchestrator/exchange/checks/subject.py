@@ -12,8 +12,9 @@ import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ...errors import FmuError
-from ...fmu.archive import unpack
-from ...fmu.description import safe_xml
+from ...fmu.binary import platform_folder
+from ...fmu.unpacked import unpack
+from ...fmu.xml import safe_xml
 
 REALS = ("Real", "Float64", "Float32")
 STEP = 1e-3  # s, where the FMU suggests none
@@ -71,7 +72,7 @@ class Subject:
     @property
     def platform(self) -> str:
         """This machine's folder name in the FMU's version of the standard."""
-        return str(fmpy.platform if self.version == 2 else fmpy.platform_tuple)
+        return platform_folder(self.version) or str(fmpy.platform_tuple)  # FMI 2.0 has no name for Linux on ARM
 
 
 def suffix(platform: str) -> str:

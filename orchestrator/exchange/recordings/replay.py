@@ -11,8 +11,8 @@ from fmpy.model_description import ModelVariable
 
 from ...clock import seconds_text
 from ...errors import InputError, RunError, nearest
+from ...fmu.attributes import parse_value
 from ...fmu.crossing import REALS, Crossing
-from ...fmu.fmu import parse_value
 from ...system.replace.mapping import VariableMapping, load_mapping
 from ...system.replace.view import crossing_between, own_values
 from .lone_fmu import LoneFmu, Port

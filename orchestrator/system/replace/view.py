@@ -14,8 +14,9 @@ from dataclasses import replace
 from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
+from ...fmu.attributes import parse_value
 from ...fmu.crossing import REALS, Crossing, crossing
-from ...fmu.fmu import Fmu, parse_value
+from ...fmu.fmu import Fmu
 from ..model import Component, System, Value
 from .mapping import VariableMapping
 from .missing import Missing, leave_out

@@ -7,7 +7,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from ...errors import InputError
-from ...fmu.archive import unpack
+from ...fmu.unpacked import unpack
 
 SUFFIXES = (".ssp", ".ssd")
 STRUCTURE = "SystemStructure.ssd"

@@ -9,7 +9,7 @@ import pytest
 from helpers import column, edited, plan_of
 from native_build import FAULTS2, FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
-from rovbrush.orchestrator.fmu import description
+from rovbrush.orchestrator.fmu import xml
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.run.simulation import simulate
 
@@ -55,7 +55,7 @@ def test_what_cannot_be_opened_says_why(edit: Edit, words: str, native: Path, tm
 
 
 def test_a_huge_description_is_refused(native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(description, "LARGEST_XML", 1000)
+    monkeypatch.setattr(xml, "LARGEST", 1000)
     path = edited(native / "feedthrough2.fmu", tmp_path / "feedthrough2.fmu", {"extra.txt": b"another content"})
     with pytest.raises(FmuError, match=r"its modelDescription\.xml has more than 0 MB; refused"):
         Fmu.open(path)

@@ -1,0 +1,63 @@
+"""A name from a description becomes a path: only a C identifier may, and only the platforms of the standard count."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import fmpy
+import pytest
+from helpers import edited
+from native_build import built, needs_gcc
+from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.exchange.checks.archive_rules import archive_rows, loadable_row
+from rovbrush.orchestrator.exchange.checks.subject import open_subject
+from rovbrush.orchestrator.fmu import binary
+from rovbrush.orchestrator.fmu.fmu import Fmu
+
+OUTSIDE = ["/etc/passwd", "../../../../../outside", "a/b", "a b", "", ".", "1a", "ä", "a.b", "a-b", "a\\b", "a" * 201]
+
+
+@pytest.mark.parametrize("identifier", OUTSIDE)
+def test_a_model_identifier_that_is_no_c_identifier_is_refused(identifier: str, fmus: Path, tmp_path: Path) -> None:
+    path = edited(
+        fmus / "gain.fmu", tmp_path / "bad.fmu", {}, {'modelIdentifier="gain"': f'modelIdentifier="{identifier}"'}
+    )
+    with pytest.raises(
+        FmuError, match=r"its modelIdentifier '.*' is no C identifier of at most 200 characters|not valid"
+    ):
+        Fmu.open(path)
+
+
+@pytest.mark.parametrize("identifier", OUTSIDE)
+def test_the_check_looks_for_no_library_outside(identifier: str, fmus: Path, tmp_path: Path) -> None:
+    path = edited(
+        fmus / "gain.fmu", tmp_path / "bad.fmu", {}, {'modelIdentifier="gain"': f'modelIdentifier="{identifier}"'}
+    )
+    subject = open_subject(path)
+    verdicts = {row.rule: row.verdict for row in archive_rows(subject)}
+    assert verdicts["modelIdentifier is a C name"] == "error" and loadable_row(subject).verdict == "error"
+
+
+@needs_gcc
+def test_so_is_one_of_a_build_description(tmp_path: Path) -> None:
+    native = built(tmp_path)
+    build = (
+        '<fmiBuildDescription fmiVersion="3.0"><BuildConfiguration modelIdentifier="../up"><SourceFileSet>'
+        '<SourceFile name="../../../../etc/passwd"/></SourceFileSet></BuildConfiguration></fmiBuildDescription>'
+    )
+    path = edited(native / "feedthrough3.fmu", tmp_path / "bad.fmu", {"sources/buildDescription.xml": build.encode()})
+    with pytest.raises(FmuError, match=r"its modelIdentifier '.*' is no C identifier of at most 200|not valid"):
+        Fmu.open(path)
+    missing = next(row for row in archive_rows(open_subject(path)) if row.rule == "sources are complete")
+    assert missing.verdict == "error" and "passwd" in missing.found
+
+
+@pytest.mark.parametrize("machine", ["aarch64-linux", "aarch64-windows"])
+def test_fmi_2_has_no_name_for_this_machine(
+    machine: str, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fmpy, "platform_tuple", machine)
+    path = edited(fmus / "gain.fmu", tmp_path / "other.fmu", {"documentation/a": b"another content"})
+    with pytest.raises(FmuError, match=rf"FMI 2\.0 has no name for binaries of {machine}.*export it as FMI 3\.0"):
+        Fmu.open(path)
+    assert binary.platform_folder(3) == machine
