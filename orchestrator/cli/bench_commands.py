@@ -40,10 +40,13 @@ def bench(
         tell(f"wrote {json_file}")
 
 
+def medians(rows: Rows) -> str:
+    """How often each was measured, in words."""
+    return f"medians of {rows[0]['runs']} runs" if rows[0]["runs"] > 1 else "one run of each"
+
+
 def print_systems(rows: Rows) -> None:
     """The systems and masters."""
-    from ..studies.bench.masters import REPEATS
-
     cells = []
     for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
         same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
@@ -51,7 +54,7 @@ def print_systems(rows: Rows) -> None:
         real_time = same.get(True, {}).get("real_time_factor")
         cells.append((system, master, *costs, "" if real_time is None else f"{real_time:.3g}"))
     headings = ("system", "master", "off [us]", "recording on [us]", "times real time")
-    print_table(f"Cost per macro step, medians of {REPEATS} runs", headings, cells, words=(0, 1))
+    print_table(f"Cost per macro step, {medians(rows)}", headings, cells, words=(0, 1))
 
 
 def print_start(rows: Rows) -> None:
@@ -68,13 +71,13 @@ def print_start(rows: Rows) -> None:
 
 def print_components(rows: Rows) -> None:
     """Every component in its lives."""
-    from ..studies.bench.components import KINDS, REPEATS
+    from ..studies.bench.components import KINDS
 
     cells = []
     for name in dict.fromkeys(row["component"] for row in rows):
         cost = {row["life"]: f"{row['us_per_call']:.2f}" for row in rows if row["component"] == name}
         cells.append((name, *(cost.get(kind, "") for kind in KINDS)))
-    title = f"One component by itself, microseconds per call of 1 ms, medians of {REPEATS} in turns"
+    title = f"One component by itself, microseconds per call of 1 ms, {medians(rows)}"
     print_table(title, ("component", *KINDS.values()), cells)
 
 

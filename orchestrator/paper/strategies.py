@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from ..files import prepare_folder, write_file, write_json
 from ..results.manifest import plain_value
@@ -128,8 +129,7 @@ def rms(values: np.ndarray) -> float:
 def force_on_hull(signals: Signals, time: np.ndarray) -> np.ndarray:
     """-F_z of the brush, averaged over WINDOW around each instant (less at the ends of the run)."""
     signal = signals["brush.F_z"]
-    steps = 0.5 * (signal.values[1:] + signal.values[:-1]) * np.diff(signal.time)
-    integral = np.concatenate([[0.0], np.cumsum(steps)])
+    integral = cumulative_trapezoid(signal.values, signal.time, initial=0.0)
     edges = np.clip(np.array([time - WINDOW / 2, time + WINDOW / 2]), signal.time[0], signal.time[-1])
     first, last = np.interp(edges, signal.time, integral)
     result: np.ndarray = -(last - first) / (edges[1] - edges[0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 from scipy.spatial.transform import Rotation
 
 from ..lab import Case
@@ -41,9 +42,7 @@ class Motion:
     def average(self, name: str) -> np.ndarray:
         """A signal averaged over each instant's share of time, so that a ripple does not alias, (frames,)."""
         signal = self.case.signals[name]
-        integral = np.concatenate(
-            [[0.0], np.cumsum(0.5 * (signal.values[1:] + signal.values[:-1]) * np.diff(signal.time))]
-        )
+        integral = cumulative_trapezoid(signal.values, signal.time, initial=0.0)
         step = self.time[1] - self.time[0]
         edges = np.clip([self.time - 0.5 * step, self.time + 0.5 * step], 0.0, self.time[-1])
         result: np.ndarray = np.diff(np.interp(edges, signal.time, integral), axis=0)[0] / np.diff(edges, axis=0)[0]

@@ -36,7 +36,7 @@ def measured(case: Case, hosts: list[str], quick: bool = False) -> list[dict[str
     rows: list[dict[str, Any]] = []
     for recording in (False, True):
         system = replace(case.system, record=("*",) if recording else (), bonds=())
-        label: dict[str, Any] = {"system": case.name, "recording": recording}
+        label: dict[str, Any] = {"system": case.name, "recording": recording, "runs": repeats}
         rows.append({**label, "master": "rovbrush", "us_per_macro_step": per_step(system, rovbrush_loop, repeats)})
         if case.steps_elsewhere:
             steps = min(c.period for c in system.components.values()) * case.steps_elsewhere
