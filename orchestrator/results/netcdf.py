@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from ..clock import seconds_text
 from ..errors import InputError
 from ..plan.plan import Plan
+from .rows_file import RowsFile
 from .signals import Signals
 from .tables import Run
 
@@ -89,15 +90,14 @@ def open_results(path: Path) -> dict[str, xarray.Dataset]:
 
 
 def write_netcdf(run: Run, path: Path) -> None:
-    """A group per table."""
-    import h5netcdf  # type: ignore[import-untyped]
-
-    found = datasets(run)
-    if not found:
-        with h5netcdf.File(path, "w"):  # a run may record nothing
-            pass
-    for k, (group, dataset) in enumerate(found.items()):
-        stored(dataset).to_netcdf(path, mode="a" if k else "w", group=group, engine="h5netcdf")
+    """A group per table. Raises OSError if the disk refuses."""
+    file = RowsFile(path, new=True)
+    try:
+        for group, dataset in datasets(run).items():
+            file.create(group, stored(dataset))
+        file.close()
+    finally:
+        file.give_up()
 
 
 def group_name(plan: Plan, group: int) -> str:

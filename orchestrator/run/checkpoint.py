@@ -28,6 +28,7 @@ import numpy as np
 
 from ..errors import InputError, RunError
 from ..files import reason
+from ..loop.cells import NOW
 from ..participant.base import Instance
 from ..plan.plan import Plan
 from .checkpoint_files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
@@ -150,11 +151,19 @@ class Checkpoint:
         session.at = self.at
 
     def _require_within(self, plan: Plan) -> None:
-        """Raise InputError for a position that the plan does not have."""
-        stop, at = plan.clock.stop, self.at
-        cycles = stop if plan.adaptive else -(-stop // plan.clock.hyperperiod)
+        """Raise InputError for a position that the plan does not have, or other rows than were recorded until then."""
+        clock, at = plan.clock, self.at
+        cycles = clock.stop if plan.adaptive else -(-clock.stop // clock.hyperperiod)
         if not (0 <= at.cycle <= cycles and 0 <= at.operation < max(len(plan.cycle), 1)):
             raise InputError(f"{self.folder} is damaged: there is no operation {at.operation} of cycle {at.cycle}")
+        rows = [int(a) + int(b) for a, b in zip(self.arrays["rows"], self.arrays["before"], strict=False)]
+        each = [1 if plan.adaptive else clock.hyperperiod // group.period for group in plan.groups]
+        within = [count - at.cycle * more - 1 for count, more in zip(rows, each, strict=True)]
+        if not all(0 <= count <= (more if at.operation else 0) for count, more in zip(within, each, strict=True)):
+            raise InputError(f"{self.folder} is damaged: it holds other rows than {at.cycle} cycles leave")
+        now = int(self.arrays["clock"][NOW]) if plan.adaptive else at.cycle * clock.hyperperiod
+        if not (0 <= now <= clock.stop and clock.time(now) <= at.time <= clock.time(now + clock.hyperperiod)):
+            raise InputError(f"{self.folder} is damaged: cycle {at.cycle} does not end at t = {at.time:g} s")
 
 
 def read_checkpoint(folder: Path) -> Checkpoint:

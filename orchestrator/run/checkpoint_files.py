@@ -39,7 +39,7 @@ def read_head(folder: Path) -> dict[str, Any]:
     """The head of a checkpoint, all of whose files are as they were written. Raises CheckpointDamagedError, OSError."""
     if not (folder / SEAL).exists() and (folder / HEAD).exists():
         raise CheckpointDamagedError(f"{SEAL} is missing (an earlier version of rovbrush wrote none)")
-    if (folder / SEAL).read_text(encoding="utf-8", errors="replace") != f"{_hash(folder / HEAD)}  {HEAD}\n":
+    if _hash(folder / SEAL) != hashlib.sha256(f"{_hash(folder / HEAD)}  {HEAD}\n".encode()).hexdigest():
         raise CheckpointDamagedError(f"{HEAD} is not what was written")
     head: dict[str, Any] = json.loads((folder / HEAD).read_text(encoding="utf-8"))
     if head["format"] != FORMAT:

@@ -19,11 +19,11 @@ from ..files import reason
 from ..fmu.types import encode_cells
 from ..loop.texts import Texts
 from ..plan.plan import Plan
-from ..results.netcdf import group_name, stored, stored_names
+from ..results.netcdf import datasets, group_name, stored, stored_names
+from ..results.rows_file import RowsFile, room_for
 from ..results.signals import instants, typed
 from ..results.tables import Run
 from .observers import NEVER, Piece
-from .own_file import OwnFile, room_for
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
 TEXT = 64  # bytes that a text takes beside its own
@@ -41,7 +41,7 @@ class Stream:
         self.rows = [0] * len(plan.groups)
         self.full = ""
         self.pending: list[np.ndarray] = []
-        self._file: OwnFile | None = None
+        self._file: RowsFile | None = None
         self._finished = False
         self._names = [stored_names(".".join(key) for key in group.columns) for group in plan.groups]
 
@@ -50,7 +50,7 @@ class Stream:
         """The stream of a run that was interrupted: a copy of its `file` at `path`."""
         shutil.copyfile(file, path)
         stream = cls(path, plan, texts)
-        stream.rows, stream._file = rows, OwnFile(path)
+        stream.rows, stream._file = rows, RowsFile(path)
         return stream
 
     def due(self, tick: int) -> int:
@@ -75,17 +75,18 @@ class Stream:
 
     def _create(self, tables: list[np.ndarray]) -> None:
         """The file with the first rows; how it looks is left to xarray."""
-        from ..results.netcdf import datasets
-
-        found = datasets(Run(self.plan, tables, failure="being written", texts=self.texts))
-        for k, (name, dataset) in enumerate(found.items()):
-            chunk = {"chunksizes": (min(max(dataset.sizes["time"], 1), LARGEST_CHUNK),)}
-            there = stored(dataset)
-            there.to_netcdf(
-                self.path, mode="a" if k else "w", group=name, engine="h5netcdf", unlimited_dims=("time",),
-                encoding=dict.fromkeys(map(str, there.variables), chunk),
-            )  # fmt: skip
-        self._file = OwnFile(self.path)
+        run = Run(self.plan, tables, failure="being written", texts=self.texts)
+        file = RowsFile(self.path, new=True)
+        try:
+            for name, dataset in datasets(run).items():
+                file.create(name, stored(dataset), min(max(dataset.sizes["time"], 1), LARGEST_CHUNK))
+            file.close()
+            self._file = RowsFile(self.path)
+        except BaseException:
+            file.give_up()
+            with suppress(OSError):
+                self.path.unlink(missing_ok=True)
+            raise
 
     def _extend(self, tables: list[np.ndarray]) -> None:
         file = self._opened()
@@ -119,13 +120,11 @@ class Stream:
         component = self.plan.system.components.get(key[0])
         return component is not None and component.fmu.variables[key[1]].type == "String"
 
-    def _opened(self) -> OwnFile:
-        """The file, opened anew if it was closed or an FMU has taken its descriptor away."""
+    def _opened(self) -> RowsFile:
+        """The file, opened anew if it was closed."""
         assert self._file is not None
         if self._file.closed:
-            self._file = OwnFile(self.path, "r" if self._finished else "a")
-        elif not self._file.is_own:
-            self._move(self.path.with_name(self.path.name.replace(".tmp.", "_anew.tmp.")))
+            self._file = RowsFile(self.path)
         return self._file
 
     def _move(self, path: Path) -> None:
@@ -153,12 +152,21 @@ class Stream:
     def values(self, group: int, column: int) -> np.ndarray:
         """All values of one signal, in its own type."""
         key = self.plan.groups[group].columns[column]
-        table = self._opened().tables[group_name(self.plan, group)]
-        found: np.ndarray = table[self._names[group][".".join(key)]][:]
+        place, name = group_name(self.plan, group), self._names[group][".".join(key)]
+        found: np.ndarray = (
+            self._finished_values(place, name) if self._finished else self._opened().tables[place][name][:]
+        )
         if found.dtype.kind == "O":
             texts = [text.decode() if isinstance(text, bytes) else text for text in found.tolist()]
             return np.array(texts, dtype=object)
         return found.astype(bool) if found.dtype == np.int8 and self._boolean(key) else found
+
+    def _finished_values(self, group: str, name: str) -> np.ndarray:
+        import h5py  # type: ignore[import-untyped]
+
+        with h5py.File(self.path, "r") as file:
+            found: np.ndarray = file[group][name][:]
+            return found
 
     def _boolean(self, key: tuple[str, str]) -> bool:
         component = self.plan.system.components.get(key[0])
@@ -200,4 +208,3 @@ class Stream:
         self._opened().close()
         self.path.replace(path)
         self.path, self._finished = path, True
-        self._file = OwnFile(path, "r")
