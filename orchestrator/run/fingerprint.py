@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import platform
 from collections.abc import Mapping
-from importlib.metadata import version
 from typing import Any
 
+from ..environment import changes, environment
 from ..errors import InputError
 from ..plan.plan import Plan
 
@@ -30,16 +29,8 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "recorded": [[".".join(key) for key in group.columns] for group in plan.groups],
         "connections": [c.label for c in system.connections],
         "schedule": operations,
-        "versions": versions(),
+        "versions": environment(),
     }  # fmt: skip
-
-
-def versions() -> dict[str, str]:
-    """What compiled code depends on: of other versions, or on another processor, the last bits may differ."""
-    from llvmlite.binding import get_host_cpu_name
-
-    packages = {package: version(package) for package in ("rovbrush", "numba", "llvmlite", "numpy")}
-    return {**packages, "python": platform.python_version(), "processor": f"{platform.machine()} {get_host_cpu_name()}"}
 
 
 def require_unchanged(then: Mapping[str, Any], plan: Plan, force: bool = False) -> None:
@@ -66,13 +57,11 @@ def require_unchanged(then: Mapping[str, Any], plan: Plan, force: bool = False) 
                     f"{said} {name}.{key} was {old['values'].get(key)}, now it is {new['values'].get(key)}; "
                     f"put it back ({plan.system.path.name}), or start again"
                 )
-    for what in dict.fromkeys([*then["versions"], *now["versions"]]) if not force else ():
-        was, is_ = then["versions"].get(what), now["versions"].get(what)
-        if was != is_:
-            raise InputError(
-                f"{said} {what} was {was}, now it is {is_}, the results may differ in their last digits; put it back, "
-                f"or go on nevertheless with --force"
-            )
+    if not force and (differing := changes(then["versions"], now["versions"])):
+        raise InputError(
+            f"{said} {differing}: the results may differ in their last digits; put it back, or go on nevertheless with "
+            f"--force"
+        )
     for key, new in now.items():
         if key != "versions" and then[key] != new:
             shown = f": was {then[key]}, now {new}" if isinstance(new, str) and key != "schedule" else ""
