@@ -116,4 +116,19 @@ def open_subject(path: Path) -> Subject:
         raise FmuError(f"its modelDescription.xml cannot be understood: {error}") from error
     if description.coSimulation is None:
         raise FmuError("it has no co-simulation interface (model exchange only); export it for co-simulation")
-    return Subject(path, folder, int(version[0]), description)
+    subject = Subject(path, folder, int(version[0]), description)
+    _check_numbers(subject)
+    return subject
+
+
+def _check_numbers(subject: Subject) -> None:
+    """Raises FmuError where a number of the description is none: the description was not validated."""
+    what = "the default experiment"
+    try:
+        _ = subject.step, subject.start_time
+        for variable in subject.variables:
+            what = f"variable {variable.name}"
+            if variable.type not in ("String", "Binary"):
+                _ = numbers(variable.start), bounds(variable)
+    except ValueError as error:
+        raise FmuError(f"its modelDescription.xml cannot be understood: {what}: {str(error)[:200]}") from error
