@@ -5,14 +5,17 @@ and recorded like any other signal. The same text has the same number throughout
 from __future__ import annotations
 
 import ctypes
+from functools import cache
 
 import numpy as np
-from numba.extending import register_jitable
+from numba.extending import overload, register_jitable
 
 from .calls import byte_at
 
 BYTES, COUNT = 1 << 24, 1 << 16  # room for all different texts of a run
 USED_COUNT, USED_BYTES, ADDRESS, OFFSETS = range(4)  # cells of `index`; offsets of the texts, then a hash table
+FACTOR, BITS = 16777619, 0xFFFFFFFF  # of the hash: the bytes as digits of a number to this base, its last 32 bits
+BLOCK = 1 << 16
 
 
 @register_jitable
@@ -24,30 +27,98 @@ def number_of(address: int, pool: np.ndarray, index: np.ndarray) -> int:
     room = (len(index) - OFFSETS) // 3
     if address == 0:
         return 0
-    length, hashed = 0, 2166136261  # FNV-1a
-    while byte_at(address + length) != 0:
-        hashed = ((hashed ^ byte_at(address + length)) * 16777619) & 0xFFFFFFFF
-        length += 1
-    cell = hashed % (2 * room)
+    length = length_at(address)
+    cell = hash_at(address, length) % (2 * room)
     while index[OFFSETS + room + cell] != 0:
         number = index[OFFSETS + room + cell] - 1
-        offset, k = index[OFFSETS + number], 0
-        while k < length and pool[offset + k] == byte_at(address + k):
-            k += 1
-        if k == length and pool[offset + k] == 0:
+        if is_at(address, length, pool, index[OFFSETS + number]):
             return int(number)
         cell = (cell + 1) % (2 * room)
     number, offset = index[USED_COUNT], index[USED_BYTES]
     if number == room or offset + length + 1 > len(pool):
         return -1
-    for k in range(length):
-        pool[offset + k] = byte_at(address + k)
-    pool[offset + length] = 0
+    copy_from(address, length, pool, offset)
     index[OFFSETS + number] = offset
     index[OFFSETS + room + cell] = number + 1
     index[USED_COUNT] = number + 1
     index[USED_BYTES] = offset + length + 1
     return int(number)
+
+
+# What is done with the bytes of a text, for Python; the compiled loop has the same below, byte by byte.
+
+
+def length_at(address: int) -> int:
+    return len(ctypes.string_at(int(address)))
+
+
+def hash_at(address: int, length: int) -> int:
+    content, hashed = np.frombuffer(ctypes.string_at(int(address), int(length)), dtype=np.uint8), 0
+    for first in range(0, length, BLOCK):
+        block = content[first : first + BLOCK]
+        digits = int((block * _powers()[-len(block) :]).sum(dtype=np.uint64))
+        hashed = (hashed * pow(FACTOR, len(block), BITS + 1) + digits) & BITS
+    return hashed
+
+
+def is_at(address: int, length: int, pool: np.ndarray, offset: int) -> bool:
+    """Does the pool hold the text there?"""
+    return pool[offset : offset + length + 1].tobytes() == ctypes.string_at(int(address), int(length)) + b"\0"
+
+
+def copy_from(address: int, length: int, pool: np.ndarray, offset: int) -> None:
+    pool[offset : offset + length + 1] = np.frombuffer(
+        ctypes.string_at(int(address), int(length)) + b"\0", dtype=np.uint8
+    )
+
+
+@cache
+def _powers() -> np.ndarray:
+    """FACTOR to the power of BLOCK - 1, ..., 1, 0, the last 32 bits of each."""
+    return np.cumprod(np.array([1] + [FACTOR] * (BLOCK - 1), dtype=np.uint32), dtype=np.uint32)[::-1].astype(np.uint64)
+
+
+@overload(length_at)
+def _length_at(address):  # type: ignore[no-untyped-def]
+    def compiled(address):  # type: ignore[no-untyped-def]
+        length = 0
+        while byte_at(address + length) != 0:
+            length += 1
+        return length
+
+    return compiled
+
+
+@overload(hash_at)
+def _hash_at(address, length):  # type: ignore[no-untyped-def]
+    def compiled(address, length):  # type: ignore[no-untyped-def]
+        hashed = 0
+        for k in range(length):
+            hashed = (hashed * FACTOR + byte_at(address + k)) & BITS
+        return hashed
+
+    return compiled
+
+
+@overload(is_at)
+def _is_at(address, length, pool, offset):  # type: ignore[no-untyped-def]
+    def compiled(address, length, pool, offset):  # type: ignore[no-untyped-def]
+        k = 0
+        while k < length and pool[offset + k] == byte_at(address + k):
+            k += 1
+        return k == length and pool[offset + k] == 0
+
+    return compiled
+
+
+@overload(copy_from)
+def _copy_from(address, length, pool, offset):  # type: ignore[no-untyped-def]
+    def compiled(address, length, pool, offset):  # type: ignore[no-untyped-def]
+        for k in range(length):
+            pool[offset + k] = byte_at(address + k)
+        pool[offset + length] = 0
+
+    return compiled
 
 
 class Texts:
@@ -67,7 +138,7 @@ class Texts:
     def text(self, number: int) -> str:
         """The text of a number; bytes that are no UTF-8 are replaced."""
         address = int(self.index[ADDRESS] + self.index[OFFSETS + number])
-        return ctypes.string_at(address).decode("utf-8", "replace")
+        return ctypes.string_at(int(address)).decode("utf-8", "replace")
 
     @property
     def longest(self) -> int:
