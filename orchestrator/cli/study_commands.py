@@ -22,7 +22,7 @@ from .options import (
 )
 
 if TYPE_CHECKING:
-    from ..studies.sweep.points import Table
+    from ..studies.sweep.table import Table
 
 SIGNALS_SHOWN = 30
 POINTS_SHOWN = 12  # of a sweep along one axis that are printed as a table

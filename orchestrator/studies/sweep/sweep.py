@@ -18,7 +18,8 @@ from ...system.request import UNCHANGED, Changes
 from .design import Design, check_count, make_design, vary_entries
 from .file import SweepFile, sweep_file
 from .point import Job, digest, job_system, load
-from .points import Points, Table, header, write_table
+from .points import Points, header
+from .table import Table, write_table
 from .workers import LocalWorkers, Workers, computed, cores
 
 if TYPE_CHECKING:
