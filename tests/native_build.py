@@ -137,6 +137,21 @@ def feedthrough3(target: Path) -> Path:
     return native_fmu.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3)
 
 
+def moody(target: Path, **actions: str) -> Path:
+    """FMI 2.0: x integrates u, y = k x behind each step; `ON_STEP="return 99"` and so on: what a call does first."""
+    variables = [
+        f'<ScalarVariable name="{name}" valueReference="{reference}" causality="{causality}" '
+        f'variability="{variability}"><Real {start}/></ScalarVariable>'
+        for name, reference, causality, variability, start in (
+            ("x", 0, "output", "continuous", ""), ("u", 1, "input", "continuous", 'start="0"'),
+            ("k", 2, "parameter", "fixed", 'start="1"'), ("y", 3, "output", "continuous", ""),
+        )
+    ]  # fmt: skip
+    xml = native_fmu.description2(target.stem, variables, [1, 4])
+    xml = xml.replace("<ModelVariables>", '<DefaultExperiment tolerance="1e-6"/>\n<ModelVariables>')
+    return native_fmu.native_fmu(target, [NATIVE / "moody.c"], xml, 2, actions)
+
+
 def built(folder: Path) -> Path:
     """A folder with feedthrough2.fmu and feedthrough3.fmu: copies of what was compiled once from these sources."""
     digest = hashlib.sha256()

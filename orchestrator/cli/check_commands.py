@@ -11,6 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from .console import console, print_table, tell
+from .guard import sheltered
 from .options import app
 
 if TYPE_CHECKING:
@@ -63,7 +64,8 @@ def print_report(report: Report) -> None:
         table.add_row(Text({"not applicable": "n.a."}.get(row.verdict, row.verdict), style), Text(row.rule), found)
     console.print(Text.assemble((str(report.path), "bold"), f" ({report.kind})" if report.kind else ""))
     console.print(table, soft_wrap=False)
-    console.print(report.text, style="green" if report.clean else "bold red")
+    style = "green" if report.clean else "bold red" if report.count("error") else "yellow"
+    console.print(report.text, style=style)
     console.print()
 
 
@@ -77,8 +79,6 @@ def test_component(
     ] = 1e-3,
 ) -> None:
     """Test an FMU as one of the components: its interface, then the component's own behaviour tests."""
-    from ..shelter import sheltered
-
     if sheltered(fmu, judge_and_print, fmu, component, map_, tolerance):
         raise typer.Exit(1)
 
@@ -88,10 +88,11 @@ def judge_and_print(path: Path, component: str, map_path: Path | None, tolerance
 
     In a process of its own.
     """
-    from ..exchange.component_tests.verdicts import make_bench, require_applicable
+    from ..exchange.component_tests.verdicts import make_bench, require_applicable, require_outputs
 
     bench = make_bench(path, component, map_path, tolerance)
     print_interface(bench.comparison)
+    require_outputs(bench)
     verdicts = list(bench.judge())
     print_verdicts("Behaviour", verdicts)
     failed = [v for v in verdicts if v.verdict == "failed"]

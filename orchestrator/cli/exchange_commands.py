@@ -9,6 +9,7 @@ import typer
 
 from ..errors import InputError, counted
 from .console import print_table, share, tell
+from .guard import sheltered
 from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
 
 
@@ -24,8 +25,6 @@ def replay(
     atol: Annotated[float, typer.Option("--atol", min=0.0, help="Error granted to every output, in its unit.")] = 0.0,
 ) -> None:
     """Drive an FMU with the recorded inputs of a component and compare its outputs with the recorded ones."""
-    from ..shelter import sheltered
-
     sheltered(fmu, replay_and_print, fmu, folder, name, map_, rtol, atol)
 
 

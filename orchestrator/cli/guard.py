@@ -6,18 +6,18 @@ a process group of its own, where the terminal's Ctrl-C does not reach it a seco
 
 from __future__ import annotations
 
-import ctypes
 import os
 import signal
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NoReturn
 
-from .. import process
+from .. import processes
+from ..errors import FmuError
 
 PASSED_ON = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if hasattr(signal, "SIGHUP") else ()
 INSISTED = 3  # signals, how many until a child that does not listen is ended: an FMU may never return
-PR_SET_PDEATHSIG = 1  # <sys/prctl.h>
 ADVICE = (
     'isolation = "process" under [components.NAME] of the system file gives a component a process of its own; '
     "its crash is then reported by name, and what was computed is kept"
@@ -39,9 +39,8 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
     if child == 0:
         os.close(reader)
         os.setpgid(0, 0)
-        if sys.platform == "linux":
-            ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # it does not outlive this process
-        process.began_with(parent)
+        processes.end_with(parent)
+        processes.began_with(parent)
         try:
             work()
         finally:
@@ -52,10 +51,8 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
         print(f"error: ended from outside ({signal.Signals(-code).name})", file=sys.stderr)
         code = 1
     elif code < 0 or not os.read(reader, 1):
-        how = f"exit code {code}"
-        if code < 0:
-            how = signal.Signals(-code).name if -code in set(signal.Signals) else f"signal {-code}"
-        print(f"error: an FMU ended the process of the run, or did not return ({how}); {ADVICE}", file=sys.stderr)
+        how = processes.how_ended(code)
+        print(f"error: an FMU ended the run, or did not return: the process {how}; {ADVICE}", file=sys.stderr)
         code = 1
     sys.exit(code)
 
@@ -72,3 +69,14 @@ def _wait(child: int) -> tuple[int, list[int]]:
         if signal.getsignal(number) is not signal.SIG_IGN:  # nohup, background jobs
             signal.signal(number, pass_on)
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), passed
+
+
+def sheltered(fmu: Path, work: Callable[..., Any], *arguments: object) -> Any:
+    """What `work(*arguments)` returns or raises, in a process of its own: the FMU's crash there is an error here."""
+    try:
+        return processes.in_process(work, *arguments)
+    except processes.EndedError as error:
+        raise FmuError(
+            f"{fmu.name} ended the run: the process {error}; `rovbrush check {fmu}` finds out in which call, and "
+            "how its author can repeat that"
+        ) from None

@@ -81,6 +81,8 @@ def show(finished: Finished) -> None:
     print_comparison(written.comparison, written.summary.get("steady", True))
     print_summary(written.summary, figure_units(run.plan.system))
     wrote(written.paths, written.folder)
+    for note in run.notes:
+        tell(f"note: {note}")
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]
     if groups and any(path.name == ROWS for path in written.paths):
         others = f"; its tables: {', '.join(groups)}" if len(groups) > 1 else ""

@@ -56,15 +56,15 @@ def exchange3(function: int, component: int, references: int, count: int, values
     return int(_set_or_get3(int(function))(int(component), int(references), int(count), int(values), int(size)))
 
 
-def do_step(function: int, component: int, time: float, step: float) -> int:
-    """fmi2DoStep from `time` over `step` seconds; the status."""
-    return int(_do_step(int(function))(int(component), time, step, 1))
+def do_step(function: int, component: int, time: float, step: float, final: int) -> int:
+    """fmi2DoStep from `time` over `step` seconds; the status. `final`: 1 if no state before `time` will be restored."""
+    return int(_do_step(int(function))(int(component), time, step, int(final)))
 
 
-def do_step3(function: int, component: int, time: float, step: float, flags: int) -> int:
+def do_step3(function: int, component: int, time: float, step: float, final: int, flags: int) -> int:
     """fmi3DoStep; the FMU writes its three flags and its last time to the address `flags` (see STEP_FLAGS)."""
     ends = (int(flags), int(flags) + 1, int(flags) + 2, int(flags) + 8)
-    return int(_do_step3(int(function))(int(component), time, step, True, *ends))
+    return int(_do_step3(int(function))(int(component), time, step, bool(final), *ends))
 
 
 @cache
@@ -117,15 +117,16 @@ def _exchange3_native(
 
 
 @intrinsic
-def _do_step3_native(typing: Any, function: Any, component: Any, time: Any, step: Any, flags: Any) -> Any:
-    signature = types.int32(types.int64, types.int64, types.float64, types.float64, types.int64)
+def _do_step3_native(typing: Any, function: Any, component: Any, time: Any, step: Any, final: Any, flags: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.float64, types.float64, types.int64, types.int64)
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         pointer, double = cgutils.voidptr_t, ir.DoubleType()
         kind = ir.FunctionType(_INT32, [pointer, double, double, _INT32, *(pointer,) * 4])
         target = builder.inttoptr(args[0], kind.as_pointer())
-        ends = [_pointer(builder, builder.add(args[4], ir.Constant(_INT64, k))) for k in (0, 1, 2, 8)]
-        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], ir.Constant(_INT32, 1), *ends])
+        ends = [_pointer(builder, builder.add(args[5], ir.Constant(_INT64, k))) for k in (0, 1, 2, 8)]
+        final = builder.trunc(args[4], _INT32)
+        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], final, *ends])
 
     return signature, codegen
 
@@ -151,13 +152,14 @@ def _byte_at_native(typing: Any, address: Any) -> Any:
 
 
 @intrinsic
-def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step: Any) -> Any:
-    signature = types.int32(types.int64, types.int64, types.float64, types.float64)
+def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step: Any, final: Any) -> Any:
+    signature = types.int32(types.int64, types.int64, types.float64, types.float64, types.int64)
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         kind = ir.FunctionType(ir.IntType(32), [cgutils.voidptr_t, ir.DoubleType(), ir.DoubleType(), ir.IntType(32)])
         target = builder.inttoptr(args[0], kind.as_pointer())
-        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], ir.Constant(ir.IntType(32), 1)])
+        final = builder.trunc(args[4], _INT32)
+        return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], final])
 
     return signature, codegen
 
@@ -171,8 +173,8 @@ def _exchange_overload(function, component, references, count, values):  # type:
 
 
 @overload(do_step)
-def _do_step_overload(function, component, time, step):  # type: ignore[no-untyped-def]
-    return lambda function, component, time, step: _do_step_native(function, component, time, step)  # type: ignore[call-arg]
+def _do_step_overload(function, component, time, step, final):  # type: ignore[no-untyped-def]
+    return lambda function, component, time, step, final: _do_step_native(function, component, time, step, final)  # type: ignore[call-arg]
 
 
 @overload(exchange3)
@@ -183,8 +185,10 @@ def _exchange3_overload(function, component, references, count, values, size):  
 
 
 @overload(do_step3)
-def _do_step3_overload(function, component, time, step, flags):  # type: ignore[no-untyped-def]
-    return lambda function, component, time, step, flags: _do_step3_native(function, component, time, step, flags)  # type: ignore[call-arg]
+def _do_step3_overload(function, component, time, step, final, flags):  # type: ignore[no-untyped-def]
+    return lambda function, component, time, step, final, flags: _do_step3_native(
+        function, component, time, step, final, flags
+    )  # type: ignore[call-arg]
 
 
 @overload(byte_at)

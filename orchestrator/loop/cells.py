@@ -12,8 +12,9 @@ STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = r
 # it, and where in the macro step its second half begins while that is done.
 NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET, CLOCK_CELLS = range(8)
 
-# `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks.
-FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT = range(9)
+# `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks,
+# and 1 if no state before a step is restored behind it.
+FMI, INSTANCE, DO_STEP, FLAGS, FLAGS_AT, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT, FINAL = range(10)
 
 # `blocks`: function, value references and their number, address of the values, their number, first slot, place in
 # `raw`, type code, bytes of a value, whether it has a sign.

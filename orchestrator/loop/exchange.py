@@ -12,11 +12,18 @@ from numba.extending import register_jitable
 
 from ..fmu.types import BOOLEAN, FLOAT, TEXT
 from .calls import do_step3
-from .cells import AT, BYTES, CODE, DO_STEP, FIRST_SLOT, FLAGS, FLAGS_AT, INSTANCE, SIGNED, SIZE
+from .cells import AT, BYTES, CODE, DO_STEP, FINAL, FIRST_SLOT, FLAGS, FLAGS_AT, INSTANCE, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
 
-EVENT, TERMINATE, EARLY = 16, 17, 18  # what fmi3DoStep reports beside its status
-NO_ROOM = 32  # for another text
+REPORTS = 1 << 40  # from here on, where no status of an FMU can be: a C int
+EVENT, TERMINATE, EARLY = REPORTS, REPORTS + 1, REPORTS + 2  # what fmi3DoStep reports beside its status
+NO_ROOM = REPORTS + 3  # for another text
+
+
+@register_jitable
+def good(status: int) -> bool:
+    """Whether a status is OK (0) or Warning (1): anything else is none, the unknown too."""
+    return (status | 1) == 1
 
 
 @register_jitable
@@ -80,8 +87,9 @@ def step3(components: np.ndarray, c: int, raw: np.ndarray, time: float, length: 
     at = components[c, FLAGS_AT]
     for k in range(3):
         raw[at + k] = 0
-    status = do_step3(components[c, DO_STEP], components[c, INSTANCE], time, length, components[c, FLAGS])
-    if status <= 1:
+    final = components[c, FINAL]
+    status = do_step3(components[c, DO_STEP], components[c, INSTANCE], time, length, final, components[c, FLAGS])
+    if good(status):
         if raw[at + 1] != 0:
             return TERMINATE
         if raw[at + 2] != 0:

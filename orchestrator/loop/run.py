@@ -20,6 +20,7 @@ from .cells import (
     COUNT,
     DO_STEP,
     DONE,
+    FINAL,
     FIRST_IN,
     FIRST_OUT,
     FIRST_SLOT,
@@ -47,7 +48,7 @@ from .cells import (
     UNTIL,
     VALUES,
 )
-from .exchange import NO_ROOM, pack, step3, unpack
+from .exchange import NO_ROOM, good, pack, step3, unpack
 from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (
@@ -93,7 +94,7 @@ def run(
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
 
-    operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
+    operations (m, 8), see operations.COLUMNS; components (n, 10) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
@@ -124,10 +125,11 @@ def run(
                 time = (start * numerator) / denominator
                 length = ((a + clock[STEP_TICKS]) * numerator) / denominator
                 if components[c, FMI] == 2:
-                    status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length)
+                    final = components[c, FINAL]
+                    status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length, final)
                 else:
                     status = step3(components, c, raw, time, length)
-                if status > 1:
+                if not good(status):
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
             elif code in (SET, GET):
@@ -143,11 +145,11 @@ def run(
                         status = exchange(function, instance, references, count, values)
                     else:
                         status = exchange3(function, instance, references, count, values, blocks[n, SIZE])
-                    if status <= 1 and code == GET and blocks[n, AT] != IN_PLACE:
+                    if good(status) and code == GET and blocks[n, AT] != IN_PLACE:
                         full = unpack(blocks, n, z, whole, raw, raw32, pool, index)
                         if full >= 0:
                             status, control[SLOT] = NO_ROOM, full
-                    if status > 1:
+                    if not good(status):
                         control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                         return BAD_STATUS
                     if code == GET and blocks[n, CODE] == FLOAT:
@@ -209,9 +211,9 @@ def run(
                     if states[c] != 0:
                         status = call_state(state_calls[c, FREE_STATE], components[c, INSTANCE], cell)
                         states[c] = 0
-                    if status <= 1:
+                    if good(status):
                         status = call_state(state_calls[c, GET_STATE], components[c, INSTANCE], cell)
-                if status > 1:
+                if not good(status):
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
             elif code == REWIND:

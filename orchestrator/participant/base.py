@@ -1,23 +1,35 @@
-"""A running FMU as the master sees it, whatever its FMI version and wherever it runs."""
+"""A participant in a run as the master sees it, whatever its FMI version and wherever it runs."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
+from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
 
-STATUS = {0: "OK", 1: "Warning", 2: "Discard", 3: "Error", 4: "Fatal", 5: "Pending"}
+__all__ = ["STATUS", "CallError", "Instance", "State", "Value", "refused"]
+
 Value = float | int | bool | str
 
 
-class Instance(ABC):
-    """An instance with a guard between its faults and the run. After a fatal error it is never called again.
+class CallError(FmuError):
+    """A call of an FMI function was refused; `status` is its answer, None where it was not made."""
 
-    Calls by name are for before and after the loop; the loop calls the functions by `address` with `pointer`.
+    def __init__(self, text: str, status: int | None = None) -> None:
+        super().__init__(text)
+        self.status = status
+
+
+class Instance(ABC):
+    """An instance with a guard between its faults and the run, and between the master and what FMI does not allow.
+
+    Methods make calls by name, before and after the loop; the loop calls five functions by `address` with `pointer`:
+    set, get, step, save and restore. `state` follows both: see `lifecycle.py`. After a fatal error nothing is called.
     """
 
     prefix: str  # of its functions: fmi2, fmi3
@@ -26,8 +38,11 @@ class Instance(ABC):
     def __init__(self, fmu: Fmu, name: str) -> None:
         self.fmu, self.name = fmu, name
         self.messages: deque[str] = deque(maxlen=50)  # an FMU may warn at every step
-        self.dead = False
+        self.state = State.INSTANTIATED
+        self.guarded = True
         self.fault = ""  # what befell its process, where it has one of its own
+
+    # --- what every kind of participant does in its own way ---
 
     @property
     @abstractmethod
@@ -39,6 +54,10 @@ class Instance(ABC):
         """Address of an FMI function, for the loop. Raises FmuError if the FMU does not have it."""
 
     @abstractmethod
+    def set_up(self, stop: float | None, start: float = 0.0) -> None:
+        """Say that it will run from `start` to `stop` [s], if that is known, and with which tolerance; first of all."""
+
+    @abstractmethod
     def set_own(self, values: Mapping[str, Value]) -> None:
         """Set variables by the FMU's own names."""
 
@@ -47,12 +66,16 @@ class Instance(ABC):
         """Get one variable by the FMU's own name."""
 
     @abstractmethod
-    def enter_initialization(self, stop: float) -> None:
-        """From set up to initialization mode, for a run from 0 to `stop` [s]."""
+    def enter_initialization(self) -> None:
+        """Enter initialization mode; it must have been set up."""
 
     @abstractmethod
     def exit_initialization(self) -> None:
-        """Leave initialization mode; the FMU can be stepped then."""
+        """Leave initialization mode; the FMU can be stepped then, and its outputs may have changed."""
+
+    @abstractmethod
+    def step(self, time: float, length: float) -> None:
+        """A step from `time` [s] over `length` [s]; states saved before can be restored after it."""
 
     @abstractmethod
     def save(self) -> int:
@@ -75,8 +98,61 @@ class Instance(ABC):
         """A state from bytes, kept and ready for `restore`."""
 
     @abstractmethod
-    def close(self, terminate: bool = True) -> None:
-        """Terminate and free the instance."""
+    def close(self) -> str:
+        """End its life as its state allows: terminate, free. What went wrong in that; empty if nothing did."""
+
+    # --- what all have in common ---
+
+    @property
+    def dead(self) -> bool:
+        """Whether nothing may be called any more."""
+        return self.state in (State.DEAD, State.FREED)
+
+    def noted(self, action: str, status: int) -> None:
+        """A call that the loop made, and how it was answered."""
+        self.state = after(action, self.state, status)
+
+    @contextmanager
+    def unguarded(self) -> Iterator[None]:
+        """Calls that FMI does not allow, to see what the FMU makes of them."""
+        self.guarded = False
+        try:
+            yield
+        finally:
+            self.guarded = True
+
+    def require(self, action: str, what: str) -> None:
+        """Raise FmuError where its state does not allow an action."""
+        if self.dead:
+            ended = self.fault or f"it is {self.state.value}"
+            raise CallError(f"component {self.name}: cannot {what}: {ended}{self.log_text()}")
+        if self.guarded and not allowed(self.fmu.version, action, self.state):
+            raise CallError(
+                f"component {self.name}: cannot {what} while it is {self.state.value} "
+                f"({SECTION[self.fmu.version]}){self.log_text()}"
+            )
+
+    def require_settable(self, name: str) -> None:
+        """Raise FmuError for a variable, by the FMU's own name, that cannot be set in its state."""
+        why = why_not_settable(self.state, self.fmu.own.variables[name]) if self.guarded else ""
+        if why:
+            raise CallError(f"component {self.name}: cannot set {name}: {why}")
+
+    def call(self, action: str, what: str, function: Any, *arguments: Any) -> Any:
+        """Call if its state allows it; a bad status becomes an FmuError with the FMU's own words."""
+        self.require(action, what)
+        try:
+            result = function(*arguments)
+        except FmuError:
+            raise
+        except Exception as error:
+            status = getattr(error, "status", None)
+            reason = str(error) if status is None else status_text(self.prefix, status)
+            if status is not None:
+                self.noted(action, status)
+            raise CallError(f"component {self.name}: cannot {what} ({reason}){self.log_text()}", status) from error
+        self.noted(action, OK)
+        return result
 
     def set_all(self, values: Mapping[str, Value]) -> None:
         """Set variables by name; those of a foreign FMU cross to its names, units and directions."""
@@ -98,23 +174,14 @@ class Instance(ABC):
         value = self.get_own(crossing.name if crossing else name)
         return crossing.back(value) if crossing and isinstance(value, float) else value
 
+    def begin(self, stop: float) -> None:
+        """From new to initialization mode with nothing set, for a run from 0 to `stop` [s]."""
+        self.set_up(stop)
+        self.enter_initialization()
+
     def log_text(self) -> str:
         """What the FMU has logged, as the tail of an error message."""
         return "".join(f"\n{message}" for message in dict.fromkeys(self.messages))
-
-    def call(self, what: str, function: Any, *arguments: Any) -> Any:
-        """Call before or after the loop; a bad status becomes an FmuError with the FMU's own words."""
-        if self.dead:
-            raise FmuError(f"component {self.name}: cannot {what} after a fatal error{self.log_text()}")
-        try:
-            return function(*arguments)
-        except FmuError:
-            raise
-        except Exception as error:
-            status = getattr(error, "status", None)
-            self.dead = status == 4
-            reason = f"{self.prefix}{STATUS.get(status, status)}" if status is not None else str(error)
-            raise FmuError(f"component {self.name}: cannot {what} ({reason}){self.log_text()}") from error
 
     def why_discarded(self) -> str:
         """What the FMU says about a step that it discarded; empty if it says nothing."""

@@ -11,6 +11,13 @@ import ctypes
 import sys
 from functools import cache
 
+from ..fmu.fmu import Fmu
+
+
+def made_by_pythonfmu(fmu: Fmu) -> bool:
+    """Whether an FMU is one of pythonfmu's: Python runs in it, and may compile for half a minute before time 0."""
+    return (fmu.folder / "resources" / "slavemodule.txt").is_file()
+
 
 @cache
 def end_before_library_destructors() -> None:

@@ -9,10 +9,10 @@ from weakref import WeakValueDictionary
 import fmpy
 from fmpy import fmi2
 
-from ..fmu.fmu import Fmu
 from .base import refused
-from .exit_guard import end_before_library_destructors
-from .loaded import LoadedInstance
+from .exit_guard import end_before_library_destructors, made_by_pythonfmu
+from .lifecycle import allowed
+from .loaded import Judged, LoadedInstance
 
 # The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all
 # instances give it the same, which lives as long as the process and finds whose message it is.
@@ -29,28 +29,31 @@ def _log_of_any(environment: Any, name: bytes, status: int, category: bytes, mes
 _LOGGER = fmi2.fmi2CallbackLoggerTYPE(_log_of_any)
 
 
+class FMU2Instance(Judged, fmi2.FMU2Slave):  # type: ignore[misc]
+    """fmpy's; it finds the FMI version in the name of the class."""
+
+
 class Fmi2Instance(LoadedInstance):
-    """Loaded and instantiated by fmpy. Raises FmuError if the FMU refuses."""
+    """Loaded and instantiated by fmpy."""
 
     prefix = "fmi2"
     state_functions = ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
 
-    def __init__(self, fmu: Fmu, name: str) -> None:
-        super().__init__(fmu, name)
-        self.made_by_pythonfmu = (fmu.folder / "resources" / "slavemodule.txt").is_file()
+    def instantiate(self) -> None:
+        self.made_by_pythonfmu = made_by_pythonfmu(self.fmu)
         if self.made_by_pythonfmu:
             end_before_library_destructors()
         self._callbacks = self._make_callbacks()
         try:
-            self.slave = fmi2.FMU2Slave(
-                guid=fmu.description.guid,
-                modelIdentifier=fmu.interface.modelIdentifier,
-                unzipDirectory=str(fmu.folder),
-                instanceName=name,
+            self.slave = FMU2Instance(
+                guid=self.fmu.description.guid,
+                modelIdentifier=self.fmu.interface.modelIdentifier,
+                unzipDirectory=str(self.fmu.folder),
+                instanceName=self.name,
             )
             self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
         except Exception as error:
-            raise refused(fmu, name, error, self.log_text()) from error
+            raise refused(self.fmu, self.name, error, self.log_text()) from error
 
     def _make_callbacks(self) -> Any:
         callbacks = fmi2.fmi2CallbackFunctions()
@@ -70,23 +73,21 @@ class Fmi2Instance(LoadedInstance):
             text = message.decode("utf-8", "replace").strip()
             self.messages.append(text.replace("%%", "%") if self.made_by_pythonfmu else text)
 
-    def enter_initialization(self, stop: float) -> None:
-        self.call("set up the experiment", self.slave.setupExperiment, None, 0.0, stop)
-        self.call("enter initialization", self.slave.enterInitializationMode)
+    def set_up(self, stop: float | None, start: float = 0.0) -> None:
+        self.call("set up", "set up the experiment", self.slave.setupExperiment, self.tolerance, start, stop)
 
-    def exit_initialization(self) -> None:
-        self.call("leave initialization", self.slave.exitInitializationMode)
+    def enter_initialization(self) -> None:
+        self.call("enter", "enter initialization", self.slave.enterInitializationMode)
 
-    def deserialize(self, content: bytes) -> int:
-        return int(self.call("read a state", self.slave.deSerializeFMUstate, content).value)
+    def step(self, time: float, length: float) -> None:
+        self.call("step", f"step from t = {time:.9g} s", self.slave.doStep, time, length, False)
 
     def why_discarded(self) -> str:
+        if not allowed(2, "ask", self.state):
+            return ""
         try:
             if self.slave.getBooleanStatus(fmi2.fmi2Terminated):
                 return "; it asks to end the simulation"
             return f"; it reached t = {self.slave.getRealStatus(fmi2.fmi2LastSuccessfulTime):.9g} s"
         except Exception:
             return ""  # many FMUs do not answer
-
-    def free(self) -> None:
-        self.slave.fmi2FreeInstance(self.slave.component)

@@ -3,23 +3,47 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
+
+from fmpy.fmi1 import FMICallException
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.types import function_type
-from .base import Instance, Value
+from .base import CallError, Instance, State, Value
+from .lifecycle import allowed, good
+from .surroundings import Surroundings
+
+
+class Judged:
+    """Beside fmpy's classes: it takes a negative status for a good one."""
+
+    def _call(self, name: str, *arguments: Any) -> Any:
+        result = super()._call(name, *arguments)  # type: ignore[misc]
+        if self._functions[name].restype is ctypes.c_int and not good(result):  # type: ignore[attr-defined]
+            raise FMICallException(name, result)
+        return result
 
 
 class LoadedInstance(Instance):
-    """An instance whose library is in this process; `slave` is fmpy's."""
+    """An instance whose library is in this process; `slave` is fmpy's. Raises FmuError if the FMU refuses."""
 
     slave: Any
 
     def __init__(self, fmu: Fmu, name: str) -> None:
         super().__init__(fmu, name)
         self.arrays: dict[int, list[Value]] = {}  # values of arrays by reference: one element needs all the others
+        self.modes: dict[int, State] = {}  # of saved states: restoring one brings its mode back
+        before = Surroundings()
+        try:
+            self.instantiate()
+        finally:
+            before.restore()  # fmpy stays in the folder of a library that it cannot load
+
+    def instantiate(self) -> None:
+        """Load and instantiate by fmpy. Raises FmuError if the FMU refuses."""
+        raise NotImplementedError
 
     @property
     def pointer(self) -> int:
@@ -31,52 +55,88 @@ class LoadedInstance(Instance):
         except AttributeError:
             raise FmuError(f"component {self.name}: {self.fmu.path.name} has no function {function}") from None
 
+    @property
+    def tolerance(self) -> float | None:
+        """The relative tolerance that its maker had in mind; None where the description gives none."""
+        experiment = self.fmu.description.defaultExperiment
+        return float(experiment.tolerance) if experiment is not None and experiment.tolerance else None
+
+    def put(self, what: str, kind: str, references: Sequence[int], values: Sequence[Any]) -> None:
+        """Set variables of one type (of FMI's functions: Real, Float64 ...) by value reference."""
+        self.call("set", f"set {what}", getattr(self.slave, f"set{kind}"), references, values)
+
+    def take(self, what: str, kind: str, references: Sequence[int], count: int) -> list[Any]:
+        """The `count` values of variables of one type."""
+        sizes = [count] if self.fmu.version == 3 else []
+        found: list[Any] = self.call("get", f"get {what}", getattr(self.slave, f"get{kind}"), references, *sizes)
+        return found
+
     def set_own(self, values: Mapping[str, Value]) -> None:
         fmu = self.fmu.own
         for name, value in values.items():
+            self.require_settable(name)
             place, v = fmu.places[name], fmu.variables[name]
-            setter = getattr(self.slave, f"set{function_type(self.fmu.version, v.type)}")
             sent = [value]
             if place.count > 1:
                 known = self.arrays.setdefault(place.reference, [fmu.start(s) for s in fmu.arrays[name]])
                 known[place.index] = value
                 sent = known
-            self.call(f"set {name} = {value}", setter, [place.reference], sent)
+            self.put(f"{name} = {value}", function_type(self.fmu.version, v.type), [place.reference], sent)
 
     def get_own(self, name: str) -> Any:
         place, v = self.fmu.own.places[name], self.fmu.own.variables[name]
-        getter = getattr(self.slave, f"get{function_type(self.fmu.version, v.type)}")
-        count = [place.count] if place.count > 1 else []
-        value = self.call(f"get {name}", getter, [place.reference], *count)[place.index]
+        kind = function_type(self.fmu.version, v.type)
+        value = self.take(name, kind, [place.reference], place.count)[place.index]
         if v.type == "Boolean":
             return bool(value)
         return value.decode("utf-8", "replace") if isinstance(value, bytes) else "" if value is None else value
 
+    def exit_initialization(self) -> None:
+        self.call("exit", "leave initialization", self.slave.exitInitializationMode)
+
     def save(self) -> int:
         self.require_state()
-        return int(self.call("save its state", self.slave.getFMUState).value)
+        state = int(self.call("save", "save its state", self.slave.getFMUState).value)
+        self.modes[state] = self.state
+        return state
 
     def restore(self, state: int) -> None:
-        self.call("restore its state", self.slave.setFMUState, ctypes.c_void_p(state))
+        self.call("restore", "restore its state", self.slave.setFMUState, ctypes.c_void_p(state))
+        self.state = self.modes.get(state, State.STEPPING)
 
     def forget(self, state: int) -> None:
-        self.call("forget a state", self.slave.freeFMUState, ctypes.c_void_p(state))
+        self.call("forget", "forget a state", self.slave.freeFMUState, ctypes.c_void_p(state))
+        self.modes.pop(state, None)
 
     def serialize(self, state: int) -> bytes:
-        return bytes(self.call("write its state", self.slave.serializeFMUState, ctypes.c_void_p(state)))
+        return bytes(self.call("serialize", "write its state", self.slave.serializeFMUState, ctypes.c_void_p(state)))
 
-    def close(self, terminate: bool = True) -> None:
-        """The library stays loaded: unloading one with Python inside is not safe."""
-        if self.dead:
-            return
-        try:
-            if terminate:
-                self.slave.terminate()
-            self.free()
-        except Exception as error:
-            self.messages.append(f"closing failed: {error}")
-        self.dead = True
+    def deserialize(self, content: bytes) -> int:
+        return int(self.call("deserialize", "read a state", self.slave.deserializeFMUState, content).value)
+
+    def terminate(self) -> None:
+        """End the simulation; outputs can still be read."""
+        self.call("terminate", "terminate", self.slave.terminate)
+
+    def reset(self) -> None:
+        """Back to the state behind `instantiate`."""
+        self.call("reset", "reset", self.slave.reset)
 
     def free(self) -> None:
-        """Free the instance."""
-        raise NotImplementedError
+        """Free the instance; the library stays loaded: unloading one with Python inside is not safe."""
+        free = getattr(self.slave, f"{self.prefix}FreeInstance")
+        self.call("free", "free it", free, self.slave.component)
+
+    def close(self) -> str:
+        said = []
+        for action, function in (("cancel", self.cancel), ("terminate", self.terminate), ("free", self.free)):
+            if not self.dead and allowed(self.fmu.version, action, self.state):
+                try:
+                    function()
+                except CallError as error:
+                    said.append(str(error))
+        return "\n".join(said)
+
+    def cancel(self) -> None:
+        """Give up a step that goes on (fmi2Pending)."""
+        self.call("cancel", "cancel a step", self.slave.cancelStep)

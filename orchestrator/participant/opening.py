@@ -8,6 +8,7 @@ from .base import Instance
 from .fmi2 import Fmi2Instance
 from .fmi3 import Fmi3Instance
 from .loaded import LoadedInstance
+from .mock import MockFmu
 
 
 def load(fmu: Fmu, name: str) -> LoadedInstance:
@@ -21,4 +22,8 @@ def start(component: Component) -> Instance:
         from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout))
+    if isinstance(component.fmu, MockFmu):
+        from .mock_instance import MockInstance
+
+        return MockInstance(component.fmu, component.name)
     return load(component.fmu, component.name)

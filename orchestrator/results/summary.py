@@ -23,7 +23,7 @@ import numpy as np
 
 from ..errors import InputError, nearest
 from ..plan.algorithms.registry import algorithm_of
-from ..process import peak_memory
+from ..processes import peak_memory
 from ..system.model import System
 from .energy import balance, ledger, over_limits
 from .signals import Signal, Signals
@@ -96,6 +96,8 @@ def summarize(run: Run) -> dict[str, Any]:
     result: dict[str, Any] = {"complete": not run.failure}
     if run.failure:
         result["failure"] = run.failure
+    if run.notes:
+        result["notes"] = list(run.notes)
     for key, text in specification.items():
         operation, *names = str(text).split()
         result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)

@@ -49,6 +49,7 @@ class Run:
     started: Started = field(default_factory=Started)
     texts: Texts | None = None  # those whose numbers the tables hold
     calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
+    notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
 
     @cached_property
     def tables(self) -> list[np.ndarray]:

@@ -96,7 +96,8 @@ def carry_out(
             except KeyboardInterrupt:
                 written.failures.append("interrupted while the results were written")
             finished.failures = [*filter(None, [run.failure, written.elsewhere]), *written.failures]
-            return finished
+        finished.failures += filter(None, [session.ended_badly])
+        return finished
     finally:
         file.unlink(missing_ok=True)
 

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..loop import cells, exchange
-from ..participant.base import STATUS, Instance
+from ..loop.operations import STEP
+from ..participant.base import Instance
+from ..participant.lifecycle import DISCARD, FATAL, status_text
 from ..plan.plan import Plan
 from .algorithm_state import AlgorithmState
 
@@ -39,23 +41,26 @@ def failure_of(
         return end, f"interrupted by the user at t = {end:.9g} s"
     if code == cells.NOT_CONVERGED:
         return end, plan.algorithm.failure(plan, space.loop, at)
-    did, hint = _said(plan, instances[name], code, control, z)
+    did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] == STEP else "get")
     return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
 
 
-def _said(plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.ndarray) -> tuple[str, str]:
-    """What a component did, and what may help."""
+def _said(
+    plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.ndarray, action: str
+) -> tuple[str, str]:
+    """What a component did, and what may help; its life goes where the status leads (`lifecycle.after`)."""
     status, slot = int(control[cells.STATUS]), int(control[cells.SLOT])
     outputs = {s: variable for variable, s in plan.layout.exchanged(instance.name)[1].items()}
     if code == cells.NOT_FINITE:
         return f": output {outputs[slot]} became {z[slot]}", f"; see its inputs and parameters{instance.log_text()}"
     if instance.fault:
+        instance.noted(action, FATAL)
         return f": {instance.fault}", instance.log_text()
     if status == exchange.NO_ROOM:
         what = f": there is no room for another text of output {outputs[slot]}; do not record or connect it,"
         return what, instance.log_text()
     if status in REPORTED:
         return REPORTED[status], instance.log_text()
-    instance.dead = status == 4
-    why = instance.why_discarded() if status == 2 else ""
-    return f" returned {instance.prefix}{STATUS[status]}", why + instance.log_text()
+    instance.noted(action, status)
+    why = instance.why_discarded() if status == DISCARD else ""
+    return f" returned {status_text(instance.prefix, status)}", why + instance.log_text()

@@ -20,18 +20,24 @@ TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> Started:
     """Set parameters and inputs, propagate outputs to inputs, solve algebraic loops, leave initialization mode.
 
-    Fills the cells of `memory` at time 0. Raises FmuError if an FMU refuses, gives a value that is not finite, or if a
-    loop has no solution; InputError if what the system requires of time 0 is not so.
+    Fills the cells of `memory` at time 0; outputs as they are behind initialization mode, which may change them.
+    Raises FmuError if an FMU refuses, gives a value that is not finite, or if a loop has no solution; InputError if
+    what the system requires of time 0 is not so.
     """
     system, z = plan.system, memory.z
     first = {name: component.first_inputs() for name, component in system.components.items()}
     for name, component in system.components.items():
+        instances[name].set_up(plan.clock.time(plan.clock.stop))
         instances[name].set_all({**component.parameters, **first[name]})
-        instances[name].enter_initialization(plan.clock.time(plan.clock.stop))
+        instances[name].enter_initialization()
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
         value = first[name].get(variable, system.components[name].fmu.start(variable))
         memory.put((name, variable), slot, value)
-    started = _Propagation(plan, instances, memory).settle()
+    propagation = _Propagation(plan, instances, memory)
+    started = propagation.settle()
+    for instance in instances.values():
+        instance.exit_initialization()
+    propagation.read_outputs()
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])
         if not r.minimum <= value <= r.maximum:
@@ -40,8 +46,6 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> St
                 f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at time 0, allowed are {r.minimum:g} to "
                 f"{r.maximum:g} {unit} ({system.path.name})"
             )
-    for instance in instances.values():
-        instance.exit_initialization()
     for table in (plan.layout.previous, plan.layout.before, plan.layout.begins):
         for key, slot in table.items():
             z[slot] = z[plan.layout.outputs[key]]
@@ -67,8 +71,7 @@ class _Propagation:
                 unknowns = [c for c in block.connections if block.loop and self._real(c)]
                 if unknowns:
                     self._solve(block.label, unknowns)
-            for key, slot in self.plan.layout.outputs.items():
-                self.memory.put(key, slot, self._get(key))
+            self.read_outputs()
             self.started.sweeps = sweep
             if (sweep > 1 and np.array_equal(before, self.memory.whole)) or not self.plan.start:
                 return self.started
@@ -78,6 +81,11 @@ class _Propagation:
             f"initialization: the inputs {', '.join(moved)} keep changing though the model descriptions state no "
             f"dependency (InitialUnknowns) that would make them a loop; break the loop with a state or a start value"
         )
+
+    def read_outputs(self) -> None:
+        """All outputs into their cells."""
+        for key, slot in self.plan.layout.outputs.items():
+            self.memory.put(key, slot, self._get(key))
 
     def _real(self, c: Connection) -> bool:
         return self.memory.kind(c.source).real

@@ -9,6 +9,7 @@ import numpy as np
 from ..fmu.types import TEXT, FmiType, decode, encode, function_type
 from ..loop.calls import STEP_FLAGS
 from ..loop.cells import IN_PLACE
+from ..loop.operations import RESTORE
 from ..loop.texts import Texts
 from ..participant.base import Instance, Value
 from ..plan.plan import Plan
@@ -49,10 +50,11 @@ class Memory:
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
-        """`components` (n, 9) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
+        """`components` (n, 10) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0
+        final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
             row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), 0, flags]
@@ -64,7 +66,7 @@ class Memory:
                     blocks.append(block)
                     raw += used
                 row.append(len(blocks))
-            components.append(row)
+            components.append([*row, final])
         self.raw = np.zeros(max(raw, 1), dtype=np.uint8)
         base = self.raw.ctypes.data
         for row in components:

@@ -10,6 +10,7 @@ import numpy as np
 from ..fmu.types import function_type
 from ..loop.calls import exchange, exchange3
 from ..participant.base import Instance
+from ..participant.lifecycle import good
 from ..plan.layout import Key
 from ..plan.plan import Plan
 from .memory import Memory
@@ -45,7 +46,7 @@ def writer_of(instance: Instance, variable: str) -> Callable[[float], bool]:
             return False
         arrays[1][0] = value
         if fmu.version == 2:
-            return exchange(function, pointer, at, 1, to) <= 1
-        return exchange3(function, pointer, at, 1, to, 1) <= 1
+            return good(exchange(function, pointer, at, 1, to))
+        return good(exchange3(function, pointer, at, 1, to, 1))
 
     return write

@@ -15,8 +15,9 @@ from ..loop.compiled import compiled_run
 from ..loop.run import run
 from ..participant.base import Instance
 from ..participant.opening import start
+from ..participant.surroundings import Surroundings
 from ..plan.plan import Plan
-from ..process import seconds_since_start
+from ..processes import seconds_since_start
 from ..results.tables import Run
 from .access import Access
 from .algorithm_state import free_states, make_state
@@ -68,6 +69,9 @@ class Session:
         self.instances: dict[str, Instance] = {}
         self._function = run if interpreted else compiled_run()
         self.at = Position()
+        self.notes: list[str] = []  # what FMUs changed in this process, and what went wrong in their ends
+        self.ended_badly = ""  # how components fell down while they were terminated and freed
+        self._surroundings, self._looked = Surroundings(), 0.0
         self._interrupted = False
         self._block, self._began = 1, 0.0
         self._closed = False
@@ -75,8 +79,10 @@ class Session:
             with self.stop_requests.heard():
                 for name, component in plan.system.components.items():
                     self.instances[name] = start(component)
+                    self._look_around(f"while {name} was loaded")
                 self.memory = Memory(plan)
                 self._started = initialize(plan, self.instances, self.memory)
+                self._look_around("in the initialization")
                 self._calculated = {
                     f"{name}.{variable}": instance.get(variable)
                     for name, instance in self.instances.items()
@@ -158,6 +164,9 @@ class Session:
         )  # fmt: skip
         spent = time.perf_counter() - begin
         self.at.wall += spent
+        due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
+        self._looked = begin if due else self._looked
+        self._look_around(f"before t = {clock.time(self.tick + size * self._cycle_ticks):.9g} s", due)
         self._began = self._began or seconds_since_start()
         self._block = max(1, min(2 * self._block, int(size * BLOCK / max(spent, 1e-6))))
         self.at.operation = 0
@@ -180,6 +189,18 @@ class Session:
             if ends and not self.plan.adaptive and not self.plan.algorithm.repeats_rows:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
+
+    def _look_around(self, when: str, folder: bool = True) -> None:
+        """Restore what an FMU has changed for the whole process, and say so once."""
+        for change in self._surroundings.restore(folder):
+            here = [c.name for c in self.plan.system.components.values() if c.isolation != "process"]
+            who = f"component {here[0]}" if len(here) == 1 else f"a component in this process ({', '.join(here)})"
+            known = any(change in note for note in self.notes)
+            if not known:
+                self.notes.append(
+                    f"{who} {change} {when}, which was restored; what it computed with it stays as it is; "
+                    f'isolation = "process" under [components.NAME] keeps it apart'
+                )
 
     @property
     def resumable(self) -> bool:
@@ -212,12 +233,13 @@ class Session:
 
     def run(self) -> Run:
         """What was recorded so far."""
+        self._look_around(f"before t = {self.at.time:.9g} s")
         rows = self._rows
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [self.tick // group.period + 1 for group in self.plan.groups]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._began,
-            self._started, self.memory.texts, self._calculated,
+            self._started, self.memory.texts, self._calculated, self.notes,
         )  # fmt: skip
 
     def close(self) -> None:
@@ -225,8 +247,10 @@ class Session:
         if not self._closed:
             self._closed = True
             free_states(self.space, self.instances)
-            for instance in self.instances.values():
-                instance.close()
+            faults = [fault for instance in self.instances.values() if (fault := instance.close())]
+            self.ended_badly = "\n".join(faults)
+            self.notes += faults
+            self._look_around("in its end")
             if self.recorder.stream:
                 self.recorder.stream.close()
 

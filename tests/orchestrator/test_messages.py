@@ -15,7 +15,7 @@ def warning(path: Path, name: str) -> LoadedInstance:
     """An instance that warns at every step."""
     instance = load(Fmu.open(path), name)
     instance.set_all({"fault": FAULTS2["warning"], "bad_at": 0.0})
-    instance.enter_initialization(1.0)
+    instance.begin(1.0)
     instance.exit_initialization()
     return instance
 
@@ -24,11 +24,11 @@ def warning(path: Path, name: str) -> LoadedInstance:
 def test_messages_belong_to_their_instances_whichever_was_made_last(tmp_path: Path) -> None:
     path = feedthrough2(tmp_path / "feedthrough2.fmu")
     first, last = warning(path, "first"), warning(path, "last")
-    first.slave.doStep(0.0, 0.25)
+    first.step(0.0, 0.25)
     assert len(first.messages) == 1 and not last.messages
     last.close()
     del last
     gc.collect()
-    first.slave.doStep(0.25, 0.25)
+    first.step(0.25, 0.25)
     assert [message.split(" at ")[0] for message in first.messages] == [f"fault {FAULTS2['warning']}"] * 2
     first.close()

@@ -25,6 +25,11 @@ def check_fmu(path: Path) -> Report:
         subject = open_subject(path)
     except FmuError as error:
         found, _, mend = str(error).removeprefix(f"FMU {path} ").rpartition("; ")
+        if mend == "refused":
+            found, mend = (
+                f"{found}; such files are refused: they can harm who reads them",
+                "export it again without that",
+            )
         return Report(path, "", [Row("archive", "can be read", "error", found or mend, mend if found else "")])
     described = subject.description
     kind = f"FMI {described.fmiVersion}, {described.modelName}"

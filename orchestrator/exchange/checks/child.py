@@ -17,8 +17,16 @@ from .rows import Row
 from .subject import open_subject
 from .tried import RefusedError, Tried
 
+MODULE = "rovbrush.orchestrator.exchange.checks.child"
 RULES = {**good_manners.RULES, **misuse.RULES}
-MEND = "run it in a debugger with the same calls; its log says more"
+
+
+def again(path: Path, name: str) -> str:
+    """How to make the calls of one rule again, and see where they end."""
+    return (
+        f"make the same calls again: python -m {MODULE} {path} rows.jsonl "
+        f"{name}; behind `gdb --args` a crash stops in its own line"
+    )
 
 
 def broken_off(name: str, found: str, mend: str) -> Row:
@@ -36,9 +44,9 @@ def main() -> None:
             try:
                 row = RULES[name](subject)
             except RefusedError as error:
-                row = broken_off(name, str(error), MEND)
+                row = broken_off(name, str(error), again(subject.path, name))
             except Exception as error:  # fmpy's, when the library lacks functions or does not load
-                row = broken_off(name, f"{type(error).__name__}: {error}", MEND)
+                row = broken_off(name, f"{type(error).__name__}: {error}", again(subject.path, name))
             print(json.dumps(asdict(row)), file=report)
             if row.verdict in ("error", "finding") or Tried.doomed:
                 break

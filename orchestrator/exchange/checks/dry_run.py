@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import json
-import signal
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from ...processes import fault_of
 from . import good_manners, misuse
-from .child import broken_off
+from .child import MODULE, again, broken_off
 from .rows import Row
 from .subject import Subject
 
 PATIENCE = 300.0  # s per process; a first run may compile for half a minute
-CHILD = "rovbrush.orchestrator.exchange.checks.child"
 
 
 def dry_run_rows(subject: Subject) -> Iterator[Row]:
@@ -41,8 +39,8 @@ def run_rules(path: Path, names: Sequence[str], patience: float = PATIENCE) -> l
         seen, fault = _one_process(path, left, patience)
         rows += seen
         if fault and len(seen) < len(left):
-            mend = "it must answer with a status; find the crash in a debugger with these calls"
-            rows.append(broken_off(left[len(seen)], fault, mend))
+            mend = f"it must answer with a status; {again(path, left[len(seen)])}"
+            rows.append(broken_off(left[len(seen)], f"the process {fault}", mend))
     return rows
 
 
@@ -50,19 +48,7 @@ def _one_process(path: Path, names: Sequence[str], patience: float) -> tuple[lis
     """The rows of the rules that ended, and what ended the process if it was not the child's own doing."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.jsonl"
-        command = [sys.executable, "-m", CHILD, str(path), str(report), *names]
-        try:
-            run = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=patience, check=False)
-            fault = _fault(run.returncode)
-        except subprocess.TimeoutExpired:
-            fault = f"it did not come back within {patience:g} s"
+        command = [sys.executable, "-m", MODULE, str(path), str(report), *names]
+        fault = fault_of(command, patience)
         lines = report.read_text(encoding="utf-8").splitlines() if report.is_file() else []
     return [Row(**json.loads(line)) for line in lines], fault
-
-
-def _fault(code: int) -> str:
-    if code == 0:
-        return ""
-    if code < 0:
-        return f"the process was ended by {signal.Signals(-code).name}"
-    return f"the process ended with exit code {code if code < 256 else hex(code)}"

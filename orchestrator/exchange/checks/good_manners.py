@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...errors import FmuError
 from .rows import Row
 from .subject import Subject
 from .tried import Tried
@@ -15,9 +16,11 @@ BEFORE = 7
 def runs(subject: Subject) -> Row:
     """Load, instantiate, initialize with the start values, steps with the inputs at rest, finite outputs."""
     rule = "runs with its start values"
-    instance = Tried(subject)
-    if not instance.slave.component:
-        return Row(STAGE, rule, "error", "instantiate gave nothing", "let it log the reason; is the GUID its own?")
+    try:
+        instance = Tried(subject)
+    except FmuError as error:
+        reason = str(error).partition("cannot be instantiated: ")[2] or str(error)
+        return Row(STAGE, rule, "error", f"it cannot be instantiated: {reason}", "is the GUID that of its binary?")
     instance.begin()
     infinite = instance.not_finite()
     for k in range(STEPS):
@@ -51,11 +54,11 @@ def restores(subject: Subject) -> Row:
     instance = Tried(subject)
     instance.begin()
     instance.stir(0, BEFORE)
-    state = instance.slave.getFMUState()
+    state = instance.save()
     onward = instance.stir(BEFORE, AHEAD)
-    instance.slave.setFMUState(state)
+    instance.restore(state)
     again = instance.stir(BEFORE, AHEAD)
-    instance.slave.freeFMUState(state)
+    instance.forget(state)
     instance.close()
     return _equal(rule, onward, again, "save everything that a step reads, arrays and counters too")
 
@@ -68,16 +71,16 @@ def serializes(subject: Subject) -> Row:
     first = Tried(subject, "first")
     first.begin()
     first.stir(0, BEFORE)
-    state = first.slave.getFMUState()
-    content = first.slave.serializeFMUState(state)
-    first.slave.freeFMUState(state)
+    state = first.save()
+    content = first.serialize(state)
+    first.forget(state)
     onward = first.stir(BEFORE, AHEAD)
     first.close()
     second = Tried(subject, "second")
     second.begin()
-    state = second.slave.deserializeFMUState(content)
-    second.slave.setFMUState(state)
-    second.slave.freeFMUState(state)
+    state = second.deserialize(content)
+    second.restore(state)
+    second.forget(state)
     again = second.stir(BEFORE, AHEAD)
     second.close()
     return _equal(rule, onward, again, "write and read back all of the state", f"{len(content)} bytes, bitwise equal")
@@ -112,7 +115,7 @@ def resets(subject: Subject) -> Row:
     instance = Tried(subject)
     instance.begin()
     fresh = instance.stir(0, AHEAD)
-    instance.must("reset", instance.status(instance.slave.reset))
+    instance.must("reset", instance.status(instance.instance.reset))
     instance.begin()
     again = instance.stir(0, AHEAD)
     instance.close()

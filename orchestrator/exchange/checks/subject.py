@@ -115,7 +115,9 @@ def open_subject(path: Path) -> Subject:
     except Exception as error:
         raise FmuError(f"its modelDescription.xml cannot be understood: {error}") from error
     if description.coSimulation is None:
-        raise FmuError("it has no co-simulation interface (model exchange only); export it for co-simulation")
+        kinds = {"model exchange": description.modelExchange, "scheduled execution": description.scheduledExecution}
+        there = " and ".join(kind for kind, found in kinds.items() if found is not None) or "no interface at all"
+        raise FmuError(f"it has no co-simulation interface, but {there}; export it for co-simulation")
     subject = Subject(path, folder, int(version[0]), description)
     _check_numbers(subject)
     return subject

@@ -1,26 +1,23 @@
-"""A loaded instance of an FMU under check: FMI 2.0 and 3.0 behind one face, statuses as numbers, outputs as bytes.
+"""A participant under check: statuses as numbers, outputs as bytes.
 
-fmpy loads the library and makes the calls. Nothing here protects the process: it is made to be lost (`dry_run.py`).
+Nothing here protects the process: it is made to be lost (`dry_run.py`).
 """
 
 from __future__ import annotations
 
-import ctypes
 import math
 import struct
 from collections.abc import Callable
 from typing import Any, ClassVar
 
-import fmpy
-from fmpy import fmi2, fmi3
-from fmpy.fmi1 import FMICallException
 from fmpy.model_description import ModelVariable
 
-from ...participant.base import STATUS
+from ...fmu.fmu import Fmu
+from ...fmu.types import function_type
+from ...participant.base import CallError
+from ...participant.lifecycle import FATAL, STATUS, status_text
+from ...participant.opening import load
 from .subject import REALS, Subject, bounds, numbers, size
-
-REFUSED = 2  # statuses from here on (Discard, Error, Fatal) refuse a call
-FATAL = 4
 
 
 class RefusedError(Exception):
@@ -28,80 +25,57 @@ class RefusedError(Exception):
 
 
 class Tried:
-    """One instance. Methods that make an FMI call return its status; `must` raises RefusedError unless it is good."""
+    """One instance. Methods that make an FMI call return its status; `must` raises RefusedError unless it is good.
+
+    Calls follow the standard's order, but under `unguarded`. Raises FmuError if the FMU cannot be instantiated.
+    """
 
     doomed: ClassVar[bool] = False  # after Fatal no instance in the process may be called (FMI 2.0.4, 2.1.3)
 
     def __init__(self, subject: Subject, name: str = "tried") -> None:
-        self.subject, self.name = subject, name
-        self.messages: list[str] = []
-        self.lost = False  # after Fatal nothing may be called, not even the release
-        kind = fmi2.FMU2Slave if subject.version == 2 else fmi3.FMU3Slave
-        self.slave: Any = kind(
-            guid=subject.description.guid, modelIdentifier=subject.interface.modelIdentifier,
-            unzipDirectory=str(subject.folder), instanceName=name,
-        )  # fmt: skip
-        if subject.version == 2:
-            self.callbacks = self._callbacks()
-            self.slave.instantiate(callbacks=self.callbacks, loggingOn=True)
-        else:
-            self.slave.instantiate(loggingOn=True, logMessage=self._log3)
+        self.subject = subject
+        self.instance = load(Fmu(subject.path, subject.folder, "", subject.description, {}), name)
+        self.unguarded = self.instance.unguarded
         self.outputs = [v for v in subject.of("output") if v.type != "Binary"]
 
-    def _callbacks(self) -> Any:
-        callbacks = fmi2.fmi2CallbackFunctions()
-        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log2)
-        callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
-        callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
-        # The proxy formats printf arguments; pythonfmu passes bare messages as the format (see orchestrator/fmu.py).
-        if not (self.subject.folder / "resources" / "slavemodule.txt").is_file():
-            fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
-        return callbacks
+    @property
+    def messages(self) -> list[str]:
+        """What the FMU has logged."""
+        return list(self.instance.messages)
 
-    def _log2(self, _environment: Any, _instance: bytes, status: int, _category: bytes, message: bytes) -> None:
-        if status > 0 and message:
-            self.messages.append(message.decode("utf-8", "replace").strip())
-
-    def _log3(self, _environment: Any, status: int, _category: bytes, message: bytes) -> None:
-        if status > 0 and message:
-            self.messages.append(message.decode("utf-8", "replace").strip())
-
-    def status(self, function: Callable[..., Any], *arguments: Any, **options: Any) -> int:
-        """Call and give back the status: 0 OK or Warning, otherwise that of the FMU."""
+    def status(self, function: Callable[..., Any], *arguments: Any) -> int:
+        """Call and give back the status: 0 for OK and Warning, otherwise that of the FMU."""
         try:
-            function(*arguments, **options)
-        except FMICallException as error:
-            if error.status >= FATAL:
-                self.lost = Tried.doomed = True
-            return int(error.status)
+            function(*arguments)
+        except CallError as error:
+            if error.status is None:
+                raise
+            if error.status == FATAL or error.status not in STATUS:
+                Tried.doomed = True
+            return error.status
         return 0
 
     def must(self, what: str, status: int) -> None:
         """Raises RefusedError unless the status is a good one."""
         if status:
             words = f": {self.messages[-1].splitlines()[-1]}" if self.messages else ""
-            raise RefusedError(f"{what} returned {STATUS.get(status, status)}{words}")
+            name = STATUS.get(status) or status_text("", status)
+            raise RefusedError(f"{what} returned {name}{words}")
 
     # --- variables ---
 
     def set(self, v: ModelVariable, values: list[Any]) -> int:
         """Set a variable, element by element."""
-        kind = v.type
-        if self.subject.version == 2:
-            kind = "Integer" if kind == "Enumeration" else kind
-        elif kind == "Enumeration":
-            kind = "Int64"
-        if kind not in (*REALS, "String"):
-            values = [bool(value) if kind == "Boolean" else int(value) for value in values]
-        return self.status(getattr(self.slave, f"set{kind}"), [v.valueReference], values)
+        if v.type not in (*REALS, "String"):
+            values = [bool(value) if v.type == "Boolean" else int(value) for value in values]
+        kind = function_type(self.subject.version, v.type)
+        return self.status(self.instance.put, v.name, kind, [v.valueReference], values)
 
     def get(self, v: ModelVariable) -> list[Any]:
         """The elements of a variable. Raises RefusedError."""
-        kind = {2: "Integer", 3: "Int64"}[self.subject.version] if v.type == "Enumeration" else v.type
-        getter = getattr(self.slave, f"get{kind}")
-        many = {} if self.subject.version == 2 else {"nValues": size(v)}
-        found: list[Any] = []
-        self.must(f"get {v.name}", self.status(lambda: found.extend(getter([v.valueReference], **many))))
+        kind, found = function_type(self.subject.version, v.type), []
+        status = self.status(lambda: found.extend(self.instance.take(v.name, kind, [v.valueReference], size(v))))
+        self.must(f"get {v.name}", status)
         return found
 
     def start_values(self, v: ModelVariable) -> list[Any]:
@@ -135,19 +109,20 @@ class Tried:
                 self.must(f"set {v.name} to its start value", self.set(v, values))
 
     def setup(self) -> int:
-        """FMI 2.0's fmi2SetupExperiment; nothing in FMI 3.0."""
-        if self.subject.version == 3:
-            return 0
-        return self.status(self.slave.setupExperiment, startTime=self.subject.start_time)
+        """Say when the simulation begins."""
+        return self.status(self.instance.set_up, None, self.subject.start_time)
 
     def enter(self) -> int:
         """Enter initialization mode."""
-        options = {} if self.subject.version == 2 else {"startTime": self.subject.start_time}
-        return self.status(self.slave.enterInitializationMode, **options)
+        return self.status(self.instance.enter_initialization)
 
     def exit(self) -> int:
         """Leave initialization mode."""
-        return self.status(self.slave.exitInitializationMode)
+        return self.status(self.instance.exit_initialization)
+
+    def terminate(self) -> int:
+        """End the simulation."""
+        return self.status(self.instance.terminate)
 
     def begin(self) -> None:
         """From a new instance to time 0 with start values. Raises RefusedError."""
@@ -158,7 +133,7 @@ class Tried:
 
     def step(self, t: float, h: float) -> int:
         """One communication step."""
-        return self.status(self.slave.doStep, t, h)
+        return self.status(self.instance.step, t, h)
 
     def stir(self, first: int, steps: int, phase: float = 0.0) -> list[bytes]:
         """Steps with inputs that change all the time; all outputs after each. Raises RefusedError."""
@@ -174,17 +149,38 @@ class Tried:
             seen.append(self.observed())
         return seen
 
+    def save(self) -> int:
+        """Keep the state; a handle. Raises RefusedError, as the next four do."""
+        kept: list[int] = []
+        self.must("getFMUstate", self.status(lambda: kept.append(self.instance.save())))
+        return kept[0]
+
+    def restore(self, state: int) -> None:
+        self.must("setFMUstate", self.status(self.instance.restore, state))
+
+    def forget(self, state: int) -> None:
+        self.must("freeFMUstate", self.status(self.instance.forget, state))
+
+    def serialize(self, state: int) -> bytes:
+        content: list[bytes] = []
+        self.must("serializeFMUstate", self.status(lambda: content.append(self.instance.serialize(state))))
+        return content[0]
+
+    def deserialize(self, content: bytes) -> int:
+        kept: list[int] = []
+        self.must("deSerializeFMUstate", self.status(lambda: kept.append(self.instance.deserialize(content))))
+        return kept[0]
+
     def close(self) -> None:
         """Terminate and release, unless the instance is lost. The library stays loaded: some cannot be unloaded."""
-        if not self.lost:
-            self.must("terminate", self.status(self.slave.terminate))
+        if not self.instance.dead:
+            self.must("terminate", self.terminate())
             self.free()
 
     def free(self) -> None:
         """Release without terminating."""
-        if not self.lost:
-            getattr(self.slave, f"fmi{self.subject.version}FreeInstance")(self.slave.component)
-            self.lost = True
+        if not self.instance.dead:
+            self.instance.free()
 
 
 def stirred(v: ModelVariable, start: float, angle: float) -> float:

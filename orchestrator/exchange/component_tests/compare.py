@@ -48,7 +48,7 @@ def compare(fmu: Fmu, suite: Suite, mapping: VariableMapping) -> Comparison:
     """Bind every declared variable to theirs. Raises InputError for a mapping file that names what nobody has."""
     ours = [v.name for v in suite.interface]
     elements = [f"{v.name}[{k + 1}]" for v in suite.interface for k in range(v.size)]
-    mapping.check([*ours, *elements], list(whole_variables(fmu)), suite.name, fmu.path.name)
+    mapping.check([*ours, *elements], [*whole_variables(fmu), *fmu.variables], suite.name, fmu.path.name)
     rows: list[Row] = []
     bindings: dict[str, Binding] = {}
     for v in suite.interface:
@@ -129,8 +129,10 @@ def _surplus(fmu: Fmu, bindings: dict[str, Binding], mapping: VariableMapping) -
     for v in fmu.description.modelVariables:
         if v.name in used or v.causality not in ("input", "output", "parameter"):
             continue
-        if v.name in mapping.inputs or v.name in mapping.parameters:
-            value = {**mapping.inputs, **mapping.parameters}[v.name]
+        held = {**mapping.inputs, **mapping.parameters}
+        values = [value for name, value in held.items() if name == v.name or name.startswith(f"{v.name}[")]
+        if values:
+            value = values[0] if len(values) == 1 else f"{len(values)} values"
             rows.append(Row("", v.name, "surplus", f"{_a(v.causality)}; held at {value} by the mapping file"))
         elif v.causality == "input":
             text = f"an input; stays at its start value {v.start}, or at one under [inputs] of a mapping file"

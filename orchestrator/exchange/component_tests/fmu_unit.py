@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from ...errors import FmuError
-from ...fmu.fmu import Fmu
+from ...fmu.fmu import Fmu, parse_value
+from ...fmu.types import function_type
 from ...participant.loaded import LoadedInstance
 from ...participant.opening import load
 from ...system.replace.mapping import Value, VariableMapping
 from .binding import Binding
-from .opened import initialize, is_fmi3, whole_variables
 from .suites import NotApplicableError
 
 
@@ -81,21 +81,18 @@ class RunningFmu:
     def __init__(self, unit: FmuUnit, instance: LoadedInstance) -> None:
         self.unit, self.instance, self.time = unit, instance, 0.0
         self.step_size = 0.0
-        self.states: list[Any] = []
+        self.states: list[int] = []
 
     def begin(self, inputs: Mapping[str, Any], parameters: Mapping[str, Any]) -> None:
-        mapping = self.unit.mapping
-
-        def set_parameters() -> None:
-            self._set_own(mapping.parameters)
-            for name, value in parameters.items():
-                self._write(self.unit.binding(name), value)
-
-        def set_inputs() -> None:
-            self._set_own(mapping.inputs)
-            self.set(**inputs)
-
-        initialize(self.instance, set_parameters, set_inputs)
+        mapping, instance = self.unit.mapping, self.instance
+        instance.set_up(None)
+        self._set_own(mapping.parameters, "parameters")
+        for name, value in parameters.items():
+            self._write(self.unit.binding(name), value)
+        instance.enter_initialization()
+        self._set_own(mapping.inputs, "inputs")
+        self.set(**inputs)
+        instance.exit_initialization()
 
     def set(self, **inputs: Any) -> None:
         """Set inputs, in our units."""
@@ -106,50 +103,46 @@ class RunningFmu:
         """One communication step of h [s]."""
         self._check_alive()
         self._check_step(h)
-        self.instance.call(f"step from {self.time:g} s by {h:g} s", self.instance.slave.doStep, self.time, h)
+        self.instance.step(self.time, h)
         self.time += h
 
     def __getitem__(self, name: str) -> Any:
         self._check_alive()
         binding = self.unit.binding(name)
-        getter = getattr(self.instance.slave, f"get{self._type(binding)}")
-        arguments = [binding.references, *([len(binding.crossings)] if is_fmi3(self.unit.fmu) else [])]
-        return binding.back(self.instance.call(f"get {binding.name}", getter, *arguments))
+        kind, count = function_type(self.unit.fmu.version, binding.type), len(binding.crossings)
+        return binding.back(self.instance.take(binding.name, kind, binding.references, count))
 
     def save(self) -> Any:
         """The FMU's state and the time."""
         if not self.unit.described.canGetAndSetFMUstate:
             raise NotApplicableError("needs an FMU that can save and restore its state")
-        state = self.instance.call("save the state", self.instance.slave.getFMUState)
+        state = self.instance.save()
         self.states.append(state)
         return state, self.time
 
     def restore(self, state: Any) -> None:
         """Go back to a saved state."""
         kept, self.time = state
-        self.instance.call("restore the state", self.instance.slave.setFMUState, kept)
+        self.instance.restore(kept)
 
     def close(self) -> None:
         for state in self.states if not self.instance.dead else ():
-            self.instance.call("free a state", self.instance.slave.freeFMUState, state)
+            self.instance.forget(state)
         self.states.clear()
         self.instance.close()
 
-    def _type(self, binding: Binding) -> str:
-        if binding.type == "Enumeration":
-            return "Int64" if is_fmi3(self.unit.fmu) else "Integer"
-        return binding.type
-
     def _write(self, binding: Binding, value: Any) -> None:
         self._check_alive()
-        setter = getattr(self.instance.slave, f"set{self._type(binding)}")
-        self.instance.call(f"set {binding.name}", setter, binding.references, binding.there(value))
+        kind = function_type(self.unit.fmu.version, binding.type)
+        self.instance.put(binding.name, kind, binding.references, binding.there(value))
 
-    def _set_own(self, values: Mapping[str, Value]) -> None:
-        for name, value in values.items():
-            v = whole_variables(self.unit.fmu)[name]
-            setter = getattr(self.instance.slave, f"set{v.type}")
-            self.instance.call(f"set {name} = {value}", setter, [v.valueReference], [value])
+    def _set_own(self, values: Mapping[str, Value], table: str) -> None:
+        """Values for variables of theirs: scalars, elements `a[2]`, or one value for a whole array `a`."""
+        fmu = self.unit.fmu
+        own = {scalar: value for name, value in values.items() for scalar in fmu.expand(name)}
+        self.instance.set_own(
+            {scalar: parse_value(fmu.variables[scalar], v, f"[{table}] {scalar}") for scalar, v in own.items()}
+        )
 
     def _check_alive(self) -> None:
         if self.instance.dead and self not in self.unit.instances:

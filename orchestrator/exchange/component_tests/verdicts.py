@@ -72,6 +72,21 @@ def judge(test: Callable[[Any], None], unit: FmuUnit) -> Verdict:
     return Verdict(claim, "passed", closest(unit.observed))
 
 
+def require_outputs(bench: Bench) -> None:
+    """Raise RunError, with the beginning of a mapping file, if none of their variables stands for an output of ours."""
+    if any(binding.ours.causality == "output" for binding in bench.comparison.bindings.values()):
+        return
+    lines = ["[variables]"]
+    for v in bench.suite.interface:
+        if v.name in bench.suite.essential:
+            theirs = ", ".join(bench.unit.fmu.base_names(v.causality)) or f"no {v.causality} at all"
+            lines.append(f'{v.name} = ""  # {v.causality} in {v.unit}; there: {theirs}')
+    raise RunError(
+        f"{bench.unit.fmu.path.name} has no output of {bench.suite.name} under its name: nothing can be tested; "
+        "begin a mapping file (--map) with this, and put their names between the quotes:\n\n" + "\n".join(lines)
+    )
+
+
 def require_applicable(path: Path, component: str, verdicts: Sequence[Verdict]) -> None:
     """Raise RunError if not one test could be run."""
     if all(v.verdict == "not applicable" for v in verdicts):

@@ -13,9 +13,12 @@ from ...clock import seconds_text
 from ...errors import InputError, RunError, nearest
 from ...fmu.attributes import parse_value
 from ...fmu.crossing import REALS, Crossing
+from ...fmu.fmu import Fmu
+from ...participant.loaded import LoadedInstance
+from ...participant.opening import load
+from ...participant.port import Port
 from ...system.replace.mapping import VariableMapping, load_mapping
 from ...system.replace.view import crossing_between, own_values
-from .lone_fmu import LoneFmu, Port
 from .read import Recording, read_recording
 
 
@@ -82,13 +85,15 @@ def compare(
     progress: Callable[[float], None],
 ) -> tuple[list[Verdict], list[str]]:  # fmt: skip
     """Drive the FMU through the recording; a verdict per output, and what was left out."""
-    fmu = LoneFmu(path)
+    fmu = Fmu.open(path)
+    _check_steps(fmu, recording)
+    crossings, notes = _crossings(fmu, recording, mapping)
+    instance = load(fmu, path.stem)
     try:
-        _check_steps(fmu, recording)
-        crossings, notes = _crossings(fmu, recording, mapping)
-        found = _drive(fmu, recording, mapping, crossings, progress)
+        found = _drive(instance, recording, mapping, crossings, progress)
     finally:
-        fmu.close()
+        said = instance.close()
+    notes += [said] if said else []
     relative = recording.options["RelTol"] if rtol is None else rtol
     verdicts = []
     for output, values in found.items():
@@ -106,15 +111,15 @@ def compare(
     return verdicts, notes
 
 
-def _check_steps(fmu: LoneFmu, recording: Recording) -> None:
+def _check_steps(fmu: Fmu, recording: Recording) -> None:
     """Raise InputError for an FMU of fixed steps that cannot make those of the recording."""
     steps, step = np.diff(recording.times), recording.options["StepSize"]
-    if fmu.fmu.can_vary_step:
+    if fmu.can_vary_step:
         return
     label = f"{fmu.path.name} has fixed steps (canHandleVariableCommunicationStepSize = false)"
     if np.any(np.abs(steps - step) > 1e-9 * max(step, float(recording.times[-1]))):
         raise InputError(f"{label}, and {recording.name}_ref.csv has steps of several lengths")
-    inside, made_for = fmu.fmu.internal_step, fmu.fmu.recommended_step
+    inside, made_for = fmu.internal_step, fmu.recommended_step
     size = inside or made_for
     if size is None:
         return
@@ -126,7 +131,7 @@ def _check_steps(fmu: LoneFmu, recording: Recording) -> None:
         )
 
 
-def _crossings(fmu: LoneFmu, recording: Recording, mapping: VariableMapping) -> tuple[dict[str, Crossing], list[str]]:
+def _crossings(fmu: Fmu, recording: Recording, mapping: VariableMapping) -> tuple[dict[str, Crossing], list[str]]:
     """Their variable for every recorded one that they have. What they lack must be declared so."""
     roles = dict.fromkeys(recording.inputs, "input") | dict.fromkeys(recording.outputs, "output")
     roles |= {name: start.causality for name, start in recording.starts.items()}
@@ -156,11 +161,11 @@ def _crossings(fmu: LoneFmu, recording: Recording, mapping: VariableMapping) -> 
 
 
 def _drive(
-    fmu: LoneFmu, recording: Recording, mapping: VariableMapping, crossings: Mapping[str, Crossing],
+    instance: LoadedInstance, recording: Recording, mapping: VariableMapping, crossings: Mapping[str, Crossing],
     report: Callable[[float], None],
 ) -> dict[str, np.ndarray]:  # fmt: skip
     """Initialize as recorded, step through the times, collect the outputs: (rows,) each, in our units."""
-    times, step = recording.times.tolist(), recording.options["StepSize"]
+    times, step, fmu = recording.times.tolist(), recording.options["StepSize"], instance.fmu
     inputs = [v for v in recording.inputs if v in crossings]
     outputs = [v for v in recording.outputs if v in crossings]
     for name in (*inputs, *outputs):
@@ -173,25 +178,26 @@ def _drive(
         crossings[name].name: _there(fmu, crossings[name], value) for name, value in starts.items() if name in crossings
     }
     begin |= {name: parse_value(fmu.variables[name], value, name) for name, value in own.items()}
-    fmu.set(begin)
-    fmu.initialize(recording.options["StopTime"])
-    given, taken = (Port(fmu, [crossings[name].name for name in names]) for names in (inputs, outputs))
+    instance.set_up(recording.options["StopTime"])
+    instance.set_all(begin)
+    instance.enter_initialization()
+    given, taken = (Port(instance, [crossings[name].name for name in names]) for names in (inputs, outputs))
     there, back = [crossings[name].there for name in inputs], [crossings[name].back for name in outputs]
     given.put([begin[crossings[name].name] for name in inputs])
+    instance.exit_initialization()
     rows = [[f(value) for f, value in zip(back, taken.take(), strict=True)]]
-    fmu.begin()
     columns = [recording.inputs[name].tolist() for name in inputs]
     for k in range(len(times) - 1):
         given.put([f(column[k]) for f, column in zip(there, columns, strict=True)])
         gap = times[k + 1] - times[k]
-        fmu.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, times[k]) else gap)
+        instance.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, times[k]) else gap)
         rows.append([f(value) for f, value in zip(back, taken.take(), strict=True)])
         if k % 1000 == 0:
             report(times[k] / times[-1])
     return dict(zip(outputs, np.array(rows).T.reshape(len(outputs), -1), strict=True))
 
 
-def _there(fmu: LoneFmu, cross: Crossing, text: str) -> object:
+def _there(fmu: Fmu, cross: Crossing, text: str) -> float | int | bool | str:
     variable = fmu.variables[cross.name]
     value = float(text) if variable.type in REALS and not cross.exact else text
     return parse_value(variable, cross.there(value) if isinstance(value, float) else value, cross.name)

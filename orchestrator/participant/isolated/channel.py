@@ -1,7 +1,10 @@
 """Between the master and an FMU in a process of its own: a pipe each way for what to do, shared memory for the values.
 
-A message is its length, a letter and a body. `J`: a call by name, as JSON. `F`: an FMI function by its number, with the
-value references and values in the shared memory; the answer is the status and what the FMU has logged, as JSON.
+A message has a head (a mark, a number that answers repeat, the length of what follows, a checksum), a letter and a
+body. `J`: a call by name, as JSON. `F`: an FMI function by its number, with the value references and values in the
+shared memory; the answer is the status, and as JSON what is new of the instance. The FMU's code shares the process and
+may write to every descriptor there, or close it: what does not fit ends the conversation and is never taken for an
+answer. It gets no chance to keep the master waiting either: every wait has an end.
 """
 
 from __future__ import annotations
@@ -9,54 +12,149 @@ from __future__ import annotations
 import ctypes
 import mmap
 import os
+import select
 import struct
+import time
+import zlib
 from collections.abc import Sequence
+from contextlib import suppress
 
-HEADER = struct.Struct("<Ic")
-CALL = struct.Struct("<HxxxxxxQQdd")  # function, references, values, and for a step its time and length
+MARK = 0x52764263
+HEAD = struct.Struct("<IIII")
+CALL = struct.Struct(
+    "<HxxxxxxQQdd?"
+)  # function, references, values; for a step its time, length and whether it is final
+STATUS = struct.Struct("<i")
+LONGEST = 1 << 30  # bytes of a message: a state as text
 REFERENCES, VALUES, TEXT_ROOM = 1 << 20, 1 << 20, 1 << 20  # bytes; offsets follow from them
 SIZE = REFERENCES + VALUES + TEXT_ROOM
 AT_REFERENCES, AT_VALUES = 0, REFERENCES
 AT_TEXT = AT_VALUES + VALUES
+ASIDE = 640  # the number from which on descriptors lie out of the way of code that closes or fills the first ones
 
 
 class ChannelClosedError(Exception):
     """The other side has gone."""
 
 
-def send(pipe: int, letter: bytes, body: bytes) -> None:
-    """Write a whole message. Raises ChannelClosedError."""
-    data = memoryview(HEADER.pack(len(body), letter) + body)
-    try:
+class ChannelBrokenError(Exception):
+    """What came is no message of the other side."""
+
+
+class ChannelSilentError(Exception):
+    """The other side did not read or answer in time."""
+
+
+class Channel:
+    """One side's ends of the two pipes."""
+
+    def __init__(self, reads: int, writes: int) -> None:
+        self.reads, self.writes = reads, writes
+        for pipe in (reads, writes):
+            os.set_blocking(pipe, False)
+        self.number = 0  # of the last message that was sent
+        self._came = bytearray()  # and is not yet taken
+        self._readable, self._writable = select.poll(), select.poll()
+        self._readable.register(reads, select.POLLIN)
+        self._writable.register(writes, select.POLLOUT)
+
+    def ask(self, letter: bytes, body: bytes, limit: float) -> tuple[bytes, bytes]:
+        """Send a message; the letter and body of its answer. Those to messages that a Ctrl-C gave up are dropped.
+
+        `limit` [s] for all of it. Raises ChannelClosedError, ChannelBrokenError, ChannelSilentError.
+        """
+        end = time.monotonic() + limit
+        self.number += 1
+        self.send(letter, body, self.number, end)
+        while True:
+            number, letter, body = self.receive(end)
+            if number == self.number:
+                return letter, body
+            if number > self.number:
+                raise ChannelBrokenError
+
+    def send(self, letter: bytes, body: bytes, number: int, end: float | None = None) -> None:
+        """Write a whole message until `end` (of time.monotonic)."""
+        content = letter + body
+        data = memoryview(HEAD.pack(MARK, number, len(content), zlib.crc32(content, number)) + content)
         while data:
-            data = data[os.write(pipe, data) :]
-    except OSError as error:
-        raise ChannelClosedError from error
+            try:
+                data = data[os.write(self.writes, data) :]
+            except BlockingIOError:
+                self._wait(self._writable, end)
+            except OSError as error:
+                raise ChannelClosedError from error
+
+    def receive(self, end: float | None = None) -> tuple[int, bytes, bytes]:
+        """Number, letter and body of the next message."""
+        mark, number, length, checksum = HEAD.unpack(self._exactly(HEAD.size, end))
+        if mark != MARK or not 0 < length <= LONGEST:
+            raise ChannelBrokenError
+        content = self._exactly(length, end)
+        if zlib.crc32(content, number) != checksum:
+            raise ChannelBrokenError
+        return number, content[:1], content[1:]
+
+    def _exactly(self, length: int, end: float | None) -> bytes:
+        while len(self._came) < length:
+            self._wait(self._readable, end)
+            try:
+                part = os.read(self.reads, 1 << 16)
+            except BlockingIOError:
+                continue
+            except OSError as error:
+                raise ChannelClosedError from error
+            if not part:
+                raise ChannelClosedError
+            self._came += part
+        found = bytes(self._came[:length])
+        del self._came[:length]
+        return found
+
+    def _wait(self, for_what: select.poll, end: float | None) -> None:
+        """Until something can be read or written, and no longer than to `end`."""
+        left = None if end is None else 1000.0 * (end - time.monotonic())
+        if (left is not None and left <= 0.0) or not for_what.poll(left):
+            raise ChannelSilentError
+
+    def close(self) -> None:
+        for pipe in (self.writes, self.reads):
+            with suppress(OSError):
+                os.close(pipe)
+        self.reads = self.writes = -1
 
 
-def receive(pipe: int) -> tuple[bytes, bytes]:
-    """The letter and body of the next message. Raises ChannelClosedError."""
-    length, letter = HEADER.unpack(_exactly(pipe, HEADER.size))
-    return letter, _exactly(pipe, length)
+def aside(descriptor: int) -> int:
+    """The same open file under a number out of the way, not inherited by programs that the FMU starts."""
+    import fcntl
 
-
-def _exactly(pipe: int, length: int) -> bytes:
-    parts, left = [], length
-    while left:
-        part = os.read(pipe, left)
-        if not part:
-            raise ChannelClosedError
-        parts.append(part)
-        left -= len(part)
-    return b"".join(parts)
+    try:
+        moved = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, ASIDE)
+    except OSError:  # a lower limit of open files
+        return descriptor
+    os.close(descriptor)
+    return moved
 
 
 class Shared:
-    """The shared memory, on both sides mapped from one file descriptor."""
+    """The shared memory, on both sides mapped from one file descriptor, which is not needed any more then."""
 
     def __init__(self, file: int) -> None:
-        self.map = mmap.mmap(file, SIZE)
-        self.base = ctypes.addressof(ctypes.c_char.from_buffer(self.map))
+        # Python's own mmap keeps a copy of the descriptor, through which an FMU could write into the memory.
+        mapping = ctypes.CDLL(None, use_errno=True).mmap
+        mapping.restype, mapping.argtypes = ctypes.c_void_p, [
+            ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int, ctypes.c_int, ctypes.c_int, ctypes.c_long,
+        ]  # fmt: skip
+        found = mapping(None, SIZE, mmap.PROT_READ | mmap.PROT_WRITE, mmap.MAP_SHARED, file, 0)
+        if found in (None, ctypes.c_void_p(-1).value):
+            raise OSError(ctypes.get_errno(), "memory cannot be shared with the process of an FMU")
+        self.base = int(found)
+        os.close(file)
+
+    def close(self) -> None:
+        """Give the memory back."""
+        ctypes.CDLL(None).munmap(ctypes.c_void_p(self.base), ctypes.c_size_t(SIZE))
+        self.base = 0
 
     @property
     def references(self) -> int:
@@ -71,15 +169,15 @@ class Shared:
         data = b"".join(text + b"\0" for text in texts)
         if len(data) > TEXT_ROOM:
             return False
-        self.map[AT_TEXT : AT_TEXT + len(data)] = data
+        ctypes.memmove(self.base + AT_TEXT, data, len(data))
         return True
 
     def text_addresses(self, count: int) -> list[int]:
         """Where the texts are."""
-        found, at = [], AT_TEXT
+        found, at = [], self.base + AT_TEXT
         for _ in range(count):
-            found.append(self.base + at)
-            at = self.map.find(b"\0", at) + 1
+            found.append(at)
+            at += len(ctypes.string_at(at)) + 1
         return found
 
 

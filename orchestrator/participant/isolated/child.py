@@ -9,143 +9,112 @@ import base64
 import ctypes
 import json
 import os
-import signal
 import sys
-import threading
-import time
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ...fmu.fmu import Fmu
-from ..base import Instance
+from ...processes import end_with, watch
+from ..base import CallError, Instance, State
 from ..opening import load
-from .channel import CALL, ChannelClosedError, Shared, put_pointers, receive, send, texts_at
+from .channel import CALL, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions
 
-PR_SET_PDEATHSIG = 1
+BY_NAME = ("set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save", "restore",
+           "forget", "serialize", "deserialize", "why_discarded", "close")  # fmt: skip
 
 
 def main(arguments: list[str]) -> None:
     """Serve until the pipe closes."""
     pipe_in, pipe_out, memory, master = map(int, arguments[:4])
-    _end_with(master)
+    end_with(master)
+    watch(master)
+    channel = Channel(aside(pipe_in), aside(pipe_out))
     with suppress(ChannelClosedError):
-        _serve(pipe_in, pipe_out, Shared(memory), Path(arguments[4]), arguments[5], arguments[6])
+        Served(Path(arguments[4]), arguments[5], arguments[6], Shared(memory)).answer(channel)
     sys.stdout.flush()
     os._exit(0)  # the libraries of some FMUs crash when they are taken down
 
 
-def _end_with(master: int) -> None:
-    """Let the system end this process when its master ends, whatever the FMU does then."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-    if os.getppid() != master:
-        os._exit(1)
-
-    def watch() -> None:
-        while os.getppid() == master:
-            time.sleep(1.0)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
-
-
-def _serve(pipe_in: int, pipe_out: int, shared: Shared, path: Path, digest: str, name: str) -> None:
-    served: _Served | None = None
-    answer: dict[str, Any]
-    while True:
-        letter, body = receive(pipe_in)
-        if letter == b"F":
-            assert served is not None
-            answer = {"status": served.function(body, shared)}
-        else:
-            try:
-                what, *values = json.loads(body)
-                if what == "start":
-                    served = _Served(_open(path, digest, name))
-                    answer = {"ok": served.instance.pointer}
-                else:
-                    assert served is not None
-                    answer = {"ok": getattr(served, what)(*values)}
-            except Exception as error:
-                answer = {"error": str(error)}
-        if served is not None:
-            answer |= {"log": list(served.instance.messages), "dead": served.instance.dead}
-            served.instance.messages.clear()
-        send(pipe_out, letter, json.dumps(answer).encode())
-
-
-def _open(path: Path, digest: str, name: str) -> Instance:
-    fmu = Fmu.open(path)
-    if fmu.digest != digest:
-        raise ValueError(f"{path.name} has changed since the system was read; start again")
-    return load(fmu, name)
-
-
-class _Served:
+class Served:
     """An instance, and its functions by number."""
 
-    def __init__(self, instance: Instance) -> None:
-        self.instance = instance
-        self.functions = functions(instance.fmu.version)
+    def __init__(self, path: Path, digest: str, name: str, shared: Shared) -> None:
+        self.path, self.digest, self.name, self.shared = path, digest, name, shared
+        self.instance: Instance | None = None
+        self.functions: list[Function] = []
         self.loaded: dict[int, Any] = {}
+        self.told: State | None = None  # the state that the master knows
 
-    def function(self, body: bytes, shared: Shared) -> int:
+    def answer(self, channel: Channel) -> None:
+        """Messages as they come."""
+        while True:
+            number, letter, body = channel.receive()
+            if letter == b"F":
+                status = STATUS.pack(self.function(body))
+                news = self.news()
+                channel.send(letter, status + json.dumps(news).encode() if news else status, number)
+                continue
+            try:
+                answer: dict[str, Any] = {"ok": self.by_name(*json.loads(body))}
+            except Exception as error:
+                answer = {"error": str(error), "status": getattr(error, "status", None)}
+            channel.send(letter, json.dumps(answer | self.news()).encode(), number)
+
+    def news(self) -> dict[str, Any]:
+        """What the master must know of the instance: messages, and its state where that has changed."""
+        found: dict[str, Any] = {}
+        if self.instance is not None:
+            if self.instance.messages:
+                found["log"] = list(self.instance.messages)
+                self.instance.messages.clear()
+            if self.instance.state is not self.told:
+                self.told = self.instance.state
+                found["state"] = self.told.name
+        return found
+
+    def by_name(self, what: str, *values: Any) -> Any:
+        """A method of the instance; bytes travel as text."""
+        if what == "start":
+            fmu = Fmu.open(self.path)
+            if fmu.digest != self.digest:
+                raise ValueError(f"{self.path.name} has changed since the system was read; start again")
+            self.instance, self.functions = load(fmu, self.name), functions(fmu.version)
+            return self.instance.pointer
+        if self.instance is None or what not in BY_NAME:
+            raise CallError(f"{what} cannot be called in a process of its own")
+        if what == "deserialize":
+            values = (base64.b64decode(values[0]),)
+        found = getattr(self.instance, what)(*values)
+        return base64.b64encode(found).decode() if isinstance(found, bytes) else found
+
+    def function(self, body: bytes) -> int:
         """An FMI function with references and values in the shared memory; the status."""
-        number, references, values, time, length = CALL.unpack(body)
-        function: Function = self.functions[number]
+        number, references, values, time, length, final = CALL.unpack(body)
+        function, instance = self.functions[number], self.instance
+        assert instance is not None
         if number not in self.loaded:
-            self.loaded[number] = function.prototype(self.instance.address(function.name))
-        native, pointer, at = self.loaded[number], self.instance.pointer, shared.values
-        if function.kind == "step":
-            ends = [1] if self.instance.fmu.version == 2 else [True, at, at + 1, at + 2, at + 8]
-            return int(native(pointer, time, length, *ends))
-        if function.kind in ("get_state", "free_state"):
-            return int(native(pointer, at))
-        if function.kind == "set_state":
-            return int(native(pointer, ctypes.c_void_p.from_address(at).value))
-        if function.text and function.kind == "set":
-            put_pointers(at, shared.text_addresses(values))
-        sizes = [values] if self.instance.fmu.version == 3 else []
-        status = int(native(pointer, shared.references, references, at, *sizes))
-        if function.text and function.kind == "get" and status <= 1 and not shared.put_texts(texts_at(at, values)):
-            self.instance.messages.append("its texts are longer than the memory shared with it")
-            return 3
-        return status
-
-    def set_all(self, values: dict[str, Any]) -> None:
-        self.instance.set_all(values)
-
-    def get(self, name: str) -> Any:
-        return self.instance.get(name)
-
-    def enter_initialization(self, stop: float) -> None:
-        self.instance.enter_initialization(stop)
-
-    def exit_initialization(self) -> None:
-        self.instance.exit_initialization()
-
-    def save(self) -> int:
-        return self.instance.save()
-
-    def restore(self, state: int) -> None:
-        self.instance.restore(state)
-
-    def forget(self, state: int) -> None:
-        self.instance.forget(state)
-
-    def serialize(self, state: int) -> str:
-        return base64.b64encode(self.instance.serialize(state)).decode()
-
-    def deserialize(self, content: str) -> int:
-        return self.instance.deserialize(base64.b64decode(content))
-
-    def why_discarded(self) -> str:
-        return self.instance.why_discarded()
-
-    def close(self, terminate: bool) -> None:
-        self.instance.close(terminate)
+            self.loaded[number] = function.prototype(instance.address(function.name))
+        native, pointer, at = self.loaded[number], instance.pointer, self.shared.values
+        version, kind = instance.fmu.version, function.kind
+        if kind == "step":
+            ends = [int(final)] if version == 2 else [final, at, at + 1, at + 2, at + 8]
+            status = native(pointer, time, length, *ends)
+        elif kind in ("save", "forget"):
+            status = native(pointer, at)
+        elif kind == "restore":
+            status = native(pointer, ctypes.c_void_p.from_address(at).value)
+        else:
+            if function.text and kind == "set":
+                put_pointers(at, self.shared.text_addresses(values))
+            sizes = [values] if version == 3 else []
+            status = native(pointer, self.shared.references, references, at, *sizes)
+            if function.text and kind == "get" and status in (0, 1) and not self.shared.put_texts(texts_at(at, values)):
+                instance.messages.append("its texts are longer than the memory shared with it")
+                return 3
+        instance.noted(kind, int(status))
+        return int(status)
 
 
 if __name__ == "__main__":

@@ -9,34 +9,45 @@ from typing import Any
 from ...fmu.types import TYPES, function_type
 
 POINTER, DOUBLE, SIZE_T, INT, BOOL = ctypes.c_void_p, ctypes.c_double, ctypes.c_size_t, ctypes.c_int, ctypes.c_bool
+IN_C = {POINTER: "uintptr_t", DOUBLE: "double", SIZE_T: "size_t", INT: "int", BOOL: "_Bool"}
 
 
 @dataclass(frozen=True)
 class Function:
-    """`kind`: set, get, step, or state; `size` bytes of a value; `text` where values are pointers to text."""
+    """`kind`: the action of `lifecycle.py`; `size` bytes of a value; `text` where values are pointers to text."""
 
     name: str
     kind: str
     size: int
     text: bool
-    prototype: Any
+    arguments: tuple[Any, ...]
+
+    @property
+    def prototype(self) -> Any:
+        """For ctypes."""
+        return ctypes.CFUNCTYPE(INT, *self.arguments)
+
+    @property
+    def signature(self) -> str:
+        """In C, with addresses as whole numbers."""
+        return f"int({', '.join(IN_C[kind] for kind in self.arguments)})"
 
 
 def functions(version: int) -> list[Function]:
     """All of one version, in the order of their numbers."""
     prefix = f"fmi{version}"
-    exchange = [POINTER, POINTER, SIZE_T, POINTER, *([SIZE_T] if version == 3 else [])]
+    exchange = (POINTER, POINTER, SIZE_T, POINTER, *([SIZE_T] if version == 3 else []))
     found = [
-        Function(f"{prefix}{verb}{name}", verb.lower(), kind.size, name == "String", ctypes.CFUNCTYPE(INT, *exchange))
+        Function(f"{prefix}{verb}{name}", verb.lower(), kind.size, name == "String", exchange)
         for kind in TYPES[version].values()
         for name in [function_type(version, kind.name)]
         if name == kind.name
         for verb in ("Set", "Get")
     ]
-    step = [POINTER, DOUBLE, DOUBLE, *([INT] if version == 2 else [BOOL, *(POINTER,) * 4])]
-    found.append(Function(f"{prefix}DoStep", "step", 0, False, ctypes.CFUNCTYPE(INT, *step)))
+    step = (POINTER, DOUBLE, DOUBLE, *([INT] if version == 2 else [BOOL, *(POINTER,) * 4]))
+    found.append(Function(f"{prefix}DoStep", "step", 0, False, step))
     state = "FMUstate" if version == 2 else "FMUState"
     return found + [
-        Function(f"{prefix}{verb}{state}", verb.lower() + "_state", 0, False, ctypes.CFUNCTYPE(INT, POINTER, POINTER))
-        for verb in ("Get", "Set", "Free")
+        Function(f"{prefix}{verb}{state}", kind, 0, False, (POINTER, POINTER))
+        for verb, kind in (("Get", "save"), ("Set", "restore"), ("Free", "forget"))
     ]

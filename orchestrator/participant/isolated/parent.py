@@ -7,40 +7,35 @@ memory; the loop does not know the difference, and gets the same bits.
 from __future__ import annotations
 
 import base64
-import ctypes
 import json
 import os
-import select
-import signal
 import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
-from contextlib import suppress
 from typing import Any
 
 from ...errors import FmuError
 from ...fmu.fmu import Fmu
-from ..base import Instance, Value
+from ...processes import end, how_ended, start
+from ..base import CallError, Instance, State, Value
+from ..exit_guard import made_by_pythonfmu
+from ..lifecycle import FATAL
+from .callbacks import Callbacks
 from .channel import (
-    AT_REFERENCES,
-    AT_VALUES,
-    CALL,
-    REFERENCES,
     SIZE,
-    VALUES,
+    STATUS,
+    Channel,
+    ChannelBrokenError,
     ChannelClosedError,
+    ChannelSilentError,
     Shared,
-    put_pointers,
-    receive,
-    send,
-    texts_at,
 )
-from .functions import Function, functions
 
-STARTING = 120.0  # s for Python and the FMU to start, at least
+STARTING = (
+    120.0  # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
+)
 CLOSING = 2.0  # s
-FATAL = 4
 
 
 class IsolatedInstance(Instance):
@@ -52,23 +47,25 @@ class IsolatedInstance(Instance):
         state = "FMUstate" if fmu.version == 2 else "FMUState"
         self.state_functions = (f"{self.prefix}Get{state}", f"{self.prefix}Set{state}", f"{self.prefix}Free{state}")
         self.timeout = timeout
-        self._callbacks: dict[str, Any] = {}
-        with tempfile.TemporaryFile(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as memory:
-            memory.truncate(SIZE)
-            self.shared = Shared(memory.fileno())
-            self._start(memory.fileno())
+        self.compiles = made_by_pythonfmu(fmu)  # perhaps, until its first step
+        memory, path = tempfile.mkstemp(dir="/dev/shm" if os.path.isdir("/dev/shm") else None)
+        os.unlink(path)
+        os.truncate(memory, SIZE)
+        self.process, self.channel = self._start(memory)
+        self.shared = Shared(memory)
+        self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
             self._pointer = int(self._by_name("start", limit=max(timeout, STARTING)))
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None
 
-    def _start(self, memory: int) -> None:
-        to_child, self._out = os.pipe()
-        self._in, from_child = os.pipe()
+    def _start(self, memory: int) -> tuple[subprocess.Popen[bytes], Channel]:
+        to_child, out = os.pipe()
+        into, from_child = os.pipe()
         ends = (to_child, from_child, memory)
         command = [sys.executable, "-m", f"{__package__}.child", *map(str, ends), str(os.getpid())]
-        self.process = subprocess.Popen(
+        process = start(
             [*command, str(self.fmu.path), self.fmu.digest, self.name],
             pass_fds=ends,
             stdin=subprocess.DEVNULL,
@@ -76,106 +73,99 @@ class IsolatedInstance(Instance):
         )
         os.close(to_child)
         os.close(from_child)
-        self._poll = select.poll()
-        self._poll.register(self._in, select.POLLIN)
+        return process, Channel(into, out)
 
     @property
     def pointer(self) -> int:
         return self._pointer
 
-    def _exchange(self, letter: bytes, body: bytes, limit: float) -> dict[str, Any]:
-        """A message and its answer. Raises ChannelClosedError, with `fault` set, if the process is no more or hangs."""
+    def address(self, function: str) -> int:
+        found = self._callbacks.address(function)
+        if not found:
+            raise FmuError(f"component {self.name}: {function} cannot be called in a process of its own")
+        return found
+
+    # --- calls ---
+
+    @property
+    def limit(self) -> float:
+        """How long a call may take [s]."""
+        return max(self.timeout, STARTING) if self.compiles else self.timeout
+
+    def _exchange(self, letter: bytes, body: bytes, limit: float) -> bytes:
+        """A message and the body of its answer. Raises ChannelClosedError, with `fault` set, if there is none."""
         try:
-            send(self._out, letter, body)
-            if not self._poll.poll(1000 * limit):
-                self.fault = f"its process did not answer within {limit:g} s and was ended"
-                self.process.kill()
-                raise ChannelClosedError
-            answer: dict[str, Any] = json.loads(receive(self._in)[1])
+            answered, answer = self.channel.ask(letter, body, limit)
+            if answered != letter:
+                raise ChannelBrokenError
+        except ChannelSilentError:
+            self._lost(f"its process did not answer within {limit:g} s and was ended")
+            raise ChannelClosedError from None
+        except ChannelBrokenError:
+            self._lost(
+                "its process sent what is no answer (the FMU writes to files that are not its own) and was ended"
+            )
+            raise ChannelClosedError from None
         except ChannelClosedError:
-            self.dead = True
-            code = self.process.wait()
-            self.fault = self.fault or _ended(code)
+            try:
+                self._lost(f"its process {how_ended(self.process.wait(CLOSING))}")
+            except subprocess.TimeoutExpired:
+                self._lost("its process closed the connection to the master and was ended")
             raise
-        self.messages.extend(answer.get("log", []))
-        self.dead = self.dead or bool(answer.get("dead"))
         return answer
 
-    def _by_name(self, what: str, *arguments: Any, limit: float = 0.0) -> Any:
+    def _lost(self, fault: str) -> None:
+        """What befell the process; the first counts. It is no more then."""
+        self.fault = self.fault or fault
+        self.state = State.DEAD
+        self.process.kill()
+        self.process.wait()
+
+    def broken_off(self, error: type[BaseException]) -> None:
+        """An exception came while the loop waited for a call: nobody knows what became of that."""
+        ctrl_c = issubclass(error, KeyboardInterrupt)
+        self._lost(f"its call was broken off by {'a second Ctrl-C' if ctrl_c else error.__name__}")
+
+    def _news(self, found: dict[str, Any]) -> None:
+        self.messages.extend(found.get("log", ()))
+        if "state" in found:
+            self.state = State[found["state"]]
+
+    def _function(self, kind: str, body: bytes) -> int:
+        """A call of the loop: its status. Whatever goes wrong is Fatal, with `fault` set."""
         if self.dead:
-            reason = self.fault or "after a fatal error"
-            raise FmuError(f"component {self.name}: cannot {what.replace('_', ' ')}: {reason}{self.log_text()}")
+            return FATAL
         try:
-            answer = self._exchange(b"J", json.dumps([what, *arguments]).encode(), limit or self.timeout)
+            answer = self._exchange(b"F", body, self.limit)
         except ChannelClosedError:
-            raise FmuError(
-                f"component {self.name}: {self.fault} in the call `{what.replace('_', ' ')}`{self.log_text()}"
-            ) from None
+            return FATAL
+        if len(answer) > STATUS.size:
+            self._news(json.loads(answer[STATUS.size :]))
+        if kind == "step":
+            self.compiles = False
+        return int(STATUS.unpack_from(answer)[0])
+
+    def fault_here(self, fault: str) -> int:
+        """Something that cannot be passed on; Fatal."""
+        self.fault = fault
+        return FATAL
+
+    def _by_name(self, what: str, *arguments: Any, limit: float = 0.0) -> Any:
+        shown = {"close": "terminate or free"}.get(what, what.replace("_", " "))
+        if self.dead:
+            reason = self.fault or f"it is {self.state.value}"
+            raise CallError(f"component {self.name}: cannot {shown}: {reason}{self.log_text()}")
+        try:
+            answer = json.loads(self._exchange(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
+        except ChannelClosedError:
+            raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
+        self._news(answer)
         if "error" in answer:
-            raise FmuError(answer["error"])
+            raise CallError(answer["error"], answer.get("status"))
         return answer["ok"]
 
-    def address(self, function: str) -> int:
-        if function not in self._callbacks:
-            known = functions(self.fmu.version)
-            number = next((k for k, f in enumerate(known) if f.name == function), None)
-            if number is None:
-                raise FmuError(f"component {self.name}: {function} cannot be called in a process of its own")
-            self._callbacks[function] = known[number].prototype(self._callback(number, known[number]))
-        return ctypes.cast(self._callbacks[function], ctypes.c_void_p).value or 0
-
-    def _callback(self, number: int, function: Function) -> Any:
-        """What the loop calls in place of an FMI function. It never raises: errors are the status Fatal."""
-        shared = self.shared
-
-        def remote(references: int = 0, values: int = 0, time: float = 0.0, length: float = 0.0) -> int:
-            if self.dead:
-                return FATAL
-            try:
-                answer = self._exchange(b"F", CALL.pack(number, references, values, time, length), self.timeout)
-            except ChannelClosedError:
-                return FATAL
-            return int(answer["status"])
-
-        def exchange(_instance: int, references: int, count: int, values: int, size: int | None = None) -> int:
-            number_of_values = count if size is None else size
-            room = function.size * number_of_values
-            if 4 * count > REFERENCES or room > VALUES:
-                self.fault = "it has more values than the memory shared with it can hold"
-                return FATAL
-            ctypes.memmove(shared.base + AT_REFERENCES, references, 4 * count)
-            if function.kind == "set" and function.text:
-                if not shared.put_texts(texts_at(values, number_of_values)):
-                    self.fault = "its texts are longer than the memory shared with it"
-                    return FATAL
-            elif function.kind == "set":
-                ctypes.memmove(shared.base + AT_VALUES, values, room)
-            status = remote(count, number_of_values)
-            if function.kind == "get" and status <= 1:
-                if function.text:
-                    put_pointers(values, shared.text_addresses(number_of_values))
-                else:
-                    ctypes.memmove(values, shared.base + AT_VALUES, room)
-            return status
-
-        def step(_instance: int, time: float, length: float, _no_set: int, *ends: int) -> int:
-            status = remote(time=time, length=length)
-            for end, at, size in zip(ends, (0, 1, 2, 8), (1, 1, 1, 8), strict=False):
-                ctypes.memmove(end, shared.base + AT_VALUES + at, size)
-            return status
-
-        def state(_instance: int, value: int | None) -> int:
-            cell = ctypes.c_void_p.from_address(shared.base + AT_VALUES)
-            if function.kind == "set_state":
-                cell.value = value
-                return remote()
-            outside = ctypes.c_void_p.from_address(value or 0)
-            cell.value = outside.value
-            status = remote()
-            outside.value = cell.value
-            return status
-
-        return {"set": exchange, "get": exchange, "step": step}.get(function.kind, state)
+    def set_up(self, stop: float | None, start: float = 0.0) -> None:
+        self._by_name("set_up", stop, start)
 
     def set_own(self, values: Mapping[str, Value]) -> None:
         if values:
@@ -184,11 +174,15 @@ class IsolatedInstance(Instance):
     def get_own(self, name: str) -> Any:
         return self._by_name("get", name)
 
-    def enter_initialization(self, stop: float) -> None:
-        self._by_name("enter_initialization", stop)
+    def enter_initialization(self) -> None:
+        self._by_name("enter_initialization")
 
     def exit_initialization(self) -> None:
         self._by_name("exit_initialization")
+
+    def step(self, time: float, length: float) -> None:
+        self._by_name("step", time, length)
+        self.compiles = False
 
     def save(self) -> int:
         return int(self._by_name("save"))
@@ -208,30 +202,24 @@ class IsolatedInstance(Instance):
     def why_discarded(self) -> str:
         return "" if self.dead else str(self._by_name("why_discarded"))
 
-    def close(self, terminate: bool = True) -> None:
+    # --- the end ---
+
+    def close(self) -> str:
+        said = ""
         if not self.dead:
-            with suppress(FmuError):
-                self._by_name("close", terminate)
-        self.dead = True
+            try:
+                said = self._by_name("close")
+            except FmuError as error:
+                said = str(error)
         self._end()
+        if not said and self.state is State.FREED and self.process.returncode:
+            said = f"component {self.name}: its process {how_ended(self.process.returncode)} when it was no more needed"
+        self.state = State.FREED
+        return said
 
     def _end(self) -> None:
         """End the process: it goes when its pipe closes, and is made to if it does not."""
-        for pipe in (self._out, self._in):
-            with suppress(OSError):
-                os.close(pipe)
-        self._out = self._in = -1
-        try:
-            self.process.wait(CLOSING)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
-
-
-def _ended(code: int) -> str:
-    """How a process ended, in words."""
-    if code >= 0:
-        return f"its process ended by itself with exit code {code}"
-    name = signal.Signals(-code).name if -code in set(signal.Signals) else str(-code)
-    words = {"SIGSEGV": " (it reached for memory that is not its own)", "SIGABRT": " (it gave up)"}.get(name, "")
-    return f"its process crashed with {name}{words}"
+        self.channel.close()
+        end(self.process, CLOSING)
+        if self.shared.base:
+            self.shared.close()

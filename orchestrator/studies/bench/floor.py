@@ -25,7 +25,7 @@ def call_all(table: np.ndarray, steps: int, step: float) -> int:
                     table[c, SET], table[c, INSTANCE], table[c, IN_REFS], table[c, IN_COUNT], table[c, VALUES]
                 )
                 worst = max(worst, status)
-            worst = max(worst, do_step(table[c, STEP], table[c, INSTANCE], k * step, step))
+            worst = max(worst, do_step(table[c, STEP], table[c, INSTANCE], k * step, step, 1))
             if table[c, OUT_COUNT]:
                 status = exchange(
                     table[c, GET], table[c, INSTANCE], table[c, OUT_REFS], table[c, OUT_COUNT], table[c, VALUES]
@@ -47,8 +47,9 @@ def floor_loop(plan: Plan) -> float:
     keep, rows = [], []
     for name, instance in instances.items():
         component = plan.system.components[name]
+        instance.set_up(plan.clock.time(plan.clock.stop))
         instance.set_all({**component.parameters, **component.inputs})
-        instance.enter_initialization(plan.clock.time(plan.clock.stop))
+        instance.enter_initialization()
         instance.exit_initialization()
         given, taken = plan.layout.exchanged(name)
         references = [

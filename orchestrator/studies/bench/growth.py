@@ -12,7 +12,7 @@ from typing import Any
 
 from ...errors import RunError
 from ...plan.plan import make_plan
-from ...process import peak_memory
+from ...processes import peak_memory
 from ...system.reader import load_system
 from .native_fmu import feedthrough
 

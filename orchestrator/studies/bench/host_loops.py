@@ -109,10 +109,9 @@ def _fmpy(system: System, _ssp: Path, steps: int, recording: bool) -> tuple[floa
         values.update({(name, output): value for output, value in zip(outputs[name], got, strict=True)})
 
     for name, component in system.components.items():
-        for variable, value in {**component.parameters, **component.inputs}.items():
-            instances[name].set(variable, value)
-        instances[name].slave.setupExperiment(startTime=0.0)
-        instances[name].slave.enterInitializationMode()
+        instances[name].set_up(None)
+        instances[name].set_all({**component.parameters, **component.inputs})
+        instances[name].enter_initialization()
     for name in instances:
         read(name)
     for _ in instances:  # outputs at time 0 may depend on inputs, one component after the other
@@ -120,7 +119,7 @@ def _fmpy(system: System, _ssp: Path, steps: int, recording: bool) -> tuple[floa
             exchange(name)
             read(name)
     for instance in instances.values():
-        instance.slave.exitInitializationMode()
+        instance.exit_initialization()
     period, recorded = next(iter(system.components.values())).period, []
     times = [float(k * period) for k in range(steps)]
     begin = time.perf_counter()
@@ -134,6 +133,8 @@ def _fmpy(system: System, _ssp: Path, steps: int, recording: bool) -> tuple[floa
         if recording:
             recorded.append(dict(values))
     wall = time.perf_counter() - begin
+    for instance in instances.values():
+        instance.close()
     return wall / steps, {".".join(output): value for output, value in values.items()}
 
 

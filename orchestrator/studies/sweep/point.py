@@ -20,7 +20,7 @@ from ...environment import changes, versions
 from ...errors import InputError, RunError
 from ...plan.algorithms.registry import algorithm_of
 from ...plan.plan import Plan, make_plan
-from ...process import peak_memory
+from ...processes import peak_memory
 from ...results.energy import require_energy
 from ...results.summary import check_summary, figure_units, summarize
 from ...results.tables import require_complete

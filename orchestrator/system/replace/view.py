@@ -53,6 +53,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         name, replace(fmu, presented=tuple(presented), crossings=crossings), before.period,
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
                *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings)),
+        isolation=before.isolation, timeout=before.timeout,
     )  # fmt: skip
     left = leave_out(system, before, missing)
     component = replace(component, notes=(*component.notes, *left.notes))

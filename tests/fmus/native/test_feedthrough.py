@@ -14,14 +14,14 @@ from test_native_equality import CASES
 
 def started(path: Path) -> LoadedInstance:
     instance = load(Fmu.open(path), "one")
-    instance.enter_initialization(1.0)
+    instance.begin(1.0)
     instance.exit_initialization()
     return instance
 
 
 def test_the_force_follows_the_speed_that_is_set(fmus: Path) -> None:
     wheel = started(fmus / "wheel.fmu")
-    wheel.slave.doStep(0.0, 0.01)
+    wheel.step(0.0, 0.01)
     before = wheel.get("F"), wheel.get("z_w")
     wheel.set("v_c", 0.5)
     assert wheel.get("F") == pytest.approx(before[0] + 1000.0 * 0.5)
@@ -37,7 +37,7 @@ def test_reading_between_set_and_step_does_not_change_the_step(fmus: Path) -> No
             wheel.set("v_c", 0.1 * k)
             if read:
                 wheel.get("F")
-            wheel.slave.doStep(0.01 * k, 0.01)
+            wheel.step(0.01 * k, 0.01)
         values.append([wheel.get(name) for name in ("F", "z_w", "J")])
         wheel.close()
     assert values[0] == values[1]
@@ -45,15 +45,15 @@ def test_reading_between_set_and_step_does_not_change_the_step(fmus: Path) -> No
 
 def test_a_state_saved_behind_a_set_input_has_the_answer(fmus: Path) -> None:
     wheel = started(fmus / "wheel.fmu")
-    wheel.slave.doStep(0.0, 0.01)
+    wheel.step(0.0, 0.01)
     wheel.set("v_c", 0.5)
-    state = wheel.slave.getFMUState()
+    state = wheel.save()
     force = wheel.get("F")
     wheel.set("v_c", 0.7)
     assert wheel.get("F") != force
-    wheel.slave.setFMUState(state)
+    wheel.restore(state)
     assert wheel.get("F") == force and wheel.get("v_c") == 0.5
-    wheel.slave.freeFMUState(state)
+    wheel.forget(state)
     wheel.close()
 
 
@@ -71,12 +71,12 @@ def test_python_and_native_fmus_answer_with_the_same_bits(name: str, fmus: Path,
             instance.set_all({v: float(generator.uniform(*ranges[v.split("[")[0]])) for v in changing})
             state = instance.save()
             found += [instance.get(v) for v in outputs]
-            instance.slave.doStep(k * h, h)
+            instance.step(k * h, h)
             found += [instance.get(v) for v in outputs]
             instance.restore(state)
             instance.forget(state)
             found += [instance.get(v) for v in outputs]
-            instance.slave.doStep(k * h, h)
+            instance.step(k * h, h)
         seen.append(np.array(found, dtype=float).tobytes())
         instance.close()
     assert seen[0] == seen[1] == seen[2]

@@ -25,11 +25,10 @@ def started(path: Path, **values: Any) -> Iterator[Instance]:
     """An instance at time 0."""
     instance = Instance(Fmu.open(path), "test")
     try:
-        for key, value in values.items():
-            instance.set(key, value)
-        instance.call("set up", instance.slave.setupExperiment, None, 0.0, 10.0)
-        instance.call("enter", instance.slave.enterInitializationMode)
-        instance.call("leave", instance.slave.exitInitializationMode)
+        instance.set_up(10.0)
+        instance.set_all(values)
+        instance.enter_initialization()
+        instance.exit_initialization()
         yield instance
     finally:
         instance.close()
@@ -45,7 +44,7 @@ def stir(instance: Instance, first: int, steps: int) -> list[list[float]]:
     for k in range(first, first + steps):
         for number, name in enumerate(inputs):
             instance.set(name, bounded(described[name], 0.01 * np.sin(0.3 * k + number)))
-        instance.call("step", instance.slave.doStep, k * H, H)
+        instance.step(k * H, H)
         history.append(instance.slave.getReal(references))
     return history
 

@@ -43,7 +43,8 @@ def test_instances_can_be_made_and_freed_many_times(fmus: Path) -> None:
     for k in range(100):
         instance = Instance(fmu, f"i{k}")
         instance.set("x_start", float(k))
-        assert instance.get("x") == k
+        with instance.unguarded():  # FMI 2.0 allows no get before initialization
+            assert instance.get("x") == k
         instance.close()
     with started(fmus / "integrator.fmu") as instance:
         assert stir(instance, 0, 1)

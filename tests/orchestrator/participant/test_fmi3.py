@@ -47,7 +47,7 @@ def test_states_are_saved_restored_and_carried_over(native: Path) -> None:
     fmu = Fmu.open(native / "feedthrough3.fmu")
     first, second = load(fmu, "first"), load(fmu, "second")
     for instance in (first, second):
-        instance.enter_initialization(1.0)
+        instance.begin(1.0)
         instance.exit_initialization()
     first.set_all({"Int64_in": 5, "a_in[3]": 9.0, "t_in[2]": "kept"})
     kept = first.save()

@@ -101,19 +101,19 @@ def test_states_travel_between_here_and_there(native: Path) -> None:
     there, here = IsolatedInstance(fmu, "there", 10.0), load(fmu, "here")
     try:
         for instance in (there, here):
-            instance.enter_initialization(1.0)
+            instance.begin(1.0)
             instance.exit_initialization()
-        there.set("x", 4.0)
+        there.set("u", 4.0)
         kept = there.save()
         content = there.serialize(kept)
-        there.set("x", 5.0)
+        there.set("u", 5.0)
         there.restore(kept)
-        assert there.get("x") == 4.0
+        assert there.get("u") == 4.0
         here.restore(here.deserialize(content))
-        assert here.get("x") == 4.0
+        assert here.get("u") == 4.0
         there.restore(there.deserialize(here.serialize(here.save())))
         there.forget(kept)
-        assert there.get("x") == 4.0
+        assert there.get("u") == 4.0
     finally:
         there.close()
         here.close()

@@ -62,7 +62,7 @@ def test_an_fmu_that_cannot_save_its_state_says_so(tmp_path: Path) -> None:
     instance = load(fmu, "a")
     with pytest.raises(FmuError, match=r"component a: stateless\.fmu cannot save its state"):
         instance.save()
-    instance.close(terminate=False)
+    instance.close()
 
 
 def test_an_fmu_that_needs_its_tool_says_so_when_it_cannot_start(tmp_path: Path) -> None:

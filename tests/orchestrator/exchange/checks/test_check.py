@@ -205,7 +205,7 @@ def test_what_cannot_be_checked_is_one_clear_row(
 def test_an_fmu_that_does_not_run_gets_no_further_rules(gain: Edit) -> None:
     rows = check_fmu(gain({"binaries/linux64/gain.so": b"no library"})).rows
     assert [(row.verdict, row.rule) for row in rows[-2:]] == [
-        ("error", "runs"),
+        ("error", "runs with its start values"),
         ("not applicable", "all further rules"),
     ]
 

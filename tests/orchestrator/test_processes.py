@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 from pathlib import Path
@@ -10,8 +11,8 @@ from typing import Any
 
 import pytest
 from helpers import ROOT, build_fixture, python
-from rovbrush.orchestrator.errors import FmuError, InputError
-from rovbrush.orchestrator.shelter import sheltered
+from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.processes import EndedError, in_process
 
 LACKING = """
 [variables]
@@ -32,14 +33,13 @@ def command(*arguments: object) -> Any:
 
 
 def test_results_and_errors_come_back_as_they_are() -> None:
-    fmu = Path("their.fmu")
-    assert sheltered(fmu, divmod, 7, 2) == (3, 1)
+    assert in_process(divmod, 7, 2) == (3, 1)
     with pytest.raises(InputError, match=r"^no such thing$"):
-        sheltered(fmu, refuse, "no such thing")
+        in_process(refuse, "no such thing")
     with pytest.raises(ZeroDivisionError):
-        sheltered(fmu, divmod, 7, 0)
+        in_process(divmod, 7, 0)
     with pytest.raises(SystemExit):
-        sheltered(fmu, sys.exit, 1)
+        in_process(sys.exit, 1)
 
 
 def refuse(text: str) -> None:
@@ -48,12 +48,14 @@ def refuse(text: str) -> None:
 
 @pytest.mark.parametrize(
     ("work", "arguments", "how"),
-    [(os.abort, (), "by SIGABRT"), (os._exit, (3,), "with exit code 3"), (os._exit, (0,), "with exit code 0"),
-     (signal.raise_signal, (signal.SIGSEGV,), "by SIGSEGV")],
+    [(os.abort, (), "crashed with SIGABRT (it gave up)"), (os._exit, (3,), "ended by itself with exit code 3"),
+     (os._exit, (0,), "ended by itself with exit code 0"),
+     (signal.raise_signal, (signal.SIGSEGV,), "crashed with SIGSEGV (it reached for memory that is not its own)"),
+     (signal.raise_signal, (signal.SIGTERM,), "was ended by SIGTERM")],
 )  # fmt: skip
 def test_an_end_of_the_process_is_an_error_that_says_how(work: Any, arguments: Any, how: str) -> None:
-    with pytest.raises(FmuError, match=rf"their\.fmu ended the process that ran it \({how}\); `rovbrush check"):
-        sheltered(Path("their.fmu"), work, *arguments)
+    with pytest.raises(EndedError, match=f"^{re.escape(how)}$"):
+        in_process(work, *arguments)
 
 
 def test_a_crash_in_the_component_test_is_one_message(motor: Path, tmp_path: Path) -> None:
@@ -61,8 +63,8 @@ def test_a_crash_in_the_component_test_is_one_message(motor: Path, tmp_path: Pat
     run = command("test-component", motor, "--as", "dc_motor", "--map", tmp_path / "map.toml")
     assert run.returncode == 1 and "Interface" in run.stdout
     assert [line for line in run.stderr.splitlines() if line.startswith("error: ")] == [
-        f"error: foreign_motor.fmu ended the process that ran it (by SIGABRT); `rovbrush check {motor}` finds out in "
-        "which call; its author can find out why, in a debugger"
+        "error: foreign_motor.fmu ended the run: the process crashed with SIGABRT (it gave up); "
+        f"`rovbrush check {motor}` finds out in which call, and how its author can repeat that"
     ]
     assert "Traceback" not in run.stderr
 
@@ -74,5 +76,5 @@ def test_a_crash_in_a_replay_is_one_message(motor: Path, tmp_path: Path) -> None
     (tmp_path / "map.toml").write_text(f"{LACKING}{absent}[parameters]\nfault = 5\n")
     run = command("replay", motor, folder, "--name", "dc_motor", "--map", tmp_path / "map.toml")
     assert run.returncode == 1, run.stderr
-    assert "error: foreign_motor.fmu ended the process that ran it (by SIGABRT)" in run.stderr
+    assert "error: foreign_motor.fmu ended the run: the process crashed with SIGABRT" in run.stderr
     assert "Traceback" not in run.stderr

@@ -1,0 +1,109 @@
+"""The life of an FMU for co-simulation: which calls are allowed when, and where each leads.
+
+One table for each version, as the standards have it: FMI 2.0.4, section 4.2.4, and FMI 3.0.2, section 4.2.1, without
+what no master here does (configuration and event mode, intermediate update). What a standard leaves to the importer is
+decided here. The order that follows for a run:
+
+    instantiate -> set up (tolerance, start, stop) -> set parameters and start values -> enter initialization
+    -> set inputs, get outputs until they are consistent -> exit initialization -> get the outputs again
+    -> [set, get, step]* -> terminate, unless there was an error -> free, unless it was fatal
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from fmpy.model_description import ModelVariable
+
+OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
+STATUS = {OK: "OK", WARNING: "Warning", DISCARD: "Discard", ERROR: "Error", FATAL: "Fatal", PENDING: "Pending"}
+
+
+class State(Enum):
+    """Where in its life an instance is; the values are words for messages."""
+
+    INSTANTIATED = "instantiated"
+    INITIALIZING = "in initialization mode"
+    STEPPING = "between two steps"
+    INPUTS_SET = "between two steps, with inputs set"
+    STEP_FAILED = "behind a step that it discarded"
+    STEP_PENDING = "in a step that goes on"
+    STEP_CANCELED = "behind a step that was canceled"
+    TERMINATED = "terminated"
+    FAILED = "behind an error"
+    DEAD = "behind a fatal error"
+    FREED = "freed"
+
+
+_I, _M, _S, _U, _F, _P, _C, _T, _E = (
+    State.INSTANTIATED, State.INITIALIZING, State.STEPPING, State.INPUTS_SET, State.STEP_FAILED, State.STEP_PENDING,
+    State.STEP_CANCELED, State.TERMINATED, State.FAILED,
+)  # fmt: skip
+_BETWEEN = frozenset({_S, _U})
+_ANY = frozenset({_I, _M, _S, _U, _F, _C, _T, _E})  # but in a step, and behind a fatal error
+
+# The one deviation from a standard. FMI 2.0, 4.2.4, allows no get after a set before the next step. A coupling by
+# Gauss-Seidel or by bonds reads outputs that inputs act on at once; other masters do so too, and FMI 3.0 allows it.
+GET_AFTER_SET = frozenset({_U})
+
+_COMMON: dict[str, frozenset[State]] = {
+    "set up": frozenset({_I}), "enter": frozenset({_I}), "exit": frozenset({_M}), "step": _BETWEEN,
+    "set": frozenset({_I, _M}) | _BETWEEN, "reset": _ANY, "free": _ANY,
+    "save": _ANY, "restore": _ANY, "forget": _ANY, "serialize": _ANY, "deserialize": _ANY,
+}  # fmt: skip
+ALLOWED: dict[int, dict[str, frozenset[State]]] = {
+    2: _COMMON | {
+        "get": frozenset({_M, _S, _F, _C, _T, _E}) | GET_AFTER_SET,
+        "terminate": _BETWEEN | {_F},
+        "ask": frozenset({_S, _U, _P, _F, _T}),
+        "cancel": frozenset({_P}),
+    },
+    3: _COMMON | {
+        "get": frozenset({_M, _S, _U, _F, _T}),
+        "terminate": _BETWEEN | {_F},
+        "ask": frozenset(),
+        "cancel": frozenset(),
+    },
+}  # fmt: skip
+SECTION = {2: "FMI 2.0, section 4.2.4", 3: "FMI 3.0, section 4.2.1"}
+
+# Where a call leads that succeeds; the others change nothing.
+_NEXT = {
+    "enter": _M, "exit": _S, "step": _S, "terminate": _T, "reset": _I, "free": State.FREED, "cancel": _C,
+}  # fmt: skip
+
+
+def allowed(version: int, action: str, state: State) -> bool:
+    """Whether a standard allows an action in a state."""
+    return state in ALLOWED[version][action]
+
+
+def after(action: str, state: State, status: int) -> State:
+    """The state behind an action that was answered with a status; one that FMI does not know is an error."""
+    if status in (OK, WARNING):
+        return _U if action == "set" and state is _S else _NEXT.get(action, state)
+    if status == DISCARD:
+        return _F if action == "step" else state
+    if status == PENDING and action == "step":
+        return _P
+    return State.DEAD if status == FATAL else _E
+
+
+def good(status: int) -> bool:
+    """Whether a call did what was asked."""
+    return status in (OK, WARNING)
+
+
+def status_text(prefix: str, status: int) -> str:
+    """A status by its name, `fmi2Error`; one that FMI does not know by its number."""
+    return f"{prefix}{STATUS[status]}" if status in STATUS else f"status {status}, which FMI does not know"
+
+
+def why_not_settable(state: State, variable: ModelVariable) -> str:
+    """Why a variable cannot be set in a state that allows setting; empty where it can."""
+    if variable.variability == "constant":
+        return "it is a constant"
+    if state not in _BETWEEN or variable.causality == "input" or variable.variability == "tunable":
+        return ""
+    kind = f"{variable.variability or ''} {variable.causality}".strip()
+    return f"it is a {kind}; after initialization only inputs and tunable parameters can be set"

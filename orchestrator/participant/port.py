@@ -1,0 +1,36 @@
+"""Several scalars of a participant in this process, exchanged by one call: for drivers that need no compiled loop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import chain
+from typing import Any
+
+from ..fmu.types import function_type
+from .loaded import LoadedInstance
+
+
+class Port:
+    """Scalars of one type; the elements of an array are named as in FMI 2.0: `u[1]`, `u[2]` ..."""
+
+    def __init__(self, instance: LoadedInstance, names: Sequence[str]) -> None:
+        self.instance, self.names, fmu = instance, names, instance.fmu
+        scalars = list(dict.fromkeys(chain.from_iterable(fmu.arrays[name] for name in names)))
+        self.references = [fmu.places[name].reference for name in scalars if fmu.places[name].index == 0]
+        self.places = [scalars.index(name) for name in names]
+        self.values: list[Any] = [fmu.start(name) for name in scalars]
+        self.kind = function_type(fmu.version, fmu.variables[names[0]].type) if names else ""
+
+    def put(self, values: Iterable[Any]) -> None:
+        """Set them, in the order of the names."""
+        for place, value in zip(self.places, values, strict=True):
+            self.values[place] = value
+        if self.names:
+            self.instance.put(", ".join(self.names), self.kind, self.references, self.values)
+
+    def take(self) -> list[Any]:
+        """Get them, in the order of the names."""
+        if not self.names:
+            return []
+        values = self.instance.take(", ".join(self.names), self.kind, self.references, len(self.values))
+        return [values[place] for place in self.places]
