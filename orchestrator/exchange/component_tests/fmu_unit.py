@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ...errors import FmuError
-from ...fmu.fmu import Fmu, parse_value
+from ...fmu.attributes import parse_value
+from ...fmu.fmu import Fmu
 from ...fmu.types import function_type
 from ...participant.loaded import LoadedInstance
 from ...participant.opening import load
