@@ -45,8 +45,12 @@ def joined_source(kernel: ModuleType) -> str:
 
 
 def precompile(function: Any, arguments: list[Any]) -> None:
-    """Compile a function for the types of these arguments, or load what an earlier run has compiled."""
-    function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[no-untyped-call]
+    """Compile a function for the types of these arguments, or load what an earlier run has compiled.
+
+    Where the environment switches Numba off (NUMBA_DISABLE_JIT) there is nothing to compile.
+    """
+    if hasattr(function, "compile"):
+        function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[no-untyped-call,unused-ignore]
 
 
 def compiled(kernel: ModuleType) -> ModuleType:

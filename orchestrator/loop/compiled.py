@@ -66,10 +66,13 @@ def is_compiled() -> bool:
 def compiled_run() -> Any:
     """`run.run` under Numba. Its compiled form holds no address, so one cached compilation serves every system.
 
-    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it.
+    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it. Where the
+    environment switches Numba off (NUMBA_DISABLE_JIT) it is the interpreter.
     """
     import numba
 
+    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+        return loop.run
     name, compiled = _named_run()
     if not IN_CHILD and not _is_kept(name, compiled):
         # Should it fail, this process compiles for itself, and says what is wrong.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -66,10 +68,18 @@ class Layout:
         return self.begins.get(key, self.previous[key])
 
     def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
-        """Slots of the inputs and outputs that a component is given and gives, by variable."""
-        sides = ((self.inputs, self.foreign_inputs), (self.outputs, self.foreign_outputs))
-        found = [{key[1]: {**ours, **foreign}[key] for key in ours if key[0] == name} for ours, foreign in sides]
-        return found[0], found[1]
+        """Slots of the inputs and outputs that a component is given and gives, by variable, once all have theirs."""
+        return self._exchanged.get(name, ({}, {}))
+
+    @cached_property
+    def _exchanged(self) -> dict[str, tuple[dict[str, int], dict[str, int]]]:
+        found: dict[str, tuple[dict[str, int], dict[str, int]]] = {}
+        for side, (ours, foreign) in enumerate(
+            ((self.inputs, self.foreign_inputs), (self.outputs, self.foreign_outputs))
+        ):
+            for key, slot in ours.items():
+                found.setdefault(key[0], ({}, {}))[side][key[1]] = foreign.get(key, slot)
+        return found
 
 
 @dataclass(frozen=True)
@@ -100,7 +110,8 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
             if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
-    histories += [(c.source, 1) for c in choices if c.source[0] in _leading(choices)]
+    leading = _leading(choices)
+    histories += [(c.source, 1) for c in choices if c.source[0] in leading]
     for key, samples in [*histories, *((key, 1) for bond in system.bonds for key in _owns(bond))]:
         if samples > 0:
             layout.add(layout.previous, key)
@@ -112,14 +123,26 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     for connection, choice in choices.items():
         if choice.transfer == "mean":
             layout.add(layout.integrals, connection.target)
+    sides = [
+        (by_component(ours), foreign)
+        for ours, foreign in ((layout.inputs, layout.foreign_inputs), (layout.outputs, layout.foreign_outputs))
+    ]
     for name, component in system.components.items():
-        for ours, foreign in ((layout.inputs, layout.foreign_inputs), (layout.outputs, layout.foreign_outputs)):
-            keys = [key for key in ours if key[0] == name]
+        for ours, foreign in sides:
+            keys = list(ours.get(name, ()))
             crossings = [component.fmu.crossings.get(key[1]) for key in keys]
             if any(crossing and not crossing.exact for crossing in crossings):
                 for key in keys:
                     layout.add(foreign, key)
     return layout
+
+
+def by_component(table: Mapping[Key, int]) -> dict[str, dict[Key, int]]:
+    """The entries of each component."""
+    found: dict[str, dict[Key, int]] = {}
+    for key, slot in table.items():
+        found.setdefault(key[0], {})[key] = slot
+    return found
 
 
 def _by_type(fmu: Fmu, causality: str) -> list[str]:
@@ -145,15 +168,15 @@ def _recorded(system: System, key: Key) -> bool:
 
 def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:
     groups = []
+    tables = [by_component(layout.outputs), by_component(layout.inputs)]
     for period in sorted({*clock.periods.values(), *(extra.period for extra in layout.extras.values())}):
         members = tuple(name for name in system.components if clock.periods[name] == period)
-        slots = {
-            key: slot
-            for table in (layout.outputs, layout.inputs)
-            for key, slot in table.items()
-            if key[0] in members and _recorded(system, key)
-        }
-        columns = sorted(slots, key=lambda key: (members.index(key[0]), slots[key]))
+        slots: dict[Key, int] = {}
+        columns: list[Key] = []
+        for name in members:
+            own = [item for table in tables for item in table.get(name, {}).items() if _recorded(system, item[0])]
+            slots |= own
+            columns += [key for key, _ in sorted(own, key=lambda item: item[1])]
         made = {key: extra.slot for key, extra in layout.extras.items() if extra.period == period}
         slots, columns = slots | made, [*columns, *made]
         if not columns:  # nothing of this rate is recorded

@@ -34,6 +34,7 @@ from ..loop.operations import (
     STEP,
     WORK,
 )
+from .layout import by_component
 from .plan import Plan
 
 SHOWN = 6  # names of variables in one line, at most
@@ -45,6 +46,8 @@ class OperationText:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         layout = plan.layout
+        self.components = list(plan.system.components)
+        self.inputs, self.outputs = by_component(layout.inputs), by_component(layout.outputs)
         self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
         for foreign in (layout.foreign_inputs, layout.foreign_outputs):
             for (name, variable), slot in foreign.items():
@@ -64,7 +67,7 @@ class OperationText:
     def text(self, row: list[int]) -> str:
         """One operation in one line."""
         code, _, component, *_ = row
-        name = list(self.plan.system.components)[component] if component >= 0 else ""
+        name = self.components[component] if component >= 0 else ""
         describe = self._exchange if code in (SET, STEP, GET, SAVE, RESTORE) else self._signal
         if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
@@ -80,9 +83,9 @@ class OperationText:
             return f"{name} from {seconds_text(clock.seconds(b)) if b else '0 s'} by {seconds_text(clock.seconds(a))}"
         if code in (SAVE, RESTORE):
             return f"the state of {name}" if component >= 0 else f"{a} signals"
-        table = self.plan.layout.inputs if code == SET else self.plan.layout.outputs
+        table = (self.inputs if code == SET else self.outputs).get(name, {})
         again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a else ""
-        return f"{name}: {_types(self.plan.system.components[name].fmu, [v for o, v in table if o == name])}{again}"
+        return f"{name}: {_types(self.plan.system.components[name].fmu, [variable for _, variable in table])}{again}"
 
     def _flow(self, row: list[int]) -> str:
         """What decides how the list goes on, and what is recorded."""

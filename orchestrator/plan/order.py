@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from heapq import heappop, heappush
+from itertools import groupby
+
 from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
@@ -17,7 +20,9 @@ def samplers_of(system: System) -> tuple[str, ...]:
 
     Where nothing is connected, inputs that follow tables count instead.
     """
-    into = {name: [c.target for c in system.connections if c.target[0] == name] for name in system.components}
+    into: dict[str, list[tuple[str, str]]] = {name: [] for name in system.components}
+    for c in system.connections:
+        into[c.target[0]].append(c.target)
     for name, component in system.components.items():
         into[name] = into[name] or [(name, variable) for variable in component.series]
     return tuple(name for name, ends in into.items() if ends and all(discrete(system, end) for end in ends))
@@ -40,28 +45,48 @@ def order_of(system: System, clock: Clock) -> tuple[tuple[str, ...], str]:
                 f"order: {slower[0][0]} is slower than {slower[0][1]} and must come after it ({system.path.name})"
             )
         return system.order, "stated in the system file"
-    waiting, done = sorted(system.components, key=lambda name: clock.periods[name]), []
+    order: list[str] = []
+    for _, rate in groupby(sorted(system.components, key=clock.periods.__getitem__), clock.periods.__getitem__):
+        order += _sources_first(list(rate), system)
+    return tuple(order), "fast before slow; at one rate a source before its target, cycles cut in the order of the file"
+
+
+def _sources_first(names: list[str], system: System) -> list[str]:
+    """Always the first that waits for no other; where all wait, the first of them."""
+    position = {name: k for k, name in enumerate(names)}
+    ends = {(c.source[0], c.target[0]) for c in system.connections if c.source[0] != c.target[0]}
+    targets: dict[str, list[str]] = {name: [] for name in names}
+    waiting = dict.fromkeys(names, 0)  # and for how many
+    for source, target in ends:
+        if source in position and target in position:
+            targets[source].append(target)
+            waiting[target] += 1
+    ready = [position[name] for name in names if not waiting[name]]  # in order, so a heap
+    order: list[str] = []
+    first = 0
     while waiting:
-        rate = [name for name in waiting if clock.periods[name] == clock.periods[waiting[0]]]
-        sources = {
-            name: {
-                c.source[0]
-                for c in system.connections
-                if c.target[0] == name and c.source[0] in rate and c.source[0] != name
-            }
-            for name in rate
-        }
-        ready = [name for name in rate if not sources[name]] or rate
-        done.append(ready[0])
-        waiting.remove(ready[0])
-    return tuple(done), "fast before slow; at one rate a source before its target, cycles cut in the order of the file"
+        if ready:
+            name = names[heappop(ready)]
+        else:
+            while names[first] not in waiting:
+                first += 1
+            name = names[first]
+        order.append(name)
+        del waiting[name]
+        for target in targets[name]:
+            if target in waiting:
+                waiting[target] -= 1
+                if not waiting[target]:
+                    heappush(ready, position[target])
+    return order
 
 
 def check_leaders(choices: dict[Connection, Choice], leaders: tuple[str, ...], order: tuple[str, ...]) -> None:
     """Raise InputError where of two components each would have to step before the other."""
+    place = {name: k for k, name in enumerate(order)}
     for c, choice in choices.items():
         a, b = c.source[0], c.target[0]
-        if choice.transfer == "interpolate" and b in leaders and order.index(a) >= order.index(b):
+        if choice.transfer == "interpolate" and b in leaders and place[a] >= place[b]:
             raise InputError(
                 f"connection {c.label}: 'interpolate' needs {a} to step first, but outputs of {b} are interpolated too "
                 f"and it comes before {a} in the order ({', '.join(order)}); state another order or transfer {c.where}"

@@ -38,9 +38,10 @@ from ..loop.operations import (
     WORK,
 )
 from ..system.model import Connection
+from .bond_energy import Side
 from .design import Constants, Design
 from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
-from .layout import Key
+from .layout import Key, by_component
 
 LARGEST = 5_000_000  # operations; 320 MB
 Row = tuple[int, ...]
@@ -54,6 +55,19 @@ class Schedule:
         self.index = {name: k for k, name in enumerate(self.system.components)}
         self.constants = Constants([0.0], {})
         self.ran: set[str] = set()  # components that step first and have done so at the present instant
+        self.early = set(design.early)
+        layout = self.layout
+        self.foreign_inputs, self.foreign_outputs = map(by_component, (layout.foreign_inputs, layout.foreign_outputs))
+        self.outputs, self.previous = by_component(layout.outputs), by_component(layout.previous)
+        self.before, self.begins = by_component(layout.before), by_component(layout.begins)
+        self.averaged: dict[str, list[Connection]] = {}  # connections of which the mean is taken, by their sources
+        for c, choice in design.choices.items():
+            if choice.transfer == "mean":
+                self.averaged.setdefault(c.source[0], []).append(c)
+        self.sides: dict[str, list[Side]] = {}  # of bonds
+        for bond in design.bonds:
+            for side in bond.sides:
+                self.sides.setdefault(side.component, []).append(side)
 
     def build(self) -> np.ndarray:
         """The operations of one hyperperiod, (m, 8). Raises InputError if there would be too many."""
@@ -95,9 +109,11 @@ class Schedule:
 
     def steps(self, tick: int) -> Iterator[Row]:
         """The steps that end now."""
-        due = [name for name in self.due(tick) if name not in self.design.early]
-        for k, name in enumerate(due):
-            yield from self._step(tick, name, due[:k])
+        due = [name for name in self.due(tick) if name not in self.early]
+        done: set[str] = set()
+        for name in due:
+            yield from self._step(tick, name, done)
+            done.add(name)
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
@@ -128,7 +144,7 @@ class Schedule:
                     yield from self.advance(tick, name, tick)
                     self.ran.add(name)
         for name in due:
-            if name not in self.design.early:
+            if name not in self.early:
                 for c in self.design.into(name):
                     if self.formed_at_beginning(c):
                         yield self._form(c, tick, self._seen_early(c.source[0], tick), tick)
@@ -144,7 +160,7 @@ class Schedule:
             return (tick // period + 1) * period if source in self.ran else -(-tick // period) * period
         return tick // period * period
 
-    def _step(self, tick: int, name: str, done: list[str]) -> Iterator[Row]:
+    def _step(self, tick: int, name: str, done: set[str]) -> Iterator[Row]:
         """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
         period = self.clock.periods[name]
         for c in self.design.into(name):
@@ -162,39 +178,35 @@ class Schedule:
         component, period, layout = self.index[name], self.clock.periods[name], self.layout
         yield from self._series(tick, name, start)
         if self.design.into(name) or self.system.components[name].series:
-            for key, slot in layout.foreign_inputs.items():
-                if key[0] == name:
-                    crossing = self._crossing(key)
-                    yield self.held(key, tick, layout.inputs[key], slot, crossing.gain, crossing.offset)
+            for key, slot in self.foreign_inputs.get(name, {}).items():
+                crossing = self._crossing(key)
+                yield self.held(key, tick, layout.inputs[key], slot, crossing.gain, crossing.offset)
             yield (SET, tick, component, 0, 0, 0, 0, 0)
-        pushes = [(layout.previous[key], slot) for key, slot in layout.before.items() if key[0] == name]
-        pushes += [(layout.outputs[key], slot) for key, slot in layout.previous.items() if key[0] == name]
+        pushes = [(layout.previous[key], slot) for key, slot in self.before.get(name, {}).items()]
+        pushes += [(layout.outputs[key], slot) for key, slot in self.previous.get(name, {}).items()]
         rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
         if name in self.design.rereads:
             yield from rows
             yield from self._get(tick, name, 1)
-            for key, slot in layout.begins.items():
-                if key[0] == name:
-                    yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
+            for key, slot in self.begins.get(name, {}).items():
+                yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
         yield (STEP, tick, component, self.length(name), start, 0, 0, 0)
         yield from rows
-        if any(key[0] == name for key in layout.outputs):
+        if name in self.outputs:
             yield from self._get(tick, name, 0)
-        for connection, choice in self.design.choices.items():
-            if choice.transfer == "mean" and connection.source[0] == name:
-                weight = self.constants.at(period / (2 * self.clock.periods[connection.target[0]]))
-                a, p = layout.outputs[connection.source], layout.start(connection.source)
-                yield (ACCUMULATE, tick, component, a, layout.integrals[connection.target], p, 0, weight)
+        for c in self.averaged.get(name, []):
+            weight = self.constants.at(period / (2 * self.clock.periods[c.target[0]]))
+            a, p = layout.outputs[c.source], layout.start(c.source)
+            yield (ACCUMULATE, tick, component, a, layout.integrals[c.target], p, 0, weight)
         yield from self.works(tick, name)
 
     def _get(self, tick: int, name: str, begin: int) -> Iterator[Row]:
         """Get a component's outputs, and turn those of a foreign FMU into ours; `begin`: as its step begins."""
         yield (GET, tick, self.index[name], begin, 0, 0, 0, 0)
-        for key, slot in self.layout.foreign_outputs.items():
-            if key[0] == name:
-                crossing = self._crossing(key)
-                yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)
+        for key, slot in self.foreign_outputs.get(name, {}).items():
+            crossing = self._crossing(key)
+            yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)
 
     def _crossing(self, key: Key) -> Crossing:
         return self.system.components[key[0]].fmu.crossings.get(key[1], Crossing(key[1]))
@@ -224,15 +236,13 @@ class Schedule:
 
     def works(self, tick: int, name: str) -> Iterator[Row]:
         """The work of the step that was just done, at every bond of the component."""
-        for bond in self.design.bonds:
-            for side in bond.sides:
-                if side.component == name:
-                    weights = (-side.sign, side.sign, 1.0)
-                    if not side.counter:
-                        weights = (side.sign / 2, side.sign / 2, self.duration(name))
-                    a = self.layout.outputs[side.own]
-                    p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
-                    yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
+        for side in self.sides.get(name, []):
+            weights = (-side.sign, side.sign, 1.0)
+            if not side.counter:
+                weights = (side.sign / 2, side.sign / 2, self.duration(name))
+            a = self.layout.outputs[side.own]
+            p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
+            yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
 
     def duration(self, name: str) -> float:
         """Length of a component's step [s]."""

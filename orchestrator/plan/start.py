@@ -1,13 +1,15 @@
 """The order in which values propagate at time 0: connections one by one, and algebraic loops as wholes.
 
-A connection needs another one first if its output depends, at initialization, on the other's input (InitialUnknowns of
-the model description). Strongly connected sets of connections are the algebraic loops.
+A connection needs others first if its output depends, at initialization, on their inputs (InitialUnknowns of the model
+description). Strongly connected sets of connections are the algebraic loops. What an output depends on is one set for
+many outputs where the description says nothing of them, so it is a node of its own in the graph: connections need
+sets, sets need connections, and the graph stays as large as what is stated.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from graphlib import CycleError, TopologicalSorter
 
 from ..system.model import Connection, System
 
@@ -29,43 +31,106 @@ class Block:
 
 def start_order(system: System) -> tuple[Block, ...]:
     """Blocks in an order in which each finds what it needs."""
-    needs = _needs(system)
-    try:
-        order = list(TopologicalSorter(needs).static_order())
-        return tuple(Block((system.connections[k],), False) for k in order)
-    except CycleError:
-        return _with_loops(system, needs)
+    set_of, members = _needs(system)
+    order = _by_levels({k: [set_of[k]] if members[set_of[k]] else [] for k in range(len(set_of))}, members)
+    if order is None:
+        return _with_loops(system, set_of, members)
+    return tuple(Block((system.connections[k],), False) for k in order)
 
 
-def _needs(system: System) -> dict[int, list[int]]:
-    """For each connection, by its position, those that must come before it."""
-
+def _needs(system: System) -> tuple[list[int], list[list[int]]]:
+    """For each connection, by its position, the set that must come before it; the members of every set."""
     known = {name: component.fmu.feedthrough(initial=True) for name, component in system.components.items()}
-    answers = {c.source: known[c.source[0]][c.source[1]] for c in system.connections}
-    into: dict[str, list[int]] = {}
+    into: dict[str, dict[str, int]] = {}
     for k, c in enumerate(system.connections):
-        into.setdefault(c.target[0], []).append(k)
-    return {
-        k: [j for j in into.get(c.source[0], ()) if system.connections[j].target[1] in answers[c.source]]
-        for k, c in enumerate(system.connections)
-    }
+        into.setdefault(c.target[0], {})[c.target[1]] = k
+    numbers: dict[tuple[str, frozenset[str]], int] = {}
+    set_of: list[int] = []
+    members: list[list[int]] = []
+    for c in system.connections:
+        name, answers = c.source[0], known[c.source[0]][c.source[1]]
+        if (name, answers) not in numbers:
+            numbers[name, answers] = len(members)
+            driven = into.get(name, {})
+            members.append(sorted(driven[variable] for variable in driven.keys() & answers))
+        set_of.append(numbers[name, answers])
+    return set_of, members
 
 
-def _with_loops(system: System, needs: dict[int, list[int]]) -> tuple[Block, ...]:
+def _by_levels(sets_of: Mapping[int, Sequence[int]], members: Sequence[Sequence[int]]) -> list[int] | None:
+    """Nodes, each behind all members of its sets: those that need nothing, those that need only these, and so on, one
+    that waits for less before one that waits for more. None if there is a cycle."""
+    waiting = {node: len(sets) for node, sets in sets_of.items()}
+    missing = [len(found) for found in members]
+    sets_with: dict[int, list[int]] = {}
+    for number, found in enumerate(members):
+        for node in found:
+            sets_with.setdefault(node, []).append(number)
+    waiting_for: dict[int, list[int]] = {}
+    for node, sets in sets_of.items():
+        for number in sets:
+            waiting_for.setdefault(number, []).append(node)
+    order: list[int] = []
+    level = [node for node in _mentioned(sets_of, members) if not waiting[node]]
+    while level:
+        order += level
+        following: list[int] = []
+        for node in level:
+            ready = []
+            for number in sets_with.get(node, ()):
+                missing[number] -= 1
+                for other in waiting_for.get(number, ()) if not missing[number] else ():
+                    waiting[other] -= 1
+                    if not waiting[other]:
+                        ready.append(other)
+            following += sorted(ready)
+        level = following
+    return order if len(order) == len(sets_of) else None
+
+
+def _mentioned(sets_of: Mapping[int, Sequence[int]], members: Sequence[Sequence[int]]) -> list[int]:
+    """All nodes, what one needs behind it."""
+    found: dict[int, None] = {}
+    opened: set[int] = set()
+    for node, sets in sets_of.items():
+        found[node] = None
+        for number in sets:
+            if number not in opened:
+                opened.add(number)
+                found |= dict.fromkeys(members[number])
+    return list(found)
+
+
+def _with_loops(system: System, set_of: Sequence[int], members: Sequence[Sequence[int]]) -> tuple[Block, ...]:
+    """As `start_order`, where some connections need each other."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    pairs = [(k, j) for k, before in needs.items() for j in before]
+    n = len(set_of)
+    pairs = [(k, n + number) for k, number in enumerate(set_of)]
+    pairs += [(n + number, k) for number, found in enumerate(members) for k in found]
     rows, columns = zip(*pairs, strict=True)
-    graph = coo_array(([1] * len(pairs), (rows, columns)), shape=(len(needs), len(needs)))
+    graph = coo_array(([1] * len(pairs), (rows, columns)), shape=(n + len(members),) * 2)
     labels = connected_components(graph, directed=True, connection="strong")[1].tolist()
-    members: dict[int, list[int]] = {}
-    for k, label in enumerate(labels):
-        members.setdefault(label, []).append(k)
-    between = {label: {labels[j] for k in group for j in needs[k]} - {label} for label, group in members.items()}
-    blocks = []
-    for label in TopologicalSorter(between).static_order():
-        group = members[label]
-        loop = len(group) > 1 or group[0] in needs[group[0]]
-        blocks.append(Block(tuple(system.connections[k] for k in group), loop))
-    return tuple(blocks)
+    numbers = {label: number for number, label in enumerate(dict.fromkeys(labels[:n]))}
+    groups: list[list[int]] = [[] for _ in numbers]
+    for k in range(n):
+        groups[numbers[labels[k]]].append(k)
+    inside = [numbers.get(labels[n + number], -1) for number in range(len(members))]  # the loop that a set is part of
+    between = [[numbers[label] for label in sorted({labels[k] for k in found})] for found in members]
+    between += [
+        [x for x in found if x != own] for found, own in zip(between, inside, strict=True)
+    ]  # for the loop itself
+    sets_of = {}
+    for number, group in enumerate(groups):
+        needed = dict.fromkeys(set_of[k] + len(members) * (inside[set_of[k]] == number) for k in group)
+        sets_of[number] = [x for x in needed if between[x]]
+    order = _by_levels(sets_of, between)
+    assert order is not None
+    return tuple(
+        Block(
+            tuple(system.connections[k] for k in groups[number]),
+            len(groups[number]) > 1 or labels[groups[number][0]] == labels[n + set_of[groups[number][0]]],
+        )
+        for number in order
+    )

@@ -72,17 +72,19 @@ def _with_leaders(c: Connection, choice: Choice, leaders: tuple[str, ...]) -> Ch
 def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, str]:
     """Components whose outputs are read at the beginning of a step too, behind its inputs, and the reason."""
     found: dict[str, str] = {}
+    changing: dict[str, list[str]] = {}  # inputs that change between the ends of two steps, by component
+    for c, choice in choices.items():
+        if choice.transfer in CHANGING:
+            changing.setdefault(c.target[0], []).append(c.target[1])
+    for name, component in system.components.items():
+        tables = [variable for variable, series in component.series.items() if not series.sampled]
+        if tables:
+            changing.setdefault(name, []).extend(tables)
+    answers = {name: system.components[name].fmu.feedthrough() for name in changing}
     for c, choice in choices.items():
         name, output = c.source
-        if choice.transfer not in BOTH_ENDS:
-            continue
-        answers = system.components[name].fmu.feedthrough()[output]
-        changing = [
-            i.target[1]
-            for i, transfer in choices.items()
-            if i.target[0] == name and i.target[1] in answers and transfer.transfer in CHANGING
-        ]
-        changing += [v for v, series in system.components[name].series.items() if v in answers and not series.sampled]
-        if changing and name not in found:
-            found[name] = f"{output} depends at once on {changing[0]}, which changes between the ends of two steps"
+        if choice.transfer in BOTH_ENDS and name in changing and name not in found:
+            at_once = next((variable for variable in changing[name] if variable in answers[name][output]), "")
+            if at_once:
+                found[name] = f"{output} depends at once on {at_once}, which changes between the ends of two steps"
     return found

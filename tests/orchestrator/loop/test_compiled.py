@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from helpers import plan_of, python
 from rovbrush.orchestrator.loop import run
 from rovbrush.orchestrator.loop.compiled import compiled_run, loop_files, loop_hash
 
@@ -14,21 +15,8 @@ FILES = loop_files(HERE)
 
 
 def test_the_loop_is_made_of_these_files() -> None:
-    assert {path.stem for path in FILES} == {
-        *(
-            "run",
-            "cells",
-            "exchange",
-            "calls",
-            "texts",
-            "types",
-            "operations",
-            "iteration",
-            "step_control",
-            "step_doubling",
-            "lookup",
-        )
-    }
+    own = "run cells exchange calls texts operations iteration step_control step_doubling lookup"
+    assert {path.stem for path in FILES} == {*own.split(), "types"}
 
 
 @pytest.mark.parametrize("changed", [path.name for path in FILES])
@@ -49,3 +37,20 @@ def test_numba_keeps_the_compiled_loop_under_that_name() -> None:
     stats = compiled_run().stats
     kept = [path.name for path in Path(stats.cache_path).glob(f"run.run_{loop_hash(HERE)}-*")]
     assert {name.rsplit(".", 1)[1] for name in kept} == {"nbi", "nbc"}
+
+
+def test_with_numba_switched_off_the_interpreter_runs(tmp_path: Path, fmus: Path) -> None:
+    """NUMBA_DISABLE_JIT is an everyday switch for debugging: the same bits, slowly."""
+    plan_of(tmp_path, fmus, {"a": ("integrator", "10 ms", {"=u": 0.3})}, stop="100 ms")
+    code = (
+        "import sys; from pathlib import Path\n"
+        "from rovbrush.orchestrator.plan.plan import make_plan\n"
+        "from rovbrush.orchestrator.run.simulation import simulate\n"
+        "from rovbrush.orchestrator.system.reader import load_system\n"
+        "run = simulate(make_plan(load_system(sys.argv[1], Path(sys.argv[2]))))\n"
+        "print(run.failure or run.tables[0].tobytes().hex())\n"
+    )
+    arguments = (str(tmp_path / "case.toml"), str(fmus))
+    off = python(code, *arguments, NUMBA_DISABLE_JIT="1")
+    assert off.returncode == 0, off.stderr
+    assert off.stdout == python(code, *arguments).stdout != ""
