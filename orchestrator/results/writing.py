@@ -161,6 +161,8 @@ def write_results(run: Run, folder: Path, summary: Mapping[str, Any]) -> list[Pa
 
     Raises RunError that names every product that could not be made; the others are there.
     """
+    with suppress(OSError):  # `write_rows` finds another place where this is impossible
+        folder.mkdir(parents=True, exist_ok=True)
     written = write_rows(run, folder)
     write_products(run, written, summary=summary)
     if written.elsewhere or written.failures:

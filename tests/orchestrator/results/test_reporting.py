@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from helpers import system_text
+from native_build import FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.system.assemble import assemble
@@ -64,3 +66,13 @@ def test_a_slip_in_what_is_to_be_reported_is_found_before_the_run(slip: str, tmp
 @pytest.mark.parametrize("name", shipped_systems())
 def test_what_the_shipped_systems_report_can_be_made(name: str, fmus: Path) -> None:
     planned(assemble(name, {}, fmus=fmus))
+
+
+@needs_gcc
+@pytest.mark.parametrize("where", ['[summary]\nbad = "last a.s_out"', '[summary]\nwindow = { angle = "a.s_out" }',
+                                   '[balance]\nlost = ["a.s_out"]'])  # fmt: skip
+def test_a_text_where_a_number_is_wanted_is_found_before_the_run(where: str, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(system_text({"a": ("feedthrough2", "1 ms", FREE2)}) + where)
+    with pytest.raises(InputError, match=r"'a\.s_out' is a text"):
+        planned(assemble(str(path), fmus=built(tmp_path)))

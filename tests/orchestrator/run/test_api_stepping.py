@@ -204,3 +204,10 @@ def test_ctrl_c_in_a_longer_step_ends_the_session_as_it_ends_a_run(make: Make) -
     with pressing(make) as session, pytest.raises(RunError, match=r"interrupted by the user at t = 0\.006 s") as error:
         session.step("10 ms")
     assert len(error.value.result.dataset.time) == 7
+
+
+def test_ctrl_c_while_the_fmus_are_initialized_is_obeyed(make: Make) -> None:
+    parts = {"p": ("plain", "1 ms", {"mode": 4, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0})}
+    with pytest.raises(KeyboardInterrupt):
+        make(parts, stop="20 ms").start()
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler

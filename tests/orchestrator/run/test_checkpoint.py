@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from dataclasses import replace
 from fractions import Fraction
@@ -15,7 +16,7 @@ from rovbrush.orchestrator.loop import cells, run
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.netcdf import write_netcdf
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.run import recorder
+from rovbrush.orchestrator.run import fingerprint, recorder
 from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
@@ -174,3 +175,65 @@ def test_a_damaged_or_missing_checkpoint_is_refused(tmp_path: Path, fmus: Path) 
     (place / "checkpoint.json").write_text("{")
     with pytest.raises(InputError, match="damaged"):
         resumed(plan, tmp_path)
+
+
+@needs_gcc
+@pytest.mark.parametrize("isolation", ["", "process"])
+def test_elements_of_an_array_that_were_set_by_hand_are_there_after_it(isolation: str, tmp_path: Path) -> None:
+    """An FMU wants all elements at once: those beside the one that is set next are known from the checkpoint."""
+    plan = plan_of(tmp_path, built(tmp_path), {"a": ("feedthrough3", "1 ms", FREE3)}, stop="20 ms")
+    components = {name: replace(c, isolation=isolation) for name, c in plan.system.components.items()}
+    plan = make_plan(replace(plan.system, components=components))
+    element = plan.system.components["a"].fmu.expand("a_in")[0]
+    with Session(plan) as session:
+        session.set("a.a_in", [float(k) for k in range(10, 18)])
+        session.advance(cycles=3)
+        write_checkpoint(session, tmp_path)
+    with Session(plan) as session:
+        read_checkpoint(tmp_path).restore(session)
+        session.set(f"a.{element}", 99.0)
+        session.advance(cycles=1)
+        assert session.get("a.a_out") == [99.0, *range(11, 18)]
+
+
+@pytest.mark.parametrize("suffix", ["tmp", "old"])
+def test_a_checkpoint_is_found_where_a_process_died_while_it_renamed(suffix: str, tmp_path: Path, fmus: Path) -> None:
+    plan = car(tmp_path, fmus, "jacobi")
+    cut(plan, tmp_path, 5)
+    (tmp_path / "checkpoint").rename(tmp_path / f".checkpoint.{2**22 + 1}.{suffix}")
+    half = tmp_path / f".checkpoint.{2**22 + 2}.tmp"
+    half.mkdir()
+    (half / "checkpoint.json").write_text("{")
+    require_same(resumed(plan, tmp_path), simulate(plan), tmp_path)
+    assert (tmp_path / "checkpoint").is_dir()
+
+
+def test_a_head_that_was_edited_is_refused_also_under_a_right_hash(tmp_path: Path, fmus: Path) -> None:
+    """Another cycle would give wrong rows, another operation a crash."""
+    plan = car(tmp_path, fmus, "jacobi")
+    cut(plan, tmp_path, 5)
+    place = tmp_path / "checkpoint"
+    head = json.loads((place / "checkpoint.json").read_text())
+    for key, value in (("cycle", 6), ("cycle", "x"), ("operation", -(10**9)), ("operation", 10**9), ("time", 0.7)):
+        (place / "checkpoint.json").write_text(json.dumps({**head, "at": {**head["at"], key: value}}))
+        with pytest.raises(InputError, match=r"damaged: checkpoint\.json is not what was written"):
+            resumed(plan, tmp_path)
+        digest = hashlib.sha256((place / "checkpoint.json").read_bytes()).hexdigest()
+        (place / "checkpoint.sha256").write_text(f"{digest}  checkpoint.json\n")
+        with pytest.raises(InputError, match="damaged"):
+            resumed(plan, tmp_path)
+
+
+def test_another_version_or_processor_is_refused_unless_forced(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = car(tmp_path, fmus, "jacobi")
+    cut(plan, tmp_path, 5)
+    now = fingerprint.environment()
+    for key in ("rovbrush", "numba", "processor"):
+        monkeypatch.setattr(fingerprint, "environment", lambda key=key: {**now, key: "another"})
+        with pytest.raises(InputError, match=rf"{key} .*now another.*--force"):
+            resumed(plan, tmp_path)
+    with Session(plan) as session:
+        read_checkpoint(tmp_path).restore(session, force=True)
+        assert session.time == 0.015

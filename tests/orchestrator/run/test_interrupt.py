@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from helpers import Part, plan_of, system_text
+from rovbrush.orchestrator.run.interrupt import ENDING, StopRequests
 from rovbrush.orchestrator.run.simulation import simulate
 
 CODE = """
@@ -78,3 +79,39 @@ def test_an_interrupted_process_keeps_its_complete_rows(tmp_path: Path, fmus: Pa
     fast, slow = seen["rows"]
     assert (fast - 1) * 0.01 == pytest.approx(end) and (slow - 1) == (fast - 1) // 2
     assert seen["last"][0][0] == pytest.approx(end)
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_what_was_ignored_at_the_start_stays_ignored(name: str) -> None:
+    """As nohup and background jobs want it."""
+    number, before = getattr(signal, name), signal.getsignal(getattr(signal, name))
+    try:
+        signal.signal(number, signal.SIG_IGN)
+        requests = StopRequests(ENDING)
+        with requests.heard():
+            os.kill(os.getpid(), number)
+        assert not requests.asked and signal.getsignal(number) is signal.SIG_IGN
+    finally:
+        signal.signal(number, before)
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_signal_asks_once_and_insists_the_second_time(name: str) -> None:
+    number, before = getattr(signal, name), signal.getsignal(getattr(signal, name))
+    signal.signal(number, signal.SIG_DFL)
+    try:
+        requests = StopRequests(ENDING)
+        with requests.heard():
+            os.kill(os.getpid(), number)
+            assert requests.asked and requests.came == number
+            with pytest.raises(KeyboardInterrupt):
+                os.kill(os.getpid(), number)
+        assert signal.getsignal(number) is signal.SIG_DFL
+    finally:
+        signal.signal(number, before)
+
+
+def test_a_program_that_is_not_ours_keeps_its_signals_but_ctrl_c() -> None:
+    before = signal.getsignal(signal.SIGTERM)
+    with StopRequests().heard():
+        assert signal.getsignal(signal.SIGTERM) is before
