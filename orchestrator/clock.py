@@ -11,26 +11,30 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from .errors import InputError
+from .errors import InputError, shown
 
 SCALES = {"s": Fraction(1), "ms": Fraction(1, 1000), "us": Fraction(1, 10**6), "ns": Fraction(1, 10**9)}
+NUMBER = r"[0-9.]{1,64}(?:[eE][+-]?[0-9]{1,3})?(?:/[0-9]{1,64})?"  # bounded: a power of ten is computed exactly
+SHORTEST, LONGEST = Fraction(1, 10**15), Fraction(10**15)  # s
 
 
 def duration(value: object, what: str) -> Fraction:
     """A positive time in seconds, exactly: 0.005, "5 ms", "1/60 s", "250 us". Raises InputError."""
-    text = str(value).strip()
-    match = re.fullmatch(r"([0-9.eE+/-]+)\s*([a-z]*)", text)
+    text = "" if isinstance(value, bool) else str(value).strip()
+    match = re.fullmatch(rf"([+-]?{NUMBER})\s*([a-z]*)", text)
     scale = SCALES.get(match[2] or "s") if match else None
     try:
-        if isinstance(value, bool) or match is None or scale is None:
+        if match is None or scale is None:
             raise ValueError
         seconds = Fraction(match[1]) * scale
     except (ValueError, ZeroDivisionError):
         raise InputError(
-            f'{what} = {text!r} is not a time; write a number of seconds, "5 ms", "250 us" or "1/60 s"'
+            f'{what} = {shown(value)!r} is not a time; write a number of seconds, "5 ms", "250 us" or "1/60 s"'
         ) from None
     if seconds <= 0:
         raise InputError(f"{what} = {text} is not a positive time")
+    if not SHORTEST <= seconds <= LONGEST:
+        raise InputError(f"{what} = {text} is no time that can be counted; from 1e-15 s to 1e15 s are")
     return seconds
 
 

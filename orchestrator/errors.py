@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 SHOWN = 15  # names in a list of what there is
+LONGEST = 80  # characters of a value in a message
 
 
 class RovbrushError(Exception):
@@ -44,3 +45,9 @@ def nearest(name: str, known: Iterable[str]) -> str:
         return f"; did you mean '{close[0]}'?"
     more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
     return f"; there are {', '.join(names[:SHOWN])}{more}" if names else ""
+
+
+def shown(value: object) -> str:
+    """A value as a message quotes it: whole where it is short."""
+    text = str(value)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

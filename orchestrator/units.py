@@ -61,9 +61,7 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
             f"and one angle, 2 pi apart; use one kind"
         )
     try:
-        a, b = parse_unit(source), parse_unit(target)
-        quantity = _registry().Quantity
-        offset, one, two = (float(quantity(x, a).to(b).magnitude) for x in (0.0, 1.0, 2.0))
+        offset, one, two = _converted(source, target)
     except pint.DimensionalityError:
         raise InputError(f"{label}: the units do not fit: {source} cannot become {target}") from None
     except InputError as error:
@@ -71,3 +69,12 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
     if not abs(two - 2.0 * one + offset) <= 1e-9 * max(abs(one), abs(offset)):
         raise InputError(f"{label}: the units do not fit: {source} and {target} are not proportional")
     return one - offset, offset
+
+
+@cache
+def _converted(source: str, target: str) -> tuple[float, float, float]:
+    """0, 1 and 2 in other units."""
+    a, b = parse_unit(source), parse_unit(target)
+    quantity = _registry().Quantity
+    offset, one, two = (float(quantity(x, a).to(b).magnitude) for x in (0.0, 1.0, 2.0))
+    return offset, one, two

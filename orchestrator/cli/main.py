@@ -11,7 +11,15 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from . import bench_commands, cache_command, check_commands, exchange_commands, paper_commands, study_commands
+from . import (
+    bench_commands,
+    cache_command,
+    check_commands,
+    exchange_commands,
+    paper_commands,
+    schema_command,
+    study_commands,
+)
 from . import run_commands as commands
 from .guard import guarded
 from .options import app
@@ -19,7 +27,7 @@ from .options import app
 # Importing the commands registers them.
 __all__ = [
     "bench_commands", "cache_command", "check_commands", "commands", "exchange_commands", "main", "paper_commands",
-    "program", "study_commands",
+    "program", "schema_command", "study_commands",
 ]  # fmt: skip
 
 

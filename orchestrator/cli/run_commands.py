@@ -49,7 +49,7 @@ def build(
     ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
-    from ..system.reader import fmu_folder
+    from ..system.components import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
     if not found:

@@ -1,21 +1,17 @@
-"""The connections and power bonds of a system file, checked against the FMUs at both ends."""
+"""The connections of a system file, checked against the FMUs at both ends."""
 
 from __future__ import annotations
 
-import math
 import re
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
 
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
 from ..fmu.types import mismatch
 from ..toml_file import TomlFile
 from ..units import conversion
-from .model import Bond, Component, Connection, Requirement
-from .settings import TRANSFERS
-
-BOND_KEYS = {"name", "effort", "flow", "sign", "impulse", "displacement", "limit", "limit_relative"}
+from .model import Component, Connection, start_as_toml
+from .schema.system import TRANSFERS
 
 
 @dataclass(frozen=True)
@@ -111,7 +107,7 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
                 f"{connection.where}"
             )
         target = components[connection.target[0]]
-        if connection.target[1] in (*target.inputs, *target.series):
+        if connection.target[1] in target.inputs or connection.target[1] in target.series:
             raise file.fail(
                 f"input {label} is driven by {connection.label} and has a value too; remove one",
                 connection.target[1].split("[")[0],
@@ -123,100 +119,9 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
             known = component.fmu.type_of(name) is not None  # Binary and Clock inputs keep what the FMU starts with
             given = (component.name, name) in driver or name in component.inputs or name in component.series
             if known and not given:
-                start = component.fmu.variables[name].start
-                base = name.split("[")[0]
+                base, start = name.split("[")[0], start_as_toml(component.fmu.variables[name])
                 raise file.fail(
                     f"input {component.name}.{name} has no driver; connect it, or give it a value under "
                     f"[components.{component.name}.inputs], for instance {base} = {start}",
                     f"[components.{component.name}]",
                 )
-
-
-def bond_of(
-    file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...], entry: dict[str, Any]
-) -> Bond:
-    """`effort` and `flow` name the connected inputs that carry them; they must cross between the same components.
-
-    `flow` may also name an output of the component that receives the effort: a flow that the other side is not told of.
-    """
-    by_target = {".".join(c.target): c for c in connections}
-    ends = []
-    name = str(entry.get("name", entry.get("effort")))
-    for key in entry.keys() - BOND_KEYS:
-        raise file.fail(f"bond {name}: unknown key '{key}'{nearest(key, BOND_KEYS)}", key, "bonds")
-    if entry.get("sign", 1.0) not in (1.0, -1.0):
-        raise file.fail(f"bond {name}: sign = {entry['sign']!r} must be 1 or -1", "sign", "bonds")
-    sign = float(entry.get("sign", 1.0))
-    limits: dict[str, Any] = {
-        key: _limit(file, name, key, entry) for key in ("limit", "limit_relative") if key in entry
-    }
-    owner, _, variable = str(entry.get("flow")).partition(".")
-    if entry.get("effort") in by_target and owner in components and variable in components[owner].fmu.names("output"):
-        effort = by_target[entry["effort"]]
-        if effort.target[0] == owner:
-            pair = (".".join(effort.source), ".".join(effort.target))
-            return _with_counters(
-                file, components, entry, Bond(name, pair, (f"{owner}.{variable}", ""), sign, **limits)
-            )
-    for key in ("effort", "flow"):
-        if entry.get(key) not in by_target:
-            raise file.fail(
-                f"bond {entry.get('name')}: {key} = {entry.get(key)!r} is no connected input"
-                f"{nearest(str(entry.get(key)), by_target)}",
-                str(entry.get(key)),
-            )
-        ends.append(by_target[entry[key]])
-    if ends[0].source[0] != ends[1].target[0] or ends[0].target[0] != ends[1].source[0]:
-        raise file.fail(
-            f"bond {entry.get('name')}: effort and flow do not cross between the same two components",
-            str(entry["effort"]),
-        )
-    pairs = [(".".join(c.source), ".".join(c.target)) for c in ends]
-    return _with_counters(file, components, entry, Bond(name, pairs[0], pairs[1], sign, **limits))
-
-
-def _limit(file: TomlFile, name: str, key: str, entry: dict[str, Any]) -> float:
-    value = entry[key]
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not value >= 0.0:
-        unit = " of J" if key == "limit" else ""
-        raise file.fail(f"bond {name}: {key} = {value!r} must be a number{unit}, 0 or more", key, "bonds")
-    return float(value)
-
-
-def _with_counters(file: TomlFile, components: dict[str, Component], entry: dict[str, Any], bond: Bond) -> Bond:
-    """`impulse` and `displacement`: outputs of the sources of effort and flow that count their time integrals."""
-    for key, source in (("impulse", bond.effort[0]), ("displacement", bond.flow[0])):
-        if key not in entry:
-            continue
-        owner, _, variable = str(entry[key]).partition(".")
-        outputs = [f"{owner}.{v}" for v in components[owner].fmu.names("output")] if owner in components else []
-        if owner != source.partition(".")[0] or f"{owner}.{variable}" not in outputs:
-            known = components[source.partition(".")[0]].fmu.names("output")
-            raise file.fail(
-                f"bond {bond.name}: {key} = {entry[key]!r} is no output of {source.partition('.')[0]}, "
-                f"which gives {source}{nearest(variable, known)}",
-                str(entry[key]),
-            )
-        found: dict[str, Any] = {key: f"{owner}.{variable}"}
-        bond = replace(bond, **found)
-    for name in filter(None, (*bond.effort, *bond.flow, bond.impulse, bond.displacement)):
-        owner, _, variable = name.partition(".")
-        if not components[owner].fmu.is_real(variable):
-            raise file.fail(f"bond {bond.name}: {name} is no floating-point signal and carries no power", "bonds")
-    return bond
-
-
-def requirement_of(file: TomlFile, components: dict[str, Component], entry: dict[str, Any]) -> Requirement:
-    """`value` names an output; `minimum`, `maximum` bound it at time 0; `message` says what is wrong otherwise."""
-    text = str(entry.get("value"))
-    name, _, variable = text.partition(".")
-    if name not in components or variable not in components[name].fmu.names("output"):
-        outputs = [f"{c.name}.{v}" for c in components.values() for v in c.fmu.names("output")]
-        raise file.fail(f"require: '{text}' is no output{nearest(text, outputs)}", text, "require")
-    bounds = []
-    for key, free in (("minimum", -math.inf), ("maximum", math.inf)):
-        bound = entry.get(key, free)
-        if isinstance(bound, bool) or not isinstance(bound, (int, float)):
-            raise file.fail(f"require {text}: {key} = {bound!r} must be a number", key, "require")
-        bounds.append(float(bound))
-    return Requirement((name, variable), bounds[0], bounds[1], str(entry.get("message", "out of bounds at time 0")))

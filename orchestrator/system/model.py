@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from fmpy.model_description import ModelVariable
+
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
+from ..fmu.crossing import REALS
 from ..fmu.fmu import Fmu
 from .series import Series
 
@@ -33,10 +38,17 @@ class Component:
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""
-        if self.fmu.variables[name].causality == "input":
-            series = {key: table for key, table in self.series.items() if key != name}
-            return replace(self, inputs={**self.inputs, name: value}, series=series)
-        return replace(self, parameters={**self.parameters, name: value})
+        return self.with_values({name: value})
+
+    def with_values(self, values: Mapping[str, Value]) -> Component:
+        """A copy with scalar parameters and inputs set."""
+        inputs = {name: v for name, v in values.items() if self.fmu.variables[name].causality == "input"}
+        return replace(
+            self,
+            parameters={**self.parameters, **{name: v for name, v in values.items() if name not in inputs}},
+            inputs={**self.inputs, **inputs},
+            series={name: table for name, table in self.series.items() if name not in inputs},
+        )
 
     def with_series(self, name: str, series: Series) -> Component:
         """A copy in which one scalar input follows a table."""
@@ -111,26 +123,30 @@ class System:
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
 
+    @cached_property
+    def drivers(self) -> dict[tuple[str, str], Connection]:
+        """The connections by the inputs that they drive."""
+        return {connection.target: connection for connection in self.connections}
+
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.
 
         Raises InputError for an unknown name, a driven input, a wrong type or a value out of range.
         """
-        components = dict(self.components)
+        components, values = self.components, dict[str, dict[str, Value]]()
         tables = {f"{c.name}.{v}": series for c in components.values() for v, series in c.series.items()}
         for key, value in assignments.items():
             name, _, variable = key.partition(".")
             if name not in components:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
-            component = components[name]
-            for scalar, scalar_value in checked_values(component, variable, value, origin).items():
+            for scalar, scalar_value in checked_values(components[name], variable, value, origin).items():
                 self.require_free(name, scalar, origin)
                 if f"{name}.{scalar}" in tables:
                     followed = tables[f"{name}.{scalar}"].origin
                     raise InputError(f"{origin}: {name}.{scalar} follows {followed}; remove that first")
-                component = component.with_value(scalar, scalar_value)
-            components[name] = component
-        return replace(self, components=components)
+                values.setdefault(name, {})[scalar] = scalar_value
+        changed = {name: components[name].with_values(found) for name, found in values.items()}
+        return replace(self, components={**components, **changed})
 
     def with_component(self, component: Component) -> System:
         """A copy with a component of the same name in place of another."""
@@ -138,11 +154,11 @@ class System:
 
     def require_free(self, name: str, variable: str, origin: str) -> None:
         """Raise InputError for an input that a connection drives."""
-        for c in self.connections:
-            if c.target == (name, variable):
-                raise InputError(
-                    f"{origin}: {name}.{variable} is driven by the connection {c.label}; remove that first"
-                )
+        driver = self.drivers.get((name, variable))
+        if driver:
+            raise InputError(
+                f"{origin}: {name}.{variable} is driven by the connection {driver.label}; remove that first"
+            )
 
     def with_periods(self, factor: Fraction) -> System:
         """A copy with every communication period multiplied by `factor`."""
@@ -155,11 +171,11 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
     """`value` for each scalar behind `name` (a list for an array), in type and range. Raises InputError."""
     fmu = component.fmu
     scalars = fmu.expand(name)
-    settable = fmu.base_names("parameter", "input")
     if not scalars or fmu.variables[scalars[0]].causality not in ("parameter", "input"):
         kind = fmu.variables[scalars[0]].causality if scalars else "variable"
         what = f"is of causality {kind} and cannot be set" if scalars else "is unknown"
-        raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, [s for s in settable if s != name])}")
+        settable = [s for s in fmu.base_names("parameter", "input") if s != name]
+        raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, settable)}")
     values = list(value) if isinstance(value, (list, tuple)) else [value] * len(scalars)
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")
@@ -167,3 +183,12 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
         scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}", fmu.type_of(scalar))
         for scalar, v in zip(scalars, values, strict=True)
     }
+
+
+def start_as_toml(variable: ModelVariable) -> str:
+    """The start value of a variable, or what stands for none, as it is written in a file."""
+    if variable.type == "String":
+        return json.dumps(variable.start or "", ensure_ascii=False)
+    if variable.type == "Boolean":
+        return "true" if str(variable.start).lower() in ("true", "1") else "false"
+    return str(variable.start or (0.0 if variable.type in REALS else 0))

@@ -15,6 +15,11 @@ def matches(patterns: Iterable[str], name: str) -> bool:
     return any(fnmatchcase(name, pattern.replace("[", "[[]")) for pattern in patterns)
 
 
+def matching(pattern: str, names: Sequence[str]) -> bool:
+    """Whether any of the names is, or matches, the pattern."""
+    return pattern in names or any(matches((pattern,), name) for name in names)
+
+
 def select_recorded(system: System, patterns: Sequence[str]) -> System:
     """A copy that records what matches `patterns`, and what its figures of merit need.
 
@@ -27,7 +32,7 @@ def select_recorded(system: System, patterns: Sequence[str]) -> System:
         for variable in component.fmu.names("input", "output")
     ]
     for pattern in patterns:
-        if not any(matches((pattern,), name) for name in names):
+        if not matching(pattern, names):
             raise InputError(f"--record {pattern}: no input or output is called so{nearest(pattern, names)}")
     record = (*patterns, *_needed(system))
     figures = [

@@ -18,9 +18,9 @@ from ..errors import InputError, nearest
 from ..files import csv_rows
 from ..units import conversion
 from .model import Component, System, checked_values
+from .schema.checked import checked
+from .schema.system import Table
 from .series import Series, series_of
-
-KEYS = ("csv", "column", "time", "values", "unit")
 
 
 @dataclass(frozen=True)
@@ -121,9 +121,7 @@ def stated_series(component: Component, name: str, entry: Mapping[str, Any], fol
     `{ csv = "profile.csv" }`, where a `column` other than `component.input` can be named; or `{ time = [0, 1],
     values = [0, 5], unit = "mm" }`. Paths are relative to `folder`.
     """
-    for key in entry:
-        if key not in KEYS:
-            raise InputError(f"{label}: unknown key '{key}'{nearest(key, KEYS)}")
+    checked(Table, dict(entry), label)
     scalars = [s for s in component.fmu.expand(name) if component.fmu.variables[s].causality == "input"]
     if not scalars:
         raise InputError(

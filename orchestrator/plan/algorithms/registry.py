@@ -6,7 +6,7 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...system.model import System
-from ...system.settings import KEYS
+from ...system.schema.system import KEYS
 from ...toml_file import TomlFile
 from .adaptive import Adaptive
 from .base import Algorithm

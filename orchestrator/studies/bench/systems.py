@@ -7,8 +7,9 @@ from fractions import Fraction
 from pathlib import Path
 
 from ...errors import InputError
+from ...system.components import fmu_folder
 from ...system.model import System
-from ...system.reader import fmu_folder, load_system
+from ...system.reader import load_system
 from .native_fmu import ring
 
 TRIVIAL_FMU = """

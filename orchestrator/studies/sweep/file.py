@@ -21,10 +21,11 @@ from pathlib import Path
 
 from ...errors import InputError, nearest
 from ...system.reader import SYSTEMS, shipped_systems
+from ...system.schema.checked import checked
+from ...system.schema.sweep import SweepTable
 from ...toml_file import TomlFile
 
 SWEEPS = SYSTEMS / "sweeps"
-KEYS = {"description", "system", "stop_time", "random", "seed", "design", "set", "vary", "summary"}
 
 
 @dataclass(frozen=True)
@@ -61,19 +62,10 @@ def sweep_file(name: str) -> SweepFile:
     file = TomlFile(path)
     if "vary" not in file.data:
         return SweepFile(path.stem, str(path.resolve()))
-    for key in file.data.keys() - KEYS:
-        raise file.fail(f"unknown key '{key}'{nearest(key, KEYS)}", key)
-    system = str(file.entry(str, "system"))
-    if not system:
-        raise InputError(f"{path.name}: 'system' is missing")
-    counts = {}
-    for key, default in (("random", 0), ("seed", 1)):
-        counts[key] = file.data.get(key, default)
-        if not isinstance(counts[key], int) or counts[key] < 0:
-            raise file.fail(f"{key} must be a whole number", key)
+    table = checked(SweepTable, file.data, "", file)
+    beside = table.system.endswith((".toml", ".ssp", ".ssd"))
     return SweepFile(
-        path.stem, str(path.resolve().parent / system) if system.endswith((".toml", ".ssp", ".ssd")) else system,
-        str(file.entry(str, "description")), str(file.data.get("stop_time", "")), counts["random"], counts["seed"],
-        file.entry(dict, "set"), file.entry(dict, "vary"),
-        {key: str(text) for key, text in file.entry(dict, "summary").items()}, str(file.entry(str, "design")),
+        path.stem, str(path.resolve().parent / table.system) if beside else table.system, table.description,
+        str(table.stop_time or ""), table.random, table.seed, dict(table.set), dict(table.vary), dict(table.summary),
+        table.design,
     )  # fmt: skip

@@ -27,9 +27,9 @@ from typing import Any
 from ...errors import InputError, nearest
 from ...toml_file import TomlFile
 from ...units import parse_unit
+from ..schema.checked import checked
+from ..schema.mapping import EntryTable, MappingTable
 
-TABLES = ("variables", "inputs", "parameters")
-ENTRY_KEYS = ("name", "sign", "unit")
 Value = float | int | bool | str
 
 
@@ -97,9 +97,7 @@ class VariableMapping:
 def load_mapping(path: Path) -> VariableMapping:
     """Read a mapping file. Raises InputError, with the line, for whatever is not as the head of this file shows."""
     file = TomlFile(path)
-    for key in file.data:
-        if key not in TABLES:
-            raise file.fail(f"unknown key '{key}'{nearest(key, TABLES)}", key)
+    checked(MappingTable, file.data, "", file)
     entries: dict[str, Entry] = {}
     targets: dict[str, str] = {}
     for ours, value in file.entry(dict, "variables").items():
@@ -124,20 +122,14 @@ def _entry(file: TomlFile, ours: str, value: Any) -> Entry:
             f'{ours} = {value!r}: write the name of their variable, {{ name = "x", sign = -1, unit = "N" }}, '
             f'or "" if there is none {where}'
         )
-    for key in value:
-        if key not in ENTRY_KEYS:
-            raise InputError(f"{ours}: unknown key '{key}'{nearest(key, ENTRY_KEYS)} {where}")
-    name, sign, unit = value.get("name", ours), value.get("sign", 1), value.get("unit")
-    if not isinstance(name, str) or not (unit is None or isinstance(unit, str)):
-        raise InputError(f"{ours}: name and unit must be text {where}")
-    if isinstance(sign, bool) or sign not in (1, -1):
-        raise InputError(f"{ours}: sign = {sign!r} must be 1 or -1 {where}")
+    table = checked(EntryTable, value, ours, file, "variables", where)
+    name, sign, unit = ours if table.name is None else table.name, table.sign, table.unit
     if unit is not None:
         try:
             parse_unit(unit)
         except InputError as error:
             raise InputError(f"{ours}: {error} {where}") from None
-    return Entry(name, float(sign), unit, where)
+    return Entry(name, sign, unit, where)
 
 
 def _values(file: TomlFile, table: str, targets: Mapping[str, str]) -> dict[str, Value]:

@@ -17,7 +17,7 @@ from ...errors import InputError
 from ...fmu.attributes import parse_value
 from ...fmu.crossing import REALS, Crossing, crossing
 from ...fmu.fmu import Fmu
-from ..model import Component, System, Value
+from ..model import Component, System, Value, start_as_toml
 from .mapping import VariableMapping
 from .missing import Missing, leave_out
 
@@ -139,11 +139,11 @@ def own_values(
     """
     for name, variable in variables.items():
         if variable.causality == "input" and name not in mapped and name not in mapping.inputs:
-            start, close = variable.start, difflib.get_close_matches(name, unmapped, 1, 0.0)
+            close = difflib.get_close_matches(name, unmapped, 1, 0.0)
             offer = f' ({close[0]} = "{name}")' if close else ""
             raise InputError(
                 f"{label} has an input '{name}' that nothing drives; map one of ours to it{offer} under [variables] in "
-                f'a mapping file, or give it a value there: [inputs] "{name}" = {start if start is not None else 0.0}'
+                f'a mapping file, or give it a value there: [inputs] "{name}" = {start_as_toml(variable)}'
             )
     for table, causality in (("inputs", "input"), ("parameters", "parameter")):
         for name in getattr(mapping, table):

@@ -1,0 +1,128 @@
+"""The components of a system file: FMU, period and start values, each checked."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ..clock import duration
+from ..errors import InputError, nearest
+from ..fmu.crossing import REALS
+from ..fmu.fmu import Fmu
+from ..toml_file import TomlFile
+from ..units import parse_unit
+from .model import Component, Value, checked_values
+from .schema.checked import checked
+from .schema.system import ComponentTable
+from .series_file import stated_series
+
+STATED = (bool, int, float, str)  # what a value in a file may be
+
+
+def fmu_folder() -> Path:
+    """Where built FMUs are: $ROVBRUSH_FMUS, the checkout's fmus/, or the user's data folder."""
+    chosen = os.environ.get("ROVBRUSH_FMUS")
+    if chosen:
+        return Path(chosen)
+    checkout = Path(__file__).parent.parent.parent
+    if (checkout / "pyproject.toml").is_file():
+        return checkout / "fmus"
+    from platformdirs import user_data_path
+
+    return user_data_path("rovbrush") / "fmus"
+
+
+def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | None) -> Component:
+    """One table `[components.name]`. Raises InputError or FmuError."""
+    heading = f"components.{name}"
+    if not re.fullmatch(r"\w+", name):
+        raise file.fail(f"component name '{name}': only letters, digits and _ are allowed", name)
+    for key in ("parameters", "inputs"):
+        file.entry(dict, key, entry, heading)
+    table = checked(ComponentTable, entry, f"component {name}", file, heading)
+    path = Path(table.fmu)
+    if path.suffix == ".fmu":
+        path = path if path.is_absolute() else file.path.parent / path
+    else:
+        path = (fmus or fmu_folder()) / f"{path}.fmu"
+    fmu = Fmu.open(path)
+    if table.units:
+        fmu = replace(fmu, units=stated_units(file, name, table.units, fmu, heading))
+    try:
+        period = duration(table.period, f"component {name}: period")
+    except InputError as error:
+        raise file.fail(str(error), "period", heading) from None
+    component = Component(name, fmu, period, **_isolation(file, name, table, "timeout" in entry, heading))
+    return _with_values(file, component, table, heading)
+
+
+def _with_values(file: TomlFile, component: Component, table: ComponentTable, heading: str) -> Component:
+    name = component.name
+    for kind, causality, values in (("parameters", "parameter", table.parameters), ("inputs", "input", table.inputs)):
+        found: dict[str, Value] = {}
+        for key, value in values.items():
+            origin = f"{kind} of {name} {file.at(key, heading)}"
+            if kind == "inputs" and isinstance(value, dict):
+                component = stated_series(component, key, value, file.path.parent, origin)
+                continue
+            for one in value if isinstance(value, list) else [value]:
+                if not isinstance(one, STATED) and component.fmu.expand(key):
+                    raise InputError(f"{origin}: {name}.{key} = {one} is not a finite number, text, true or false")
+            scalars = checked_values(component, key, value, origin)
+            if component.fmu.variables[next(iter(scalars))].causality != causality:
+                raise InputError(f"{origin}: {name}.{key} is no {causality}")
+            found |= scalars
+        component = component.with_values(found)
+    return component
+
+
+def _isolation(file: TomlFile, name: str, table: ComponentTable, limited: bool, heading: str) -> dict[str, Any]:
+    if table.isolation == "none":
+        if limited:
+            raise file.fail(f'component {name}: timeout needs isolation = "process"', "timeout", heading)
+        return {}
+    if not hasattr(os, "fork"):
+        raise file.fail(f"component {name}: isolation needs Linux or macOS; remove it", "isolation", heading)
+    try:
+        return {"isolation": table.isolation, "timeout": duration(table.timeout, f"component {name}: timeout")}
+    except InputError as error:
+        raise file.fail(str(error), "timeout", heading) from None
+
+
+def stated_units(file: TomlFile, component: str, entry: dict[str, str] | str, fmu: Fmu, heading: str) -> dict[str, str]:
+    """Units that an FMU leaves out, by scalar: stated in the system file or in a file beside it.
+
+    units = { torque = "N.m", speed = "rad/s" }      # or: units = "pump_units.toml", a file with such lines
+
+    Raises InputError for a name that the FMU does not have or that is no real number, a unit that is not understood,
+    and one that contradicts the FMU.
+    """
+    if isinstance(entry, str):
+        file, heading = TomlFile(file.path.parent / entry), ""
+        entry = file.data
+    found: dict[str, str] = {}
+    for name, unit in entry.items():
+        scalars = fmu.expand(name)
+        label = f"component {component}: unit of {name}"
+        if not scalars:
+            raise file.fail(
+                f"{label}: {fmu.path.name} has no such variable{nearest(name, fmu.variables)}", name, heading
+            )
+        found |= {scalar: _checked_unit(file, label, name, unit, fmu, scalar, heading) for scalar in scalars}
+    return found
+
+
+def _checked_unit(file: TomlFile, label: str, name: str, unit: Any, fmu: Fmu, scalar: str, heading: str) -> str:
+    variable = fmu.variables[scalar]
+    if variable.type not in REALS:
+        raise file.fail(f"{label}: it is of type {variable.type}, which has no unit", name, heading)
+    if variable.unit and variable.unit != unit:
+        raise file.fail(f"{label}: {fmu.path.name} states {variable.unit} itself; remove {unit!r}", name, heading)
+    try:
+        parse_unit(str(unit))
+    except InputError as error:
+        raise file.fail(f"{label}: {error}", name, heading) from None
+    return str(unit)

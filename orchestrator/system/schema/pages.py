@@ -1,0 +1,139 @@
+"""What is made from the declarations of keys: JSON schemas for editors, and the reference page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import msgspec
+from msgspec import inspect
+
+from ...errors import InputError, nearest
+from .checked import fields_of
+from .mapping import MappingTable
+from .sweep import SweepTable
+from .system import SystemTable
+from .words import in_words, stripped
+
+FILES: dict[str, type[Any]] = {"system": SystemTable, "mapping": MappingTable, "sweep": SweepTable}
+HEAD = """\
+# Keys of the files
+
+Made by `rovbrush schema --reference` from the declarations that the files are checked against. An editor knows them
+from `rovbrush schema system --out system.schema.json` and a first line `#:schema system.schema.json` in the file.
+Times are written as `0.005`, `"5 ms"`, `"250 us"` or `"1/60 s"`.
+"""
+
+
+@dataclass(frozen=True)
+class Algorithms:
+    """What a system file can say of algorithms: their names, and JSON schemas of their tables of settings."""
+
+    names: Sequence[str] = ()
+    settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+
+
+def json_schema(name: str, algorithms: Algorithms) -> dict[str, Any]:
+    """The JSON schema (draft 2020-12) of a kind of file. Raises InputError for a kind that there is not."""
+    if name not in FILES:
+        raise InputError(f"no file of kind '{name}'{nearest(name, FILES)}")
+    found = msgspec.json.schema(FILES[name])
+    if name == "system":
+        properties = found["$defs"][SystemTable.__name__]["properties"]
+        properties["algorithm"]["enum"] = list(algorithms.names)
+        properties.update(algorithms.settings)
+    cleaned: dict[str, Any] = _without_null(found)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"rovbrush {name} file", **cleaned}
+
+
+def _without_null(value: Any) -> Any:
+    """TOML has no null: what may be left out is not written."""
+    if isinstance(value, list):
+        return [_without_null(entry) for entry in value if entry != {"type": "null"}]
+    if not isinstance(value, dict):
+        return value
+    found = {key: _without_null(entry) for key, entry in value.items() if not (key == "default" and entry is None)}
+    if len(found.get("anyOf", ())) == 1:
+        found |= found.pop("anyOf")[0]
+    return found
+
+
+def schema_text(name: str, algorithms: Algorithms) -> str:
+    """The JSON schema as a file holds it."""
+    return json.dumps(json_schema(name, algorithms), indent=1, allow_nan=False) + "\n"
+
+
+def reference(algorithms: Algorithms) -> str:
+    """Every key, type and default, as Markdown."""
+    parts = [HEAD]
+    for name, kind in FILES.items():
+        parts.append(f"## A {name} file\n")
+        for heading, table in _tables(kind, ""):
+            rows = [_row(key, entry) for key, (entry, _) in fields_of(table).items()]
+            parts.append(f"{heading}{(table.__doc__ or '').strip()}\n\n{_page_table(rows)}")
+        if name == "system":
+            parts.append(f"`algorithm` is one of {', '.join(algorithms.names)}. Some have settings:\n")
+            parts += [_settings(heading, schema) for heading, schema in algorithms.settings.items()]
+    return "\n".join(parts)
+
+
+def _page_table(rows: list[str]) -> str:
+    return "\n".join(["| key | what | default | |", "|---|---|---|---|", *rows]) + "\n"
+
+
+def _settings(heading: str, schema: Mapping[str, Any]) -> str:
+    """The settings of an algorithm, from their JSON schema."""
+    rows = []
+    for key, entry in schema["properties"].items():
+        kinds = {"integer": "a whole number above 0", "number": "a number above 0"}
+        words = " or ".join(json.dumps(word) for word in entry.get("enum", ()))
+        default = f"`{json.dumps(entry['default'])}`" if "default" in entry else ""
+        rows.append(
+            f"| `{key}` | {words or kinds.get(str(entry['type']), 'a time')} | {default} | {entry['description']} |"
+        )
+    return f"### `[{heading}]`\n\n{_page_table(rows)}"
+
+
+def _tables(kind: type[Any], heading: str) -> Iterator[tuple[str, type[Any]]]:
+    """A table and those within it, each with how it is headed."""
+    yield (f"### `{heading}`\n\n" if heading else ""), kind
+    for key, (declared, _) in fields_of(kind).items():
+        plain = stripped(declared.type)
+        if isinstance(plain, inspect.StructType | inspect.DataclassType):
+            yield from _tables(plain.cls, f"[{key}]")
+        elif isinstance(plain, inspect.ListType):
+            for part in _parts(plain.item_type):
+                yield from _tables(part, f"[[{key}]]")
+        elif isinstance(plain, inspect.DictType):
+            for part in _parts(plain.value_type):
+                if isinstance(stripped(plain.value_type), inspect.UnionType):
+                    named = "window" if key == "summary" else "NAME"
+                    yield from _tables(part, f"{named} = {{ ... }} in {key}")
+                else:
+                    yield from _tables(part, f"[{key}.NAME]")
+
+
+def _parts(type_: Any) -> list[type[Any]]:
+    """The tables that a value may be."""
+    plain = stripped(type_)
+    parts = plain.types if isinstance(plain, inspect.UnionType) else (plain,)
+    return [p.cls for p in map(stripped, parts) if isinstance(p, inspect.StructType | inspect.DataclassType)]
+
+
+def _row(key: str, field: inspect.Field) -> str:
+    default = "needed" if field.required else ""
+    value = field.default_factory() if callable(field.default_factory) else field.default
+    if isinstance(value, str | bool | int | float | list) and value not in ([], ""):
+        default = f"`{json.dumps(value)}`"
+    return f"| `{key}` | {in_words(field.type)} | {default} | {_described(field.type)} |".replace("  ", " ")
+
+
+def _described(type_: Any) -> str:
+    while isinstance(type_, inspect.Metadata):
+        text = (type_.extra_json_schema or {}).get("description")
+        if text:
+            return str(text)
+        type_ = type_.type
+    return ""

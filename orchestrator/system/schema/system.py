@@ -1,0 +1,132 @@
+"""The keys of a system file.
+
+The tables of settings of algorithms stand beside them and are kept as they are: what they may hold is known, and
+checked before time 0, by `plan/algorithms`.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from msgspec import Meta, Struct, field
+
+from .report import Balance, Comparison, Figure, Window
+from .values import FigureOfMerit, Number, Time, Value, Values
+
+TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
+CONNECTION = r"^\s*\w+\.\S+\s*->\s*\w+\.\S+(\s+\(\S+\))?\s*$"
+
+
+class Table(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A table that follows the rows of a list or of a CSV file."""
+
+    csv: Annotated[str | None, Meta(description="a CSV file beside the system file, with a column `time`")] = None
+    column: Annotated[str | None, Meta(description="its column; `component.input` where nothing is stated")] = None
+    time: Annotated[list[Number] | None, Meta(description="the times [s], rising, in place of a file")] = None
+    values: Annotated[list[Any] | None, Meta(description="a value for each time; of an array a list for each")] = None
+    unit: Annotated[str | None, Meta(description="of `values`; the input's own where nothing is stated")] = None
+
+
+class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """One FMU, how often it communicates, and the values that it starts with."""
+
+    fmu: Annotated[
+        str, Meta(description="the name of a built FMU, or the path of a .fmu from the system file's folder")
+    ]
+    period: Annotated[Time, Meta(description="the communication step")]
+    parameters: Annotated[Values, Meta(description="start values of parameters; a list for an array")] = {}
+    inputs: Annotated[
+        dict[str, Value | list[Value] | Table],
+        Meta(
+            description="inputs that no connection drives: a value held over the run, a list for an array, or a table"
+        ),
+    ] = {}
+    isolation: Annotated[
+        Literal["none", "process"], Meta(description='"process": the FMU runs in a process of its own')
+    ] = "none"
+    timeout: Annotated[Time, Meta(description="of one call to an FMU in a process of its own, in wall time")] = "60 s"
+    units: Annotated[
+        dict[str, str] | str,
+        Meta(
+            description="units of variables for which the FMU states none, or a TOML file with such lines",
+            extra={"must": "a table, or the name of a file"},
+        ),
+    ] = {}
+
+
+class BondTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A power bond: two connections in opposite directions whose signals multiply to a power."""
+
+    effort: Annotated[str, Meta(description="the connected input that takes the effort, `component.input`")]
+    flow: Annotated[
+        str, Meta(description="the connected input that takes the flow, or an output of the effort's taker")
+    ]
+    name: Annotated[str | None, Meta(description="what results call it; else its effort")] = None
+    sign: Annotated[
+        Annotated[float, Meta(extra_json_schema={"enum": [1, -1]}, extra={"must": "1 or -1"})],
+        Meta(description="-1 where effort times flow is the power that goes the other way"),
+    ] = 1.0
+    impulse: Annotated[str | None, Meta(description="an output that counts the time integral of the effort")] = None
+    displacement: Annotated[str | None, Meta(description="an output that counts the time integral of the flow")] = None
+    limit: Annotated[
+        Annotated[float, Meta(ge=0, extra={"must": "a number of J, 0 or more"})] | None,
+        Meta(description="the energy [J] that the coupling may make or lose over the run"),
+    ] = None
+    limit_relative: Annotated[
+        Annotated[float, Meta(ge=0)] | None,
+        Meta(description="the same, of the energy that the bond carries"),
+    ] = None
+
+
+class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What an output must be at time 0."""
+
+    value: Annotated[str, Meta(description="the output, `component.output`")]
+    minimum: Annotated[float | None, Meta(description="its least value")] = None
+    maximum: Annotated[float | None, Meta(description="its largest value")] = None
+    message: Annotated[str, Meta(description="what to tell otherwise")] = "out of bounds at time 0"
+
+
+class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A system: components, connections, how they are coupled, and what is reported of a run."""
+
+    stop_time: Annotated[Time, Meta(description="where a run ends; a whole number of every period")]
+    components: Annotated[
+        dict[str, ComponentTable], Meta(description="the FMUs, by the names that the system gives them")
+    ]
+    description: Annotated[str, Meta(description="what the system is, in a line")] = ""
+    algorithm: Annotated[
+        str, Meta(description="how the components are coupled", extra={"says": "unknown algorithm {value}"})
+    ] = "gauss-seidel"
+    order: Annotated[
+        list[str], Meta(description="of the components in a Gauss-Seidel step, each once; else the plan finds one")
+    ] = []
+    parameters: Annotated[
+        str | None,
+        Meta(
+            description="a TOML file with a table of values for each component; those of this file come over them",
+            extra={"must": "the name of a file"},
+        ),
+    ] = None
+    connections: Annotated[
+        list[Any],
+        Meta(
+            description='`"a.output -> b.input"`, or `"a.output -> b.input (mean)"` with a transfer of your choice',
+            extra_json_schema={"items": {"type": "string", "pattern": CONNECTION}},
+        ),
+    ] = []
+    bonds: Annotated[list[BondTable], Meta(description="power bonds, of which the energy is counted")] = []
+    require: Annotated[list[RequirementTable], Meta(description="what must hold at time 0")] = []
+    record: Annotated[
+        list[str], Meta(description="names of what is recorded, `component.variable`; `*` and `?` stand for others")
+    ] = field(default_factory=lambda: ["*"])
+    summary: Annotated[
+        dict[str, FigureOfMerit | Window],
+        Meta(description="figures of merit, an operation and its signals; `window` is the steady window they are of"),
+    ] = {}
+    balance: Annotated[Balance, Meta(description="energies that components count, over the whole run")] = Balance()
+    compare: Annotated[list[Comparison], Meta(description="figures of merit beside reference values")] = []
+    figures: Annotated[list[Figure], Meta(description="what is drawn")] = []
+
+
+KEYS = tuple(SystemTable.__struct_encode_fields__)
