@@ -20,7 +20,7 @@ SHORTEST, LONGEST = Fraction(1, 10**15), Fraction(10**15)  # s
 
 def duration(value: object, what: str) -> Fraction:
     """A positive time in seconds, exactly: 0.005, "5 ms", "1/60 s", "250 us". Raises InputError."""
-    text = "" if isinstance(value, bool) else str(value).strip()
+    text = "" if isinstance(value, bool) or (isinstance(value, int) and value > LONGEST) else str(value).strip()
     match = re.fullmatch(rf"([+-]?{NUMBER})\s*([a-z]*)", text)
     scale = SCALES.get(match[2] or "s") if match else None
     try:

@@ -49,5 +49,8 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 def shown(value: object) -> str:
     """A value as a message quotes it: whole where it is short."""
-    text = str(value)
+    try:
+        text = str(value)
+    except ValueError:  # a whole number of thousands of digits
+        return "a very large number"
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

@@ -43,7 +43,8 @@ def json_schema(name: str, algorithms: Algorithms) -> dict[str, Any]:
     if name == "system":
         properties = found["$defs"][SystemTable.__name__]["properties"]
         properties["algorithm"]["enum"] = list(algorithms.names)
-        properties.update(algorithms.settings)
+        said = {"description": "settings of an algorithm"}
+        properties.update({heading: {**said, **table} for heading, table in algorithms.settings.items()})
     cleaned: dict[str, Any] = _without_null(found)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"rovbrush {name} file", **cleaned}
 
