@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from .errors import InputError
@@ -23,6 +25,8 @@ DIGITS = re.compile(r"[\d_]{1000,}")
 class TomlFile:
     """Text and data of a TOML file. Raises InputError if it cannot be read, or holds what no file of ours can need:
     names of very many parts, very deep lists, very large numbers, the character NUL."""
+
+    notes: Mapping[str, tuple[str, ...]] = MappingProxyType({})  # what to tell of components, where files of a kind do
 
     def __init__(self, path: Path) -> None:
         self.path = path

@@ -55,7 +55,8 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
         period = duration(table.period, f"component {name}: period")
     except InputError as error:
         raise file.fail(str(error), "period", heading) from None
-    component = Component(name, fmu, period, **_isolation(file, name, table, "timeout" in entry, heading))
+    own_process = _isolation(file, name, table, "timeout" in entry, heading)
+    component = Component(name, fmu, period, notes=file.notes.get(name, ()), **own_process)
     return _with_values(file, component, table, heading)
 
 

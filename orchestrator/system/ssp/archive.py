@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from ...errors import InputError
+from ...errors import InputError, shown
 from ...fmu.unpacked import unpack
 
 SUFFIXES = (".ssp", ".ssd")
@@ -44,15 +45,21 @@ class Archive:
 
         Nothing remote is fetched, and no file outside is opened.
         """
-        uri = urlsplit(source)
+        try:
+            uri = urlsplit(source)
+        except ValueError as error:
+            raise InputError(f"{label}: source '{shown(source)}' is no address of a file: {error}") from None
         if uri.scheme or uri.netloc:
             raise InputError(f"{label}: source '{source}' is not inside the SSP; nothing is fetched from elsewhere")
         if uri.fragment or not uri.path:
             raise InputError(f"{label}: source '{source}' refers to a part of a file, which is not supported")
         folder = base or self.folder
-        file = (folder / unquote(uri.path)).resolve()
+        try:
+            file = (folder / unquote(uri.path)).resolve()
+        except (OSError, ValueError, RuntimeError) as error:  # NUL, a name too long, links in a circle
+            raise InputError(f"{label}: source '{shown(source)}' is no file: {error}") from None
         if not file.is_relative_to(folder.resolve()):
             raise InputError(f"{label}: source '{source}' leaves the folder of the SSP; refused")
-        if not file.is_file():
-            raise InputError(f"{label}: there is no file '{source}' in {self.path.name}")
+        if not os.path.isfile(file):  # False for a name too long as well
+            raise InputError(f"{label}: there is no file '{shown(source)}' in {self.path.name}")
         return folder / file.relative_to(folder.resolve())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -23,20 +24,8 @@ SCHEMAS = {
     "ParameterSet": "SystemStructureParameterValues.xsd",
     "ParameterMapping": "SystemStructureParameterMapping.xsd",
 }
-TYPES = {
-    "Real",
-    "Integer",
-    "Boolean",
-    "String",
-    "Enumeration",
-    "Float64",
-    "Float32",
-    "Int8",
-    "UInt8",
-    "Int16",
-    "UInt16",
-}
-TYPES |= {"UInt16", "Int32", "UInt32", "Int64", "UInt64"}
+TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration", "Float64", "Float32"}
+TYPES |= {f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)}
 MAPPINGS = {"BooleanMappingTransformation", "IntegerMappingTransformation", "EnumerationMappingTransformation"}
 
 # What is read, by the element that it stands in. Whatever else stands there is an error that names it.
@@ -67,7 +56,7 @@ PASSED_OVER = {"ElementGeometry", "ConnectorGeometry", "ConnectionGeometry", "Sy
 PASSED_OVER |= {"Enumerations", "Annotations", "MetaData", "Signature"}
 REFUSED_ATTRIBUTES = ("startIndices", "endIndices")
 # What must be there and what must be a number, in versions too for which there is no schema.
-REQUIRED_CHILDREN = {"SystemStructureDescription": "System", "Unit": "BaseUnit"}
+REQUIRED_CHILDREN = {"SystemStructureDescription": "ssd:System", "Unit": "ssc:BaseUnit"}
 REQUIRED_ATTRIBUTES = {
     **{name: ("name",) for name in ("SystemStructureDescription", "System", "Component", "Parameter", "Unit")},
     "Connector": ("name", "kind"),
@@ -115,14 +104,15 @@ class Document:
                 raise self.fail(f"<{local(element)}>: the attribute {attribute} is not supported", element)
         for attribute in REQUIRED_ATTRIBUTES.get(local(element), ()):
             if not element.get(attribute):
-                raise self.fail(f"<{local(element)}>: the attribute {attribute} is missing", element)
+                state = "missing" if element.get(attribute) is None else "empty"
+                raise self.fail(f"<{local(element)}>: the attribute {attribute} is {state}", element)
         for attribute in sorted(NUMBERS.intersection(element.keys())):
             if not is_finite(element.get(attribute)):
                 text = element.get(attribute)
                 raise self.fail(f"<{local(element)}>: {attribute} = '{text}' is no finite number", element)
         needed, children = REQUIRED_CHILDREN.get(local(element)), list(element.iterchildren(tag=etree.Element))
-        if needed and needed not in map(local, children):
-            raise self.fail(f"<{local(element)}> has no <{needed}>", element)
+        if needed and not find(element, needed):
+            raise self.fail(f"<{local(element)}> has no <{needed.partition(':')[2]}> of the namespace of SSP", element)
         for child in children:
             if local(child) in PASSED_OVER:
                 continue
@@ -157,8 +147,12 @@ def typed_child(element: Any) -> Any:
 
 def validate(root: Any, shown: str) -> None:
     """Raise InputError unless the tree is valid against the SSP 1.0 schema of its root element."""
-    folder = Path(fmpy.ssp.__file__).parent / "schema"
-    schema = etree.XMLSchema(file=str(folder / SCHEMAS[local(root)]))
+    schema = _schema(local(root))
     if not schema.validate(root):
         entry = schema.error_log[0]
         raise InputError(f"{shown} is no valid SSP file: {entry.message} ({shown}, line {entry.line})")
+
+
+@cache
+def _schema(kind: str) -> Any:
+    return etree.XMLSchema(file=str(Path(fmpy.ssp.__file__).parent / "schema" / SCHEMAS[kind]))

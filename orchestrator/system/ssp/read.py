@@ -11,7 +11,7 @@ from .annotations import annotated
 from .archive import Archive
 from .document import Document, find
 from .parameters import Parameters
-from .structure import Element, read_structure
+from .structure import MODEL_EXCHANGE, Element, read_structure
 from .units import definitions
 from .wires import links_of, path_to, wires_of
 
@@ -40,6 +40,11 @@ class SspFile(TomlFile):
         links = list(links_of(self.wires, definitions(self.document)))
         self.places |= {(str(link), ""): link.where for link in links}
         tables = {component.name: self._component(component) for component in root.components()}
+        self.notes = {
+            component.name: (f"{component.name}: the SSP wants {MODEL_EXCHANGE}; the FMU is run in co-simulation",)
+            for component in root.components()
+            if component.xml.get("implementation") == MODEL_EXCHANGE
+        }
         for (element, name), value in stated.items():
             assert element.fmu
             kind = "inputs" if element.fmu.variables[element.fmu.expand(name)[0]].causality == "input" else "parameters"

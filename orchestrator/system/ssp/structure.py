@@ -13,6 +13,7 @@ from .archive import Archive
 from .document import Document, find, local, typed_child
 
 FMU_TYPES = ("application/x-fmu-sharedlibrary", "")
+MODEL_EXCHANGE = "ModelExchange"  # taken as co-simulation where the FMU can do both
 GIVING, TAKING = ("output", "calculatedParameter"), ("input", "parameter")
 
 
@@ -95,12 +96,17 @@ def _fmu(archive: Archive, document: Document, xml: Any) -> Fmu:
     label = f"component '{xml.get('name')}'"
     if xml.get("type", "") not in FMU_TYPES:
         raise document.fail(f"{label} is of type {xml.get('type')}; only FMUs are supported", xml)
-    if xml.get("implementation", "any") not in ("any", "CoSimulation"):
-        raise document.fail(f"{label}: {xml.get('implementation')} is not supported; CoSimulation is needed", xml)
+    wanted = xml.get("implementation", "any")
+    refused = document.fail(f"{label}: {wanted} is not supported; CoSimulation is needed", xml)
+    if wanted not in ("any", "CoSimulation", MODEL_EXCHANGE):
+        raise refused
     try:
-        return Fmu.open(archive.resolve(xml.get("source", ""), label))
+        fmu = Fmu.open(archive.resolve(xml.get("source", ""), label))
     except InputError as error:
         raise document.fail(str(error), xml) from None
+    if wanted == MODEL_EXCHANGE and fmu.description.modelExchange is None:
+        raise refused
+    return fmu
 
 
 def _connectors(document: Document, xml: Any) -> dict[str, Connector]:

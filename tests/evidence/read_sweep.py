@@ -1,0 +1,77 @@
+"""Mutated sweep files, read and made a design of points."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.file import sweep_file
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
+
+from . import seeded
+from .mutations import TOML, mutated, prepare_toy, read
+
+NAME = "read_sweep"
+CLAIM = "a mutated sweep file is read and made a design, or is one error of ours"
+COUNT = 20_000
+UNIT = "files"
+LIMIT = 5.0
+SAMPLE = 100
+
+SYSTEM = 'stop_time = "10 ms"\ncomponents.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }\n'
+SEED = """\
+description = "what for"
+system = "case.toml"
+stop_time = "5 ms"
+random = 4
+seed = 7
+design = "latin"
+[set]
+"a.u" = 0.5
+"a.v" = [1.0, 2.0]
+[vary]
+"a.k" = "0.5:2.0"
+"a.n" = "1:5:log"
+"a.mode" = [1, 2]
+[summary]
+peak_y = "peak a.y"
+"""
+GRID = (
+    SEED.replace("random = 4\n", "")
+    .replace('design = "latin"\n', "")
+    .replace("0.5:2.0", "0.5:2.0:3")
+    .replace("1:5:log", "1,3")
+)
+RANGES = [
+    '"1:2"',
+    '"1:2:3"',
+    '"2:1:3"',
+    '"1:2:99999999999999"',
+    '"-1:2:3:log"',
+    '"1,1"',
+    '"a:b:c"',
+    '"::"',
+]
+SWEEP = replace(TOML, strangers=[*TOML.strangers, *RANGES], values=[*TOML.values, *RANGES])
+_systems: list[System] = []
+
+
+def prepare(folder: Path) -> None:
+    prepare_toy(folder)
+    (folder / "case.toml").write_text(SYSTEM)
+    _systems.append(load_system(str(folder / "case.toml"), folder))
+
+
+def one(index: int, folder: Path) -> str:
+    random = seeded(NAME, index)
+    path = folder / "sweep.toml"
+    path.write_bytes(mutated(random, random.choice([SEED, GRID]), SWEEP))
+
+    def reading() -> None:
+        file = sweep_file(str(path))
+        system = _systems[0].with_values(file.values, "set")
+        make_design(system, file.vary, file.random, file.seed)
+
+    return read(reading)
