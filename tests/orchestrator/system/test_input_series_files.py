@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -145,7 +146,9 @@ def test_the_command_line_takes_files(tmp_path: Path, fmus: Path) -> None:
     profile.write_text("time,i.u\n0,1\n0.02,3\n")
     command = [sys.executable, "-m", "rovbrush.orchestrator"]
     options = [str(path), "--fmus", str(fmus), "--input", str(profile)]
-    shown = subprocess.run([*command, "plan", *options], capture_output=True, text=True, check=True).stdout
+    wide = {**os.environ, "COLUMNS": "160"}  # the plan is wrapped at the terminal's width
+    done = subprocess.run([*command, "plan", *options], capture_output=True, text=True, check=True, env=wide)
+    shown = done.stdout
     assert "i.u = mean of column i.u of profile.csv over 0 s by 2 ms" in shown
     subprocess.run([*command, "run", *options, "--out", str(tmp_path)], capture_output=True, check=True)
     with xarray.open_dataset(tmp_path / "result.nc", group="every_2_ms") as saved:

@@ -45,7 +45,9 @@ def both(folder: Path, fmus: Path, isolated: bool = False, **keys: Any) -> tuple
 def test_an_iteration_and_its_settings(fmus: Path, tmp_path: Path) -> None:
     iteration = {"method": "newton", "tolerance": 1e-9, "max_iterations": 7}
     _, again = both(tmp_path, fmus, algorithm="iterated", iteration=iteration)
-    assert again.algorithm == "iterated" and algorithm_of(again).settings == IteratedSettings("newton", 1e-9, 7)
+    assert again.algorithm == "iterated" and algorithm_of(again).settings == IteratedSettings(
+        "newton", tolerance=1e-9, max_iterations=7
+    )
 
 
 def test_ecco_with_all_its_settings(fmus: Path, tmp_path: Path) -> None:
