@@ -112,10 +112,7 @@ class _CheckedFile(IndexDataCacheFile):
     """
 
     def _load_index(self) -> Any:
-        try:
-            return super()._load_index() if _whole(self._index_path) else {}
-        except FileNotFoundError:
-            return {}
+        return super()._load_index() if _whole(self._index_path) else {}
 
     def _load_data(self, name: str) -> Any:
         if not _whole(self._data_path(name)):
@@ -134,8 +131,11 @@ class _CheckedFile(IndexDataCacheFile):
 
 
 def _whole(path: str) -> bool:
-    """Is the hash at the end of a file that of what stands before it? Raises OSError where there is no file."""
-    content = Path(path).read_bytes()
+    """Is a file there, and the hash at its end that of what stands before it?"""
+    try:
+        content = Path(path).read_bytes()
+    except OSError:
+        return False
     return hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:]
 
 

@@ -47,10 +47,14 @@ def _named_run() -> tuple[str, Any]:
     """The loop, not compiled yet, and the name under which it is kept."""
     import numba
 
+    from .compiled_files import CheckedCache
+
     name = f"run_{loop_hash(Path(loop.__file__))}"
     run = FunctionType(loop.run.__code__, vars(loop))
     run.__qualname__ = name
-    return name, numba.njit(cache=True, error_model="numpy")(run)
+    compiled: Any = numba.njit(error_model="numpy")(run)
+    compiled._cache = CheckedCache(run)
+    return name, compiled
 
 
 def _is_kept(name: str, compiled: Any) -> bool:

@@ -54,3 +54,25 @@ def test_with_numba_switched_off_the_interpreter_runs(tmp_path: Path, fmus: Path
     off = python(code, *arguments, NUMBA_DISABLE_JIT="1")
     assert off.returncode == 0, off.stderr
     assert off.stdout == python(code, *arguments).stdout != ""
+
+
+DOUBLE = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import numba, kept
+from rovbrush.orchestrator.loop.compiled_files import CheckedCache
+double = numba.njit(kept.double)
+double._cache = CheckedCache(kept.double)
+print(double(2.0), sum(double.stats.cache_hits.values()))
+"""
+
+
+@pytest.mark.parametrize("suffix", ["nbc", "nbi"])
+@pytest.mark.parametrize("cut", [slice(0), slice(-100), slice(40, None)])
+def test_a_damaged_file_of_the_compiled_loop_is_compiled_anew(suffix: str, cut: slice, tmp_path: Path) -> None:
+    (tmp_path / "kept.py").write_text("def double(x):\n    return x + x\n")
+    answers = [python(DOUBLE, str(tmp_path)).stdout.split() for _ in range(2)]
+    (file,) = tmp_path.rglob(f"*.{suffix}")
+    file.write_bytes(file.read_bytes()[cut])
+    answers += [python(DOUBLE, str(tmp_path)).stdout.split() for _ in range(2)]
+    assert answers == [["4.0", "0"], ["4.0", "1"], ["4.0", "0"], ["4.0", "1"]]
