@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
+from fmpy.model_description import ModelVariable
 from helpers import edited, last, read_system, run_of, system_text
 from rovbrush.orchestrator.errors import FmuError, InputError, RovbrushError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.model import System, start_as_toml
 from rovbrush.orchestrator.system.reader import load_system
 
 GOOD = """\
@@ -113,6 +115,17 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
     "bond without effort": ("[components.source]", '[[bonds]]\nname = "b"\nflow = "g.u"\n[components.source]', ["bond b: effort = None is no connected input", "g.u"]),
     "bond with a misspelt flow": ("[components.source]", '[[bonds]]\nname = "b"\neffort = "i.u"\nflow = "gg.u"\n[components.source]', ["flow = 'gg.u'", "did you mean 'g.u'?", "line 12"]),
     "bond that does not cross": ("[components.source]", '[[bonds]]\nname = "b"\neffort = "i.u"\nflow = "g.u"\n[components.source]', ["do not cross between the same two"]),
+    "bond with a list for an effort": ("[components.source]", '[[bonds]]\nname = "b"\neffort = ["i.u"]\nflow = "g.u"\n[components.source]', ["bond b: effort must be text", "line 11"]),
+    "an empty figure of merit": ("[components.source]", '[summary]\nx = ""\n[components.source]', ["summary x must be an operation and its signals", "line 10"]),
+    "a number for a figure of merit": ("[components.source]", "[summary]\nx = 5\n[components.source]", ["summary x must be an operation", "line 10"]),
+    "a number for an angle": ("[components.source]", "[summary]\nwindow = { angle = 5 }\n[components.source]", ["summary window: angle must be text", "line 10"]),
+    "a number in a balance": ("[components.source]", "[balance]\nlost = [5]\n[components.source]", ["balance: lost must be a list, each entry text", "line 10"]),
+    "a list for a kind of figure": ("[components.source]", '[[figures]]\nfile = "x.png"\nkind = ["x"]\n[components.source]', ["figure x.png: kind must be text", "line 11"]),
+    "record of a misspelt name": ('description = "k"', 'description = "k"\nrecord = ["g.*", "g.yy"]', ["record: no input or output is called 'g.yy'; did you mean 'g.y'?", "line 3"]),
+    "a time beyond counting": ('period = "20 ms"', 'period = "1e300 s"', ["component i: period = 1e300 s is no time that can be counted", "line 25"]),
+    "NUL in a name": ('fmu = "gain"', 'fmu = "ga\\u0000in"', ["components.g.fmu: the character NUL is not allowed", "line 15"]),
+    "a name of 5000 letters": ('fmu = "gain"', 'fmu = "' + "x" * 5000 + '"', ["does not exist"]),
+    "a unit that is a number": ("[components.g.parameters]", '[components.g.units]\nu = 5\n[components.g.parameters]', ["component g: units must be a table, or the name of a file"]),
     "bond no table": ("[components.source]", "[x]\n[components.source]", ["unknown key 'x'"]),
 }  # fmt: skip
 
@@ -274,3 +287,17 @@ def test_parameters_reach_the_fmu_in_their_own_type(tmp_path: Path, fmus: Path) 
         "g": ("gain", "10 ms", {"count": 7, "on": False, "=u": 1.0, "offset": 0.5}),
     }
     assert last(run_of(tmp_path, fmus, parts), "g.y") == 1.5
+
+
+MENDS = {"Real": "0.0", "Integer": "0", "Boolean": "false", "String": '""', "Enumeration": "0"}
+
+
+@pytest.mark.parametrize("kind", MENDS)
+@pytest.mark.parametrize("start", [None, "1"])
+def test_the_mend_for_a_missing_value_is_toml_of_its_type(kind: str, start: str | None) -> None:
+    variable = ModelVariable(kind, 1, type=kind, start=start)
+    text = start_as_toml(variable)
+    value = tomllib.loads(f"x = {text}")["x"]
+    stated = {"Boolean": "true", "String": '"1"'}.get(kind, "1")
+    assert text == (MENDS[kind] if start is None else stated)
+    assert isinstance(value, {"Boolean": bool, "String": str}.get(kind, float | int))

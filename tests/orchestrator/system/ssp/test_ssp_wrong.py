@@ -41,6 +41,11 @@ WRONG = {
         r"component 'a' is of type application/x-ssp-package; only FMUs",
     ),
     "model exchange": (system(component("a", "gain", implementation="ModelExchange")), r"ModelExchange is not supp"),
+    "NUL in a source": (system('<ssd:Component name="a" source="a%00.fmu"/>'), r"source 'a%00.fmu' is no file"),
+    "a source that is no address": (
+        system('<ssd:Component name="a" source="http://[x"/>'), r"is no address of a file|no valid SSP file"
+    ),
+    "a source of too many letters": (system(component("a", "x" * 5000)), r"there is no file 'resources/xxx"),
     "remote FMU": (
         system('<ssd:Component name="a" source="https://example.org/a.fmu"/>'),
         r"component 'a': source 'https://example.org/a.fmu' is not inside the SSP; nothing is fetched",
@@ -108,6 +113,8 @@ LINEAR = system(GAINS, connection("a.y", "b.u", '<ssc:LinearTransformation facto
         ('factor="2"', 'factor="two"', r"<LinearTransformation>: factor = 'two' is no finite number .*line"),
         ('factor="2"', 'factor="NaN"', r"<LinearTransformation>: factor = 'NaN' is no finite number"),
         (' startConnector="y"', "", r"<Connection>: the attribute startConnector is missing"),
+        (' startConnector="y"', ' startConnector=""', r"<Connection>: the attribute startConnector is empty .*line"),
+        ("ssd:System ", 'ssd:System xmlns:ssd="urn:other" ', r"has no <System> of the namespace of SSP"),
         ('stopTime="0.1"', 'stopTime="later"', r"stopTime = 'later' is no finite number"),
         ('name="a" source', "source", r"<Component>: the attribute name is missing"),
     ],
@@ -117,6 +124,12 @@ def test_what_no_schema_checks_in_ssp_2_is_checked_all_the_same(old: str, new: s
     assert old in text
     with pytest.raises(InputError, match=message):
         read(text.replace(old, new))
+
+
+def test_a_unit_whose_base_is_of_another_namespace_is_an_error(read: Read) -> None:
+    units = '<ssc:Unit name="own"><o:BaseUnit xmlns:o="urn:other" kg="1"/></ssc:Unit>'
+    with pytest.raises(InputError, match=r"<Unit> has no <BaseUnit> of the namespace of SSP .*line"):
+        read(document(LINEAR, units, version="2.0"))
 
 
 def test_a_description_without_a_system_is_an_error(read: Read) -> None:
