@@ -68,15 +68,6 @@ def peak_memory() -> float:
     return peak / (1e6 if sys.platform == "darwin" else 1e3)
 
 
-def file_at(descriptor: int) -> tuple[int, int] | None:
-    """Which file a descriptor leads to; None if to none: foreign code in this process may have closed it."""
-    try:
-        found = os.fstat(descriptor)
-    except OSError:
-        return None
-    return found.st_dev, found.st_ino
-
-
 # --- other processes ---
 
 

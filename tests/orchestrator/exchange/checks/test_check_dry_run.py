@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from helpers import build_fixture, edited
+from native_build import feedthrough2, moody, needs_gcc
+from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks import good_manners, misuse
 from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
 from rovbrush.orchestrator.exchange.checks.rows import Row
+from rovbrush.orchestrator.exchange.checks.subject import open_subject
 
 STATES = {
     'canGetAndSetFMUstate="false"': 'canGetAndSetFMUstate="true"',
@@ -111,3 +117,32 @@ def test_a_library_that_does_not_load_is_a_row(sound: Path, tmp_path: Path) -> N
     broken = edited(sound, tmp_path / "broken.fmu", {"binaries/linux64/Misbehaving.so": b"no library"})
     (row,) = run_rules(broken, ["runs"])
     assert row.verdict == "error" and "Failed to load shared library" in row.found, row
+
+
+def test_the_calls_of_a_rule_that_broke_off_can_be_made_again_as_the_row_says(sound: Path, tmp_path: Path) -> None:
+    path = with_fault(sound, tmp_path, "aborts")
+    (row,) = run_rules(path, ["runs"])
+    command = row.mend.partition("python -m ")[2].partition(";")[0].split()
+    assert command == ["rovbrush.orchestrator.exchange.checks.child", str(path), "rows.jsonl", "runs"]
+    again = subprocess.run([sys.executable, "-m", *command], cwd=tmp_path, capture_output=True, check=False)
+    assert again.returncode == -signal.SIGABRT
+
+
+@pytest.mark.parametrize("status", [-1, 7, 99])
+@needs_gcc
+def test_a_status_that_fmi_does_not_know_is_an_error_of_its_rule(status: int, tmp_path: Path) -> None:
+    path = moody(tmp_path / "moody.fmu", ON_STEP=f"if (m->steps > 2) return {status}")
+    (row,) = run_rules(path, ["runs"])
+    assert row.verdict == "error" and f"status {status}, which FMI does not know" in row.found
+
+
+@needs_gcc
+def test_an_fmu_that_gives_nothing_when_instantiated_is_a_row_with_its_words(tmp_path: Path) -> None:
+    (row,) = run_rules(feedthrough2(tmp_path / "tool.fmu", REFUSES=1), ["runs"])
+    assert row.verdict == "error" and "cannot be instantiated" in row.found and "no licence for the tool" in row.found
+
+
+def test_the_interface_that_is_there_instead_is_named(sound: Path, tmp_path: Path) -> None:
+    other = {"<CoSimulation ": "<ModelExchange ", "</CoSimulation>": "</ModelExchange>"}
+    with pytest.raises(FmuError, match=r"no co-simulation interface, but model exchange; export it for co-simulation"):
+        open_subject(edited(sound, tmp_path / "me.fmu", {}, other))
