@@ -103,9 +103,14 @@ def print_growth(rows: Rows) -> None:
 
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
-    cells = [(r["figure"], f"{r['here_s']:.4g}", f"{r['there_s']:.4g}", f"{r['ratio']:.3f}") for r in rows]
+    cells = [
+        (
+            r["figure"], f"{r['here_s']:.4g}", f"{r['there_s']:.4g}", f"{r['ratio']:.3f}",
+            f"{r['ratio_of_fastest']:.3f}",
+        ) for r in rows
+    ]  # fmt: skip
     title = f"This installation and the other, medians of {rows[0]['rounds']} runs in turns"
-    print_table(title, ("", "here [s]", "there [s]", "ratio"), cells)
+    print_table(title, ("", "here [s]", "there [s]", "ratio", "of the\nfastest"), cells)
 
 
 PRINTED = {
