@@ -31,8 +31,8 @@ def against(
 ) -> Iterator[tuple[float, dict[str, Any]]]:
     """The loop of `feedthrough4` and `nominal`, a start to the first step: medians [s] of both and their ratio.
 
-    The ratio of the fastest of each is given too: a busy machine disturbs it least. With each row comes the share of the work that is done. Raises InputError for what is no interpreter, RunError
-    where a run fails.
+    The ratio of the fastest of each is given too: a busy machine disturbs it least. With each row comes the share of
+    the work that is done. Raises InputError for what is no interpreter, RunError where a run fails.
     """
     built = str((fmus or fmu_folder()).resolve())
     path = ring(folder, 4, stop="200 s")
