@@ -21,8 +21,8 @@ from .errors import InputError
 from .plan.explain import explain
 from .plan.plan import Plan
 from .results.result import Result
-from .run.observers import Every
 from .run.planned import planned
+from .run.recording.observers import Every
 from .run.stepping import Stepping, Time
 from .system.assemble import assemble
 from .system.model import System

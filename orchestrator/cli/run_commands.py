@@ -97,7 +97,7 @@ def plan(
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
     from ..plan.explain import explain
     from ..plan.plan import make_plan
-    from ..run.rehearsal import loop_residuals
+    from ..run.initialize import loop_residuals
     from ..system.assemble import assemble_request
     from ..system.request import Request
 

@@ -10,14 +10,14 @@ from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
 from ..plan.plan import Plan
 from ..results.energy import require_energy
-from ..results.netcdf import group_name
+from ..results.files.netcdf import group_name
+from ..results.files.writing import ROWS, More
 from ..results.summary import figure_units
-from ..results.writing import ROWS, More
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
-from ..run.checkpoint import Checkpoint, read_checkpoint
-from ..run.fingerprint import require_unchanged
+from ..run.checkpoint.checkpoint import Checkpoint, read_checkpoint
+from ..run.checkpoint.fingerprint import require_unchanged
 from ..run.planned import planned
-from ..run.recorder import IN_MEMORY
+from ..run.recording.recorder import IN_MEMORY
 from ..system.assemble import assemble_request
 from ..system.request import Request
 from .console import print_comparison, print_notes, print_summary, progress, tell, wrote

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..results.manifest import plain_value
+from ..results.files.manifest import plain_value
 from ..results.signals import Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from ..files import prepare_folder, write_file, write_json
-from ..results.manifest import plain_value
+from ..results.files.manifest import plain_value
 from ..results.plots import new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize

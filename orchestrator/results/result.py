@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError, nearest
 from ..files import prepare_folder
 from .energy import require_energy
-from .netcdf import datasets, group_name
+from .files.netcdf import datasets, group_name
+from .files.writing import write_results
 from .summary import comparison, summarize
 from .tables import Run
-from .writing import write_results
 
 if TYPE_CHECKING:
     import xarray

@@ -16,14 +16,14 @@ from ..clock import duration
 from ..errors import InputError, RovbrushError
 from ..files import prepare_folder, sweep_up
 from ..plan.plan import Plan
-from ..results.folder import remove, require_own
+from ..results.files.folder import remove, require_own
+from ..results.files.writing import More, Written, write_products, write_rows
 from ..results.tables import Run
-from ..results.writing import More, Written, write_products, write_rows
 from ..system.request import Request
-from .checkpoint import Checkpoint, unserializable, write_checkpoint
-from .checkpoint_files import found_in
+from .checkpoint.checkpoint import Checkpoint, unserializable, write_checkpoint
+from .checkpoint.files import found_in
 from .interrupt import ENDING, StopRequests
-from .observers import Every, Progress
+from .recording.observers import Every, Progress
 from .session import Session
 
 

@@ -11,7 +11,7 @@ from ..loop.operations import STEP
 from ..participant.base import Instance
 from ..participant.lifecycle import DISCARD, FATAL, status_text
 from ..plan.plan import Plan
-from .algorithm_state import AlgorithmState
+from .memory.algorithm_state import AlgorithmState
 
 REPORTED = {
     exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",

@@ -8,11 +8,12 @@ import numpy as np
 
 from ..errors import FmuError, InputError
 from ..participant.base import Instance, Value
+from ..participant.opening import start
 from ..plan.layout import Key
 from ..plan.plan import Plan
 from ..results.tables import Started
 from ..system.model import Connection
-from .memory import Memory
+from .memory.memory import Memory
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 
@@ -132,3 +133,20 @@ class _Propagation:
                 f"the FMUs start values near the solution"
             )
         self.started.loops[label] = found
+
+
+def loop_residuals(plan: Plan) -> dict[str, float]:
+    """The residual of every algebraic loop at time 0, relative to its inputs; FMUs are loaded only if there is one.
+
+    Raises FmuError or InputError if time 0 cannot be reached.
+    """
+    if not any(block.loop for block in plan.start):
+        return {}
+    instances: dict[str, Instance] = {}
+    try:
+        for name, component in plan.system.components.items():
+            instances[name] = start(component)
+        return initialize(plan, instances, Memory(plan)).loops
+    finally:
+        for instance in instances.values():
+            instance.close()

@@ -19,14 +19,14 @@ from ..participant.surroundings import Surroundings
 from ..plan.plan import Plan
 from ..processes import seconds_since_start
 from ..results.tables import Run
-from .access import Access
-from .algorithm_state import free_states, make_state
 from .failure import failure_of
 from .initialize import initialize
 from .interrupt import StopRequests
-from .memory import Memory
-from .observers import NEVER, Observer, Progress
-from .recorder import Recorder
+from .memory.access import Access
+from .memory.algorithm_state import free_states, make_state
+from .memory.memory import Memory
+from .recording.observers import NEVER, Observer, Progress
+from .recording.recorder import Recorder
 
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 

@@ -15,7 +15,7 @@ from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.recorded import matches
-from .ports import reader_of, writer_of
+from .memory.ports import reader_of, writer_of
 from .session import Session
 
 Time = str | float | Fraction

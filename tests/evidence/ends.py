@@ -219,7 +219,7 @@ def _rows(path: Path) -> tuple[dict[str, np.ndarray], bool, list[str]]:
 def _reference(fmus: Path) -> dict[str, np.ndarray]:
     """The rows of a run that reaches 2 s, with quick steps; those of slow ones are the same."""
     from rovbrush.orchestrator.plan.plan import make_plan
-    from rovbrush.orchestrator.results.netcdf import datasets
+    from rovbrush.orchestrator.results.files.netcdf import datasets
     from rovbrush.orchestrator.run.simulation import simulate
     from rovbrush.orchestrator.system.assemble import assemble
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from typing import Any
 
-from ...results.manifest import PACKAGES
+from ...results.files.manifest import PACKAGES
 from ...results.summary import comparison
 from ..claims import VERDICTS
 from ..lab import Lab

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from helpers import interrupted, system_text
-from rovbrush.orchestrator.run.checkpoint import read_checkpoint
+from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint
 from test_command_line import COMMAND, marked_incomplete, rovbrush
 
 NOMINAL = ("run", "nominal", "--set", "motor.R=0.1", "--record", "brush.F_?", "--stop")

@@ -13,8 +13,8 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.results.files.writing import write_results
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.writing import write_results
 from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc

@@ -14,10 +14,11 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import cells, run
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results.netcdf import write_netcdf
+from rovbrush.orchestrator.results.files.netcdf import write_netcdf
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.run import fingerprint, recorder
-from rovbrush.orchestrator.run.checkpoint import read_checkpoint, write_checkpoint
+from rovbrush.orchestrator.run.checkpoint import fingerprint
+from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
+from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.reader import load_system

@@ -13,14 +13,14 @@ from helpers import Part, plan_of, run_of
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.files import sweep_up
 from rovbrush.orchestrator.plan.plan import Plan
-from rovbrush.orchestrator.results import writing
-from rovbrush.orchestrator.results.folder import require_own
-from rovbrush.orchestrator.results.netcdf import open_results, stored_names
-from rovbrush.orchestrator.results.safe_file import SafeFile
+from rovbrush.orchestrator.results.files import writing
+from rovbrush.orchestrator.results.files.folder import require_own
+from rovbrush.orchestrator.results.files.netcdf import open_results, stored_names
+from rovbrush.orchestrator.results.files.safe_file import SafeFile
+from rovbrush.orchestrator.results.files.writing import write_results, write_rows
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.results.writing import write_results, write_rows
-from rovbrush.orchestrator.run import recorder
 from rovbrush.orchestrator.run.carry_out import Finished, carry_out, claim
+from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.request import Request

@@ -16,11 +16,11 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.results.files.writing import write_results, write_rows
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.results.writing import write_results, write_rows
-from rovbrush.orchestrator.run import recorder
+from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.native_fmu import ring

@@ -17,8 +17,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.results.csv import write_csv
-from rovbrush.orchestrator.results.manifest import manifest
+from rovbrush.orchestrator.results.files.csv import write_csv
+from rovbrush.orchestrator.results.files.manifest import manifest
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.point import digest
 from rovbrush.orchestrator.system.series_file import with_files, with_inputs

@@ -12,9 +12,9 @@ from helpers import Measured, column, edited, plan_of, read_system, run_of
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.results.files.writing import write_results
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.results.writing import write_results
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble

@@ -11,7 +11,7 @@ import pytest
 from rovbrush.orchestrator.plan.algorithms import registry
 from rovbrush.orchestrator.plan.algorithms.base import Algorithm
 from rovbrush.orchestrator.plan.algorithms.registry import ALGORITHMS, algorithm_names, settings_schema
-from rovbrush.orchestrator.system.settings import DEFAULT_ALGORITHM
+from rovbrush.orchestrator.system.schema.system import SystemTable
 
 HERE = Path(registry.__file__).parent
 PACKAGE = HERE.parent.parent
@@ -43,7 +43,7 @@ def test_an_algorithm_is_in_a_file_of_its_own_name_and_says_all_of_itself(kind: 
 
 
 def test_the_default_is_the_first() -> None:
-    assert algorithm_names()[0] == DEFAULT_ALGORITHM
+    assert algorithm_names()[0] == SystemTable(stop_time="1 s", components={}).algorithm
     assert len({kind.heading for kind in ALGORITHMS if kind.heading}) == sum(bool(kind.heading) for kind in ALGORITHMS)
 
 

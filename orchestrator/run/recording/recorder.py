@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import InputError, RunError
-from ..plan.plan import Plan
-from ..results.tables import Stored
-from .memory import Memory
+from ...errors import InputError, RunError
+from ...plan.plan import Plan
+from ...results.tables import Stored
+from ..memory.memory import Memory
 from .observers import NEVER, Piece
 from .stream import Stream
 

@@ -14,15 +14,15 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import RunError
-from ..files import reason
-from ..fmu.types import encode_cells
-from ..loop.texts import Texts
-from ..plan.plan import Plan
-from ..results.netcdf import datasets, group_name, stored, stored_names
-from ..results.rows_file import RowsFile, room_for
-from ..results.signals import instants, typed
-from ..results.tables import Run
+from ...errors import RunError
+from ...files import reason
+from ...fmu.types import encode_cells
+from ...loop.texts import Texts
+from ...plan.plan import Plan
+from ...results.files.netcdf import datasets, group_name, stored, stored_names
+from ...results.files.rows_file import RowsFile, room_for
+from ...results.signals import instants, typed
+from ...results.tables import Run
 from .observers import NEVER, Piece
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..errors import InputError
+from ...errors import InputError
 from .writing import MANIFEST
 
 STUDIES = {"points.jsonl": "a sweep", "sweep.nc": "a sweep", "sweep.csv": "a sweep"}

@@ -7,12 +7,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..fmu.types import function_type
-from ..loop.calls import exchange, exchange3
-from ..participant.base import Instance
-from ..participant.lifecycle import good
-from ..plan.layout import Key
-from ..plan.plan import Plan
+from ...fmu.types import function_type
+from ...loop.calls import exchange, exchange3
+from ...participant.base import Instance
+from ...participant.lifecycle import good
+from ...plan.layout import Key
+from ...plan.plan import Plan
 from .memory import Memory
 
 LARGEST = sys.float_info.max

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ..files import is_alive
+from ...files import is_alive
 
 FORMAT = 2
 NAME, HEAD, SEAL, ARRAYS, ROWS = "checkpoint", "checkpoint.json", "checkpoint.sha256", "arrays.npz", "rows.nc"

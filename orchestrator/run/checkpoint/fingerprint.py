@@ -6,9 +6,9 @@ import hashlib
 from collections.abc import Mapping
 from typing import Any
 
-from ..environment import changes, environment
-from ..errors import InputError
-from ..plan.plan import Plan
+from ...environment import changes, environment
+from ...errors import InputError
+from ...plan.plan import Plan
 
 
 def fingerprint(plan: Plan) -> dict[str, Any]:

@@ -6,13 +6,13 @@ from itertools import groupby
 
 import numpy as np
 
-from ..fmu.types import TEXT, FmiType, decode, encode, function_type
-from ..loop.calls import STEP_FLAGS
-from ..loop.cells import IN_PLACE
-from ..loop.operations import RESTORE
-from ..loop.texts import Texts
-from ..participant.base import Instance, Value
-from ..plan.plan import Plan
+from ...fmu.types import TEXT, FmiType, decode, encode, function_type
+from ...loop.calls import STEP_FLAGS
+from ...loop.cells import IN_PLACE
+from ...loop.operations import RESTORE
+from ...loop.texts import Texts
+from ...participant.base import Instance, Value
+from ...plan.plan import Plan
 
 Key = tuple[str, str]
 Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]

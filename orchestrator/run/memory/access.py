@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import InputError, nearest
-from ..participant.base import Instance, Value
-from ..plan.plan import Plan
-from ..system.model import checked_values
+from ...errors import InputError, nearest
+from ...participant.base import Instance, Value
+from ...plan.plan import Plan
+from ...system.model import checked_values
 from .memory import Memory
 
 

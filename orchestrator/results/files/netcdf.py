@@ -10,12 +10,12 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..clock import seconds_text
-from ..errors import InputError
-from ..plan.plan import Plan
+from ...clock import seconds_text
+from ...errors import InputError
+from ...plan.plan import Plan
+from ..signals import Signals
+from ..tables import Run
 from .rows_file import RowsFile
-from .signals import Signals
-from .tables import Run
 
 if TYPE_CHECKING:
     import xarray

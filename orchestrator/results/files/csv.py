@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from .signals import Signals
-from .tables import Run
+from ..signals import Signals
+from ..tables import Run
 
 CSV_ROWS = 10_000  # that are text in memory at once
 

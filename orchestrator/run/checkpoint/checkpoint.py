@@ -26,14 +26,14 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import InputError, RunError
-from ..files import reason
-from ..loop.cells import NOW
-from ..participant.base import Instance
-from ..plan.plan import Plan
-from .checkpoint_files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
+from ...errors import InputError, RunError
+from ...files import reason
+from ...loop.cells import NOW
+from ...participant.base import Instance
+from ...plan.plan import Plan
+from ..session import Position, Session
+from .files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
-from .session import Position, Session
 
 
 def unserializable(plan: Plan) -> str:

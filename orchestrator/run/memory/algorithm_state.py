@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..participant.base import Instance
-from ..plan.algorithms.base import LoopArrays
-from ..plan.plan import Plan
+from ...participant.base import Instance
+from ...plan.algorithms.base import LoopArrays
+from ...plan.plan import Plan
 
 
 @dataclass
@@ -42,7 +42,7 @@ def make_state(plan: Plan, instances: dict[str, Instance]) -> AlgorithmState:
 
 def free_states(state: AlgorithmState, instances: dict[str, Instance]) -> None:
     """Give saved states back to the FMUs that are alive."""
-    from ..loop.calls import call_state
+    from ...loop.calls import call_state
 
     for k, instance in enumerate(instances.values()):
         if state.states[k] and not instance.dead:

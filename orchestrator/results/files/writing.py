@@ -13,14 +13,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..errors import RovbrushError, RunError
-from ..files import reason, write_file, write_json
-from ..plan.explain import explain
+from ...errors import RovbrushError, RunError
+from ...files import reason, write_file, write_json
+from ...plan.explain import explain
+from ..summary import comparison, summarize
+from ..tables import Run
 from .csv import write_csv
 from .manifest import manifest
 from .netcdf import write_netcdf
-from .summary import comparison, summarize
-from .tables import Run
 
 ROWS, TABLE, SUMMARY, MANIFEST, PLAN = "result.nc", "result.csv", "summary.json", "manifest.json", "plan.txt"
 COMPARED = ("label", "unit", "reference", "value", "ratio", "within")  # of a comparison, in summary.json
@@ -150,7 +150,7 @@ def write_products(
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:
-    from .plots import figure
+    from ..plots import figure
 
     drawn = figure(run, entry)
     return [write_file(folder / str(entry["file"]), drawn.savefig)] if drawn else []
