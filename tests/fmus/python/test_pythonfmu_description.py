@@ -125,6 +125,7 @@ def test_outputs_at_the_start_answer_only_to_declared_inputs(name: str, fmus: Pa
 
     def values(changed: str) -> dict[str, float]:
         instance = Instance(fmu, "other")
+        instance.begin(1.0)
         for v in inputs:
             instance.set(v, bounded(fmu.variables[v], 0.013 if v == changed else 0.01))
         found = {v: float(instance.get(v)) for v in declares}
