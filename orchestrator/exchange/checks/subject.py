@@ -116,8 +116,9 @@ def open_subject(path: Path) -> Subject:
         raise FmuError(f"its modelDescription.xml cannot be understood: {error}") from error
     if description.coSimulation is None:
         kinds = {"model exchange": description.modelExchange, "scheduled execution": description.scheduledExecution}
-        there = " and ".join(kind for kind, found in kinds.items() if found is not None) or "no interface at all"
-        raise FmuError(f"it has no co-simulation interface, but {there}; export it for co-simulation")
+        there = " and ".join(kind for kind, found in kinds.items() if found is not None)
+        what = f"it is for {there} only" if there else "it has no interface at all"
+        raise FmuError(f"{what}; export it for co-simulation")
     subject = Subject(path, folder, int(version[0]), description)
     _check_numbers(subject)
     return subject

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from helpers import build_fixture, edited
-from native_build import feedthrough2, moody, needs_gcc
+from native_build import feedthrough2, feedthrough3, moody, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks import good_manners, misuse
 from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
@@ -143,6 +143,14 @@ def test_an_fmu_that_gives_nothing_when_instantiated_is_a_row_with_its_words(tmp
 
 
 def test_the_interface_that_is_there_instead_is_named(sound: Path, tmp_path: Path) -> None:
-    other = {"<CoSimulation ": "<ModelExchange ", "</CoSimulation>": "</ModelExchange>"}
-    with pytest.raises(FmuError, match=r"no co-simulation interface, but model exchange; export it for co-simulation"):
-        open_subject(edited(sound, tmp_path / "me.fmu", {}, other))
+    other = edited(sound, tmp_path / "other.fmu", {}, {"<CoSimulation ": "<ModelExchange "})
+    with pytest.raises(FmuError, match="it is for model exchange only; export it for co-simulation"):
+        open_subject(other)
+
+
+@needs_gcc
+def test_an_fmu_for_scheduled_execution_is_not_called_one_for_model_exchange(tmp_path: Path) -> None:
+    scheduled = {"<CoSimulation ": "<ScheduledExecution "}
+    built = feedthrough3(tmp_path / "clocked.fmu")
+    with pytest.raises(FmuError, match="it is for scheduled execution only; export it for co-simulation"):
+        open_subject(edited(built, tmp_path / "other.fmu", {}, scheduled))
