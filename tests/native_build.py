@@ -82,7 +82,7 @@ def feedthrough2(target: Path, flags: str = "", experiment: str = "", **defines:
     return native_fmu.native_fmu(target, [NATIVE / "feedthrough2.c"], xml, 2, defines)
 
 
-def feedthrough3(target: Path) -> Path:
+def feedthrough3(target: Path, **defines: object) -> Path:
     """FMI 3.0: <Type>_in -> <Type>_out for every type, a_in[8] -> a_out[8], t_in[2] -> t_out[2], M[2,2] -> trace."""
     variables, outputs = [], []
 
@@ -134,7 +134,7 @@ def feedthrough3(target: Path) -> Path:
         f"<ModelVariables>{chr(10).join(variables)}</ModelVariables>\n"
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
-    return native_fmu.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3)
+    return native_fmu.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3, defines)
 
 
 def moody(target: Path, **actions: str) -> Path:

@@ -33,8 +33,8 @@ STOP = 0.3  # s, of what is not to be ended from outside
 COMMAND = """
 import os, sys
 from rovbrush.orchestrator.cli import console, main
-from rovbrush.orchestrator.results import writing
-from rovbrush.orchestrator.run import observers, recorder
+from rovbrush.orchestrator.results.files import writing
+from rovbrush.orchestrator.run.recording import observers, recorder
 console.PLAIN_INTERVAL = 0.0
 mode, ours, *arguments = sys.argv[1:]
 if mode == "streamed":

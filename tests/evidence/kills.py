@@ -34,7 +34,7 @@ COMMAND = """
 import os, shutil, signal, sys
 from pathlib import Path
 from rovbrush.orchestrator.cli import main
-from rovbrush.orchestrator.run import recorder
+from rovbrush.orchestrator.run.recording import recorder
 streamed, left, *arguments = sys.argv[1:]
 if streamed == "True":
     recorder.IN_MEMORY, recorder.PIECE, recorder.CHUNK = 4000, 2000, 5

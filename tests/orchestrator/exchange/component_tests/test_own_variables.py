@@ -31,7 +31,7 @@ t_in = ["x", "y"]
 
 
 def test_elements_of_arrays_and_values_of_every_type_can_be_given(tmp_path: Path) -> None:
-    fmu = Fmu.open(feedthrough3(tmp_path / "feedthrough3.fmu"))
+    fmu = Fmu.open(feedthrough3(tmp_path / "feedthrough3.fmu", OPEN_END=1))
     path = tmp_path / "map.toml"
     path.write_text(OWN, encoding="utf-8")
     mapping = load_mapping(path)
@@ -54,7 +54,7 @@ def test_elements_of_arrays_and_values_of_every_type_can_be_given(tmp_path: Path
     ],
 )
 def test_a_value_that_does_not_fit_is_one_clear_error(line: str, words: str, tmp_path: Path) -> None:
-    fmu = Fmu.open(feedthrough3(tmp_path / "feedthrough3.fmu"))
+    fmu = Fmu.open(feedthrough3(tmp_path / "feedthrough3.fmu", OPEN_END=1))
     path = tmp_path / "map.toml"
     path.write_text(line, encoding="utf-8")
     mapping = load_mapping(path)
