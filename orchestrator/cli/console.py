@@ -67,15 +67,19 @@ PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 @contextmanager
 def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterator[Callable[[float], None]]:
     """A bar on a terminal, a line now and then elsewhere; the callback takes what is reached of `total` units."""
-    started = time.monotonic()
+    started, first = time.monotonic(), float(begin)
     if not console.is_terminal:
-        last = [started]
+        last = started
+        simulated = unit == "s"  # the pace of a run counts from its first report: FMUs are loaded and compiled before
 
         def line(reached: float) -> None:
+            nonlocal started, first, last, simulated
             now = time.monotonic()
-            if now - last[0] >= PLAIN_INTERVAL and reached > begin:
-                last[0] = now
-                left = (now - started) * (total - reached) / (reached - begin)
+            if simulated and reached > first:
+                started, first, simulated = now, reached, False
+            elif now - last >= PLAIN_INTERVAL and reached > first:
+                last = now
+                left = (now - started) * (total - reached) / (reached - first)
                 console.print(
                     f"{what}: {f'{reached:.3g}' if unit == 's' else reached} of {total:g} {unit}, {left:.0f} s left"
                 )
