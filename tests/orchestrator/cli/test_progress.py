@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from io import StringIO
+from types import SimpleNamespace
 
 import pytest
 from rich.console import Console
@@ -13,7 +14,7 @@ def test_the_time_left_does_not_count_what_came_before_the_first_report(monkeypa
     written, times = StringIO(), iter((0.0, 100.0, 101.0))
     monkeypatch.setattr(console, "console", Console(file=written, width=100))
     monkeypatch.setattr(console, "PLAIN_INTERVAL", 0.0)
-    monkeypatch.setattr(console.time, "monotonic", lambda: next(times))
+    monkeypatch.setattr(console, "time", SimpleNamespace(monotonic=lambda: next(times)))
     with console.progress(10.0, "running x") as report:
         report(0.1)
         report(1.0)
