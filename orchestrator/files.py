@@ -51,12 +51,14 @@ def sweep_up(folder: Path) -> list[str]:
 
 
 def is_alive(pid: int) -> bool:
-    """Whether there is a process of this number."""
+    """Whether a process of this number is at work: one that has ended and waits to be collected is not."""
     try:
         os.kill(pid, 0)
+        if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] in ("Z", "X"):
+            return False
     except (ProcessLookupError, OverflowError):
         return False
-    except OSError:  # another user's
+    except OSError:  # another user's, or no /proc here
         return True
     return True
 
