@@ -1,12 +1,13 @@
-"""Unit checks of connections, by pint: equal, convertible (with gain and offset), or an error."""
+"""Unit checks of connections, by pint: equal, convertible (with gain and offset), or an error.
+
+pint takes a tenth of a second to import, so it waits for the first two units that are written differently.
+"""
 
 from __future__ import annotations
 
 import re
 from functools import cache
 from typing import Any
-
-import pint
 
 from .errors import InputError
 
@@ -22,6 +23,8 @@ OURS = ("newton_meter = newton * meter = Nm", "@alias ohm = Ohm", "@alias turn =
 
 @cache
 def _registry() -> Any:
+    import pint
+
     registry: Any = pint.UnitRegistry(on_redefinition="ignore")  # Nm is a number of textile there
     for definition in OURS:
         registry.define(definition)
@@ -61,20 +64,23 @@ def conversion(source: str | None, target: str | None, label: str) -> tuple[floa
             f"and one angle, 2 pi apart; use one kind"
         )
     try:
-        offset, one, two = _converted(source, target)
-    except pint.DimensionalityError:
-        raise InputError(f"{label}: the units do not fit: {source} cannot become {target}") from None
+        converted = _converted(source, target)
     except InputError as error:
         raise InputError(f"{label}: {error}") from None
+    if converted is None:
+        raise InputError(f"{label}: the units do not fit: {source} cannot become {target}")
+    offset, one, two = converted
     if not abs(two - 2.0 * one + offset) <= 1e-9 * max(abs(one), abs(offset)):
         raise InputError(f"{label}: the units do not fit: {source} and {target} are not proportional")
     return one - offset, offset
 
 
 @cache
-def _converted(source: str, target: str) -> tuple[float, float, float]:
-    """0, 1 and 2 in other units."""
+def _converted(source: str, target: str) -> tuple[float, float, float] | None:
+    """0, 1 and 2 in other units; None where their dimensions differ."""
     a, b = parse_unit(source), parse_unit(target)
+    if a.dimensionality != b.dimensionality:
+        return None
     quantity = _registry().Quantity
     offset, one, two = (float(quantity(x, a).to(b).magnitude) for x in (0.0, 1.0, 2.0))
     return offset, one, two
