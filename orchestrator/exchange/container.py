@@ -26,6 +26,7 @@ from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file
 from ..plan.plan import Plan
 from ..system.model import Component, System
+from ..system.replace.view import crossings_of
 from ..system.series import refuse_series
 
 End = tuple[str, str]
@@ -101,7 +102,7 @@ def differences(plan: Plan) -> list[str]:
 def _check(system: System) -> None:
     refuse_series(system, "a container cannot hold")
     for name, component in system.components.items():
-        if component.fmu.crossings:
+        if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
     for connection in system.connections:
         if (connection.gain, connection.offset) != (1.0, 0.0):

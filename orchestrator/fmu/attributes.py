@@ -5,15 +5,13 @@ from __future__ import annotations
 from fmpy.model_description import ModelVariable
 
 from ..errors import InputError
-from .types import TYPES, FmiType
+from .types import REALS, TYPES, FmiType, Value
 
 
-def parse_value(
-    variable: ModelVariable, value: object, label: str, kind: FmiType | None = None
-) -> float | int | bool | str:
+def parse_value(variable: ModelVariable, value: object, label: str, kind: FmiType | None = None) -> Value:
     """A parameter or start value in the variable's type and range. Raises InputError saying what is allowed."""
     unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
-    real = variable.type in ("Real", "Float64", "Float32")
+    real = variable.type in REALS
     try:
         if variable.type in ("String", "Binary"):
             return str(value)

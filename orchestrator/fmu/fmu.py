@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
 
@@ -12,13 +12,12 @@ from attrs import evolve
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ..cache import cache_folder
-from ..errors import FmuError, InputError
+from ..errors import FmuError
 from .attributes import parse_value
 from .binary import platform_folder
 from .capabilities import Capabilities
-from .crossing import Crossing
 from .description import read_description
-from .types import TYPES, FmiType
+from .types import TYPES, FmiType, Value
 from .unpacked import unpack
 from .variables import Elements, Place, elements_of
 
@@ -34,9 +33,6 @@ class Fmu(Capabilities):
     digest: str
     description: ModelDescription
     texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
-    # Somebody else's FMU in the place of a component: the variables that the system sees, and where they cross.
-    presented: tuple[ModelVariable, ...] = ()
-    crossings: Mapping[str, Crossing] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
 
     @classmethod
@@ -69,30 +65,30 @@ class Fmu(Capabilities):
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:
-        """All scalar variables by name; the elements of an FMI 3 array are scalars `u[1]`, `u[2]`...
-
-        Of a foreign FMU those that the system sees (see `swap.py`).
-        """
-        if self.presented:
-            return {v.name: v for v in self.presented}
+        """All scalar variables by name; the elements of an FMI 3 array are scalars `u[1]`, `u[2]`..."""
         found = {name: v for elements in self._elements.values() for name, v in elements.items()}
         return found | {name: evolve(found[name], unit=unit) for name, unit in self.units.items()}
 
-    @cached_property
+    @property
     def own(self) -> Fmu:
-        """The FMU under its own names, which are others where it is presented as a component."""
-        return replace(self, presented=(), crossings={}) if self.presented else self
+        """The FMU under its own names; a view of it in a component's place has others."""
+        return self
 
-    @cached_property
-    def _ours(self) -> dict[str, str]:
-        """Names in the system by the FMU's own."""
-        return {crossing.name: name for name, crossing in self.crossings.items()}
+    def own_name(self, name: str) -> str:
+        """The FMU's own name of a variable."""
+        return name
+
+    def to_own(self, name: str, value: Value) -> Value:
+        """A value of a variable as the FMU has it."""
+        return value
+
+    def from_own(self, name: str, value: Value) -> Value:
+        """The FMU's value of a variable as the system has it."""
+        return value
 
     @cached_property
     def places(self) -> dict[str, Place]:
         """Where every scalar lives."""
-        if self.presented:
-            return {name: self.own.places[crossing.name] for name, crossing in self.crossings.items()}
         return {
             name: Place(v.valueReference, k, len(elements))
             for elements in self._elements.values()
@@ -102,19 +98,7 @@ class Fmu(Capabilities):
     @cached_property
     def arrays(self) -> dict[str, list[str]]:
         """For every scalar the scalars that are set and got together with it, in their order."""
-        if self.presented:
-            return {name: self._together(name) for name in self.crossings}
         return {name: list(elements) for elements in self._elements.values() for name in elements}
-
-    def _together(self, name: str) -> list[str]:
-        theirs = self.own.arrays[self.crossings[name].name]
-        lacking = [x for x in theirs if x not in self._ours]
-        if lacking:
-            raise InputError(
-                f"{self.path.name}: '{lacking[0]}' belongs to the same array as '{self.crossings[name].name}' and is "
-                f"not mapped; map the whole array"
-            )
-        return [self._ours[x] for x in theirs]
 
     def type_of(self, name: str) -> FmiType | None:
         """The type of a scalar; None for one that cannot be exchanged (Binary, Clock)."""
@@ -139,7 +123,7 @@ class Fmu(Capabilities):
         """Names without their element index, for suggestions."""
         return list(dict.fromkeys(name.split("[")[0] for name in self.names(*causalities)))
 
-    def start(self, name: str) -> float | int | bool | str:
+    def start(self, name: str) -> Value:
         """The start value of a scalar; zero, false or empty where the description gives none."""
         v, kind = self.variables[name], self.type_of(name)
         empty = "" if kind is None or kind.dtype.kind == "O" else "0"
@@ -152,12 +136,6 @@ class Fmu(Capabilities):
         `initial`: the dependencies during initialization instead of those while stepping; an output with an exact
         start value has none then.
         """
-        if self.presented:
-            known = self.own.feedthrough(initial)
-            return {
-                name: frozenset(self._ours[x] for x in known[self.crossings[name].name] if x in self._ours)
-                for name in self.names("output")
-            }
         inputs = frozenset(self.names("input"))
         stated = self.description.initialUnknowns if initial else self.description.outputs
         given = {

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from fmpy.model_description import ModelVariable
 
+Value = float | int | bool | str  # of a scalar
+REALS = ("Real", "Float64", "Float32")
 FLOAT, WHOLE, BOOLEAN, TEXT = range(4)  # how the loop turns a raw value into a cell of the vector, and back
 
 

@@ -10,11 +10,10 @@ from typing import Any
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
+from ..fmu.types import Value
 from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
 
-__all__ = ["STATUS", "CallError", "Instance", "State", "Value", "refused"]
-
-Value = float | int | bool | str
+__all__ = ["STATUS", "CallError", "Instance", "State", "refused"]
 
 
 class CallError(FmuError):
@@ -156,13 +155,7 @@ class Instance(ABC):
 
     def set_all(self, values: Mapping[str, Value]) -> None:
         """Set variables by name; those of a foreign FMU cross to its names, units and directions."""
-        own = {}
-        for name, value in values.items():
-            crossing = self.fmu.crossings.get(name)
-            own[crossing.name if crossing else name] = (
-                crossing.there(value) if crossing and isinstance(value, float) else value
-            )
-        self.set_own(own)
+        self.set_own({self.fmu.own_name(name): self.fmu.to_own(name, value) for name, value in values.items()})
 
     def set(self, name: str, value: Value) -> None:
         """Set one variable by name."""
@@ -170,9 +163,7 @@ class Instance(ABC):
 
     def get(self, name: str) -> Any:
         """Get one variable by name."""
-        crossing = self.fmu.crossings.get(name)
-        value = self.get_own(crossing.name if crossing else name)
-        return crossing.back(value) if crossing and isinstance(value, float) else value
+        return self.fmu.from_own(name, self.get_own(self.fmu.own_name(name)))
 
     def begin(self, stop: float) -> None:
         """From new to initialization mode with nothing set, for a run from 0 to `stop` [s]."""

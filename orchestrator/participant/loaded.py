@@ -10,8 +10,8 @@ from fmpy.fmi1 import FMICallException
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
-from ..fmu.types import function_type
-from .base import CallError, Instance, State, Value
+from ..fmu.types import Value, function_type
+from .base import CallError, Instance, State
 from .lifecycle import allowed, good
 from .surroundings import Surroundings
 

@@ -6,7 +6,8 @@ import ctypes
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from .base import CallError, Instance, Value
+from ..fmu.types import Value
+from .base import CallError, Instance
 from .lifecycle import ERROR, OK, allowed, good
 from .mock import MockFmu
 

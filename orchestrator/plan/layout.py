@@ -14,6 +14,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.types import GROUPED
 from ..system.model import Bond, Connection, System
 from ..system.recorded import matches
+from ..system.replace.view import crossings_of
 from .formulas import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable
@@ -130,8 +131,8 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     for name, component in system.components.items():
         for ours, foreign in sides:
             keys = list(ours.get(name, ()))
-            crossings = [component.fmu.crossings.get(key[1]) for key in keys]
-            if any(crossing and not crossing.exact for crossing in crossings):
+            crossings = crossings_of(component.fmu)
+            if any(key[1] in crossings and not crossings[key[1]].exact for key in keys):
                 for key in keys:
                     layout.add(foreign, key)
     return layout

@@ -52,8 +52,7 @@ class OperationText:
         for foreign in (layout.foreign_inputs, layout.foreign_outputs):
             for (name, variable), slot in foreign.items():
                 fmu = plan.system.components[name].fmu
-                theirs = fmu.crossings[variable].name if variable in fmu.crossings else variable
-                self.slots[slot] = f"'{theirs}' of {fmu.path.name}"
+                self.slots[slot] = f"'{fmu.own_name(variable)}' of {fmu.path.name}"
         for words, table in (
             ("previous", layout.previous),
             ("twice previous", layout.before),

@@ -18,7 +18,6 @@ import numpy as np
 
 from ..clock import seconds_text
 from ..errors import InputError
-from ..fmu.crossing import Crossing
 from ..loop.operations import (
     ACCUMULATE,
     COLUMNS,
@@ -38,6 +37,8 @@ from ..loop.operations import (
     WORK,
 )
 from ..system.model import Connection
+from ..system.replace.crossing import Crossing
+from ..system.replace.view import crossings_of
 from .bond_energy import Side
 from .design import Constants, Design
 from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
@@ -209,7 +210,7 @@ class Schedule:
             yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)
 
     def _crossing(self, key: Key) -> Crossing:
-        return self.system.components[key[0]].fmu.crossings.get(key[1], Crossing(key[1]))
+        return crossings_of(self.system.components[key[0]].fmu).get(key[1], Crossing(key[1]))
 
     def held(self, key: Key, tick: int, a: int, b: int, gain: float, offset: float) -> Row:
         """Give slot b the value of slot a, which is of the type of `key`."""

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from ..errors import FmuError, InputError
-from ..participant.base import Instance, Value
+from ..fmu.types import Value
+from ..participant.base import Instance
 from ..participant.opening import start
 from ..plan.layout import Key
 from ..plan.plan import Plan

@@ -14,7 +14,7 @@ from .model import System
 from .reader import load_system
 from .recorded import select_recorded
 from .replace.mapping import VariableMapping, load_mapping
-from .replace.view import replace_component
+from .replace.replacement import replace_component
 from .request import UNCHANGED, Changes, Request, assignments, changes_of
 from .series_file import with_files
 

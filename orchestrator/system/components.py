@@ -10,11 +10,11 @@ from typing import Any
 
 from ..clock import duration
 from ..errors import InputError, nearest
-from ..fmu.crossing import REALS
 from ..fmu.fmu import Fmu
+from ..fmu.types import REALS, Value
 from ..toml_file import TomlFile
 from ..units import parse_unit
-from .model import Component, Value, checked_values
+from .model import Component, checked_values
 from .schema.checked import checked
 from .schema.system import ComponentTable
 from .series_file import stated_series

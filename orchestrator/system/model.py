@@ -15,11 +15,9 @@ from fmpy.model_description import ModelVariable
 
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
-from ..fmu.crossing import REALS
 from ..fmu.fmu import Fmu
+from ..fmu.types import REALS, Value
 from .series import Series
-
-Value = float | int | bool | str
 
 
 @dataclass(frozen=True)
@@ -32,7 +30,7 @@ class Component:
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
     series: Mapping[str, Series] = field(default_factory=dict)  # inputs that follow a table
-    notes: tuple[str, ...] = ()  # what the user must know of it: see `swap.py`
+    notes: tuple[str, ...] = ()  # what the user must know of it: see `replace/`
     isolation: str = ""  # "process": the FMU runs in a process of its own
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
 

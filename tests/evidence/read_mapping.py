@@ -8,7 +8,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
-from rovbrush.orchestrator.system.replace.view import replace_component
+from rovbrush.orchestrator.system.replace.replacement import replace_component
 
 from . import seeded
 from .mutations import DESCRIPTION2, TOML, mutated, prepare_toy, read, write_fmu

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from fmpy.model_description import ModelVariable
 
+from ...fmu.types import REALS
 from ...participant.lifecycle import FATAL, STATUS
 from .rows import Row
-from .subject import REALS, Subject, bounds
+from .subject import Subject, bounds
 from .tried import Tried
 
 WIDE = ("Integer", "Int32", "Int64", "Enumeration")

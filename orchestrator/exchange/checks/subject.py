@@ -16,7 +16,6 @@ from ...fmu.binary import platform_folder
 from ...fmu.unpacked import unpack
 from ...fmu.xml import safe_xml
 
-REALS = ("Real", "Float64", "Float32")
 STEP = 1e-3  # s, where the FMU suggests none
 # folder names of binaries, by FMI version: the one of this machine's and all that the standards name
 PLATFORMS = {

@@ -13,11 +13,11 @@ from typing import Any, ClassVar
 from fmpy.model_description import ModelVariable
 
 from ...fmu.fmu import Fmu
-from ...fmu.types import function_type
+from ...fmu.types import REALS, function_type
 from ...participant.base import CallError
 from ...participant.lifecycle import FATAL, STATUS, status_text
 from ...participant.opening import load
-from .subject import REALS, Subject, bounds, numbers, size
+from .subject import Subject, bounds, numbers, size
 
 
 class RefusedError(Exception):

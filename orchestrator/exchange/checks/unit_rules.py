@@ -10,9 +10,10 @@ import pint
 from fmpy.model_description import Unit
 
 from ...errors import InputError
+from ...fmu.types import REALS
 from ...units import parse_unit
 from .rows import Row, judged
-from .subject import REALS, Subject
+from .subject import Subject
 
 STAGE = "units"
 DIMENSIONS = {

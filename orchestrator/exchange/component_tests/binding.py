@@ -11,13 +11,13 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
-from ...fmu.crossing import Crossing, crossing
 from ...fmu.fmu import Fmu
+from ...fmu.types import REALS
+from ...system.replace.crossing import Crossing, crossing
 from ...system.replace.mapping import VariableMapping
 from .opened import whole_variables
 from .suites import Declared
 
-REALS = ("Real", "Float64", "Float32")
 WHOLES = ("Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64")
 
 

@@ -7,8 +7,9 @@ from typing import Literal
 
 from ...errors import InputError, nearest
 from ...fmu.fmu import Fmu
+from ...fmu.types import REALS
 from ...system.replace.mapping import VariableMapping
-from .binding import REALS, WHOLES, Binding, bind
+from .binding import WHOLES, Binding, bind
 from .opened import whole_variables
 from .suites import Declared, Suite
 

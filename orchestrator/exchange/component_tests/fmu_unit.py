@@ -10,10 +10,10 @@ import numpy as np
 from ...errors import FmuError
 from ...fmu.attributes import parse_value
 from ...fmu.fmu import Fmu
-from ...fmu.types import function_type
+from ...fmu.types import Value, function_type
 from ...participant.loaded import LoadedInstance
 from ...participant.opening import load
-from ...system.replace.mapping import Value, VariableMapping
+from ...system.replace.mapping import VariableMapping
 from .binding import Binding
 from .suites import NotApplicableError
 

@@ -12,13 +12,14 @@ from fmpy.model_description import ModelVariable
 from ...clock import seconds_text
 from ...errors import InputError, RunError, nearest
 from ...fmu.attributes import parse_value
-from ...fmu.crossing import REALS, Crossing
 from ...fmu.fmu import Fmu
+from ...fmu.types import REALS
 from ...participant.loaded import LoadedInstance
 from ...participant.opening import load
 from ...participant.port import Port
+from ...system.replace.crossing import Crossing
 from ...system.replace.mapping import VariableMapping, load_mapping
-from ...system.replace.view import crossing_between, own_values
+from ...system.replace.replacement import crossing_between, own_values
 from .read import Recording, read_recording
 
 

@@ -17,8 +17,9 @@ from typing import Any
 
 from ...errors import FmuError
 from ...fmu.fmu import Fmu
+from ...fmu.types import Value
 from ...processes import end, how_ended, start
-from ..base import CallError, Instance, State, Value
+from ..base import CallError, Instance, State
 from ..exit_guard import made_by_pythonfmu
 from ..lifecycle import FATAL
 from .callbacks import Callbacks

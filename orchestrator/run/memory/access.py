@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError, nearest
-from ...participant.base import Instance, Value
+from ...fmu.types import Value
+from ...participant.base import Instance
 from ...plan.plan import Plan
 from ...system.model import checked_values
 from .memory import Memory

@@ -6,12 +6,12 @@ from itertools import groupby
 
 import numpy as np
 
-from ...fmu.types import TEXT, FmiType, decode, encode, function_type
+from ...fmu.types import TEXT, FmiType, Value, decode, encode, function_type
 from ...loop.calls import STEP_FLAGS
 from ...loop.cells import IN_PLACE
 from ...loop.operations import RESTORE
 from ...loop.texts import Texts
-from ...participant.base import Instance, Value
+from ...participant.base import Instance
 from ...plan.plan import Plan
 
 Key = tuple[str, str]

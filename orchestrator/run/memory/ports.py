@@ -31,7 +31,7 @@ def writer_of(instance: Instance, variable: str) -> Callable[[float], bool]:
     """What sets a double input and says whether it was in range and the FMU took it; any other input it leaves."""
     fmu = instance.fmu
     kind = fmu.type_of(variable) if variable in fmu.variables else None
-    if kind is None or kind.dtype != np.float64 or variable in fmu.crossings or fmu.places[variable].count > 1:
+    if kind is None or kind.dtype != np.float64 or fmu is not fmu.own or fmu.places[variable].count > 1:
         return lambda value: False
     bounds = (fmu.variables[variable].min, fmu.variables[variable].max)
     low = float(bounds[0]) if bounds[0] is not None else -LARGEST

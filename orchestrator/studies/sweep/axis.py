@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...errors import InputError
-from ...system.model import System, Value, checked_values
+from ...fmu.types import Value
+from ...system.model import System, checked_values
 
 
 @dataclass(frozen=True)

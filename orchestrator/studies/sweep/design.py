@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError, nearest
-from ...system.model import System, Value
+from ...fmu.types import Value
+from ...system.model import System
 from .axis import Axis, checked_axis, listed, range_of
 from .sampling import RANDOM, SAMPLERS, drawn
 

@@ -27,6 +27,7 @@ from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble
 from ...system.model import System
+from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
@@ -87,7 +88,7 @@ def digest(system: System) -> str:
             sorted(c.parameters.items()),
             sorted(c.inputs.items()),
             sorted((name, series.digest) for name, series in c.series.items()),
-            {variable: astuple(crossing) for variable, crossing in c.fmu.crossings.items()},
+            {variable: astuple(crossing) for variable, crossing in crossings_of(c.fmu).items()},
         ]
         for name, c in system.components.items()
     }

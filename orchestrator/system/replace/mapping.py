@@ -25,12 +25,11 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import InputError, nearest
+from ...fmu.types import Value
 from ...toml_file import TomlFile
 from ...units import parse_unit
 from ..schema.checked import checked
 from ..schema.mapping import EntryTable, MappingTable
-
-Value = float | int | bool | str
 
 
 @dataclass(frozen=True)

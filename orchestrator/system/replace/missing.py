@@ -12,8 +12,9 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...fmu.fmu import Fmu
+from ...fmu.types import Value
 from ..figure_kinds import figure_kind, figure_kinds
-from ..model import Component, Connection, System, Value
+from ..model import Component, Connection, System
 from ..series import Series
 from .mapping import VariableMapping
 

@@ -1,189 +1,85 @@
-"""Somebody else's FMU in the place of a component: presented under our names, with our units and directions.
+"""Somebody else's FMU as the system sees it: our names, units and directions, its variables behind them.
 
-What the rest of the system sees does not change: connections, bonds, summary, figures and results speak of our
-variables. What the other FMU does not have must be said to be missing in the mapping file, never guessed.
+What runs it calls it by its own names (`Fmu.own`); what plans and records speaks of ours.
 """
 
 from __future__ import annotations
 
-import copy
-import difflib
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from functools import cached_property
 
 from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
-from ...fmu.attributes import parse_value
-from ...fmu.crossing import REALS, Crossing, crossing
 from ...fmu.fmu import Fmu
-from ..model import Component, System, Value, start_as_toml
-from .mapping import VariableMapping
-from .missing import Missing, leave_out
-
-ROLES = ("input", "output", "parameter", "calculatedParameter")
-OWN = "theirs."  # what stands in front of the names of their variables that we do not know
+from ...fmu.types import Value
+from ...fmu.variables import Place
+from .crossing import Crossing
 
 
-def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapping) -> System:
-    """A copy of the system with `fmu` in place of the component `name`, at the same period.
+@dataclass(frozen=True)
+class View(Fmu):
+    """An FMU in the place of a component: the variables that the system sees, and where they cross to its own."""
 
-    Raises InputError where the FMU lacks what the system needs, for units that do not fit, another causality or type,
-    and for inputs of theirs that nothing drives.
-    """
-    before, label = system.components[name], fmu.path.name
-    ours = [v for v in before.fmu.variables.values() if v.causality in ROLES]
-    mapping.check([v.name for v in ours], fmu.variables, name, label)
-    presented, crossings, lacking = [], {}, []
-    for variable in ours:
-        theirs = fmu.variables.get(mapping.entry(variable.name).name)
-        if theirs is None:
-            lacking.append(variable)
-        else:
-            crossings[variable.name] = crossing_between(name, variable, theirs, mapping, label)
-            presented.append(_presented(variable, theirs, crossings[variable.name]))
-    unmapped = [v.name for v in lacking if v.causality == "input" and not mapping.states(v.name)]
-    own = own_values(fmu.variables, mapping, {c.name for c in crossings.values()}, label, unmapped)
-    for key in own:
-        theirs = fmu.variables[key]
-        crossings[OWN + key] = Crossing(key, theirs.unit)
-        presented.append(_renamed(theirs, OWN + key))
-    missing = Missing(name, label, mapping, [v.name for v in lacking], fmu)
-    component = Component(
-        name, replace(fmu, presented=tuple(presented), crossings=crossings), before.period,
-        notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
-               *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings)),
-        isolation=before.isolation, timeout=before.timeout,
-    )  # fmt: skip
-    left = leave_out(system, before, missing)
-    component = replace(component, notes=(*component.notes, *left.notes))
-    origin = f"--replace {name}={label}"
-    for variable_name, value in {**left.parameters, **left.inputs, **{OWN + k: v for k, v in own.items()}}.items():
-        target = component.fmu.variables[variable_name]
-        component = component.with_value(variable_name, parse_value(target, value, f"{origin}: {name}.{variable_name}"))
-    for variable_name, series in left.series.items():
-        component = component.with_series(variable_name, series)
-    return replace(left.system, components={**system.components, name: component})
+    presented: tuple[ModelVariable, ...] = ()
+    crossings: Mapping[str, Crossing] = field(default_factory=dict)
 
+    @classmethod
+    def of(cls, fmu: Fmu, presented: tuple[ModelVariable, ...], crossings: Mapping[str, Crossing]) -> View:
+        """`fmu` under the names of `presented`; each of them has a crossing."""
+        same = {f.name: getattr(fmu.own, f.name) for f in fields(Fmu)}
+        return cls(**same, presented=presented, crossings=crossings)
 
-def crossing_between(
-    name: str, ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping, fmu: str
-) -> Crossing:
-    """Between one of our variables and theirs; causality, type and unit must fit."""
-    entry = mapping.entry(ours.name)
-    label = f"{name}.{ours.name} as '{theirs.name}' of {fmu}"
-    if not _can_be(ours.causality, theirs):
-        raise InputError(
-            f"{label}: theirs is of causality {theirs.causality}, {ours.causality} is needed; name another variable of "
-            f"theirs in a mapping file, have it exported as {ours.causality}"
-            f"{'' if ours.causality == 'input' else f', or say that there is none: {ours.name} = {chr(34) * 2}'} "
-            f"{entry.where}".rstrip()
-        )
-    kinds = ["Real" if v.type in REALS else v.type for v in (ours, theirs)]
-    loose = ours.causality == "parameter" and "String" not in kinds  # a whole number may be given as a real one
-    if kinds[0] != kinds[1] and not loose:
-        raise InputError(f"{label}: theirs is of type {theirs.type}, {ours.type} is needed {entry.where}".rstrip())
-    if entry.unit and theirs.unit and entry.unit != theirs.unit:
-        raise InputError(
-            f"{label}: the mapping says that it is in {entry.unit}, their FMU that it is in {theirs.unit}; "
-            f"leave the unit out of the mapping {entry.where}"
-        )
-    if theirs.type not in REALS:
-        if entry.sign != 1.0:
-            raise InputError(f"{label}: a {theirs.type} has no sign {entry.where}")
-        return Crossing(theirs.name)
-    return crossing(theirs.name, ours.unit, entry.unit or theirs.unit, entry.sign, label)
+    @cached_property
+    def own(self) -> Fmu:
+        return Fmu(**{f.name: getattr(self, f.name) for f in fields(Fmu)})
 
+    def own_name(self, name: str) -> str:
+        return self.crossings[name].name
 
-def _can_be(ours: str, theirs: ModelVariable) -> bool:
-    """A value may be read wherever it stands, but must be set where FMI allows it."""
-    if ours == "parameter":
-        start = theirs.initial in ("exact", "approx") and theirs.causality in ("local", "output")
-        return theirs.variability != "constant" and (theirs.causality == "parameter" or start)
-    if ours == "input":
-        return bool(theirs.causality == "input")
-    return theirs.causality in ("output", "local", "calculatedParameter")
+    def to_own(self, name: str, value: Value) -> Value:
+        return self.crossings[name].there(value) if isinstance(value, float) else value
 
+    def from_own(self, name: str, value: Value) -> Value:
+        return self.crossings[name].back(value) if isinstance(value, float) else value
 
-def _presented(ours: ModelVariable, theirs: ModelVariable, cross: Crossing) -> ModelVariable:
-    """Their variable as the system sees it: our name, unit and role, their reference, type, start and range."""
-    seen = _renamed(theirs, ours.name)
-    seen.description, seen.causality, seen.unit = ours.description, ours.causality, ours.unit
-    if ours.variability == "discrete":  # the component keeps its role: what samples goes on sampling
-        seen.variability = "discrete"
-    if cross.exact:
-        return seen
-    if theirs.start is not None:
-        seen.start = repr(cross.back(float(theirs.start)))
-    bounds = [None if b is None else repr(cross.back(float(b))) for b in (theirs.min, theirs.max)]
-    seen.min, seen.max = reversed(bounds) if cross.back_gain < 0 else bounds
-    return seen
+    @cached_property
+    def variables(self) -> dict[str, ModelVariable]:
+        """The variables that the system sees, by its names."""
+        return {v.name: v for v in self.presented}
 
+    @cached_property
+    def places(self) -> dict[str, Place]:
+        return {name: self.own.places[crossing.name] for name, crossing in self.crossings.items()}
 
-def _renamed(variable: ModelVariable, name: str) -> ModelVariable:
-    seen = copy.copy(variable)
-    seen.name = name
-    return seen
+    @cached_property
+    def arrays(self) -> dict[str, list[str]]:
+        return {name: self._together(name) for name in self.crossings}
 
+    def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
+        known = self.own.feedthrough(initial)
+        return {
+            name: frozenset(self._ours[x] for x in known[self.crossings[name].name] if x in self._ours)
+            for name in self.names("output")
+        }
 
-def own_values(
-    variables: Mapping[str, ModelVariable],
-    mapping: VariableMapping,
-    mapped: set[str],
-    label: str,
-    unmapped: Sequence[str] = (),
-) -> dict[str, Value]:
-    """Values for variables of theirs that stand for none of ours; every input of theirs needs one.
+    @cached_property
+    def _ours(self) -> dict[str, str]:
+        """Names in the system by the FMU's own."""
+        return {crossing.name: name for name, crossing in self.crossings.items()}
 
-    `unmapped`: inputs of ours that none of theirs stands for, to be offered where an input of theirs has no value.
-    """
-    for name, variable in variables.items():
-        if variable.causality == "input" and name not in mapped and name not in mapping.inputs:
-            close = difflib.get_close_matches(name, unmapped, 1, 0.0)
-            offer = f' ({close[0]} = "{name}")' if close else ""
+    def _together(self, name: str) -> list[str]:
+        theirs = self.own.arrays[self.crossings[name].name]
+        lacking = [x for x in theirs if x not in self._ours]
+        if lacking:
             raise InputError(
-                f"{label} has an input '{name}' that nothing drives; map one of ours to it{offer} under [variables] in "
-                f'a mapping file, or give it a value there: [inputs] "{name}" = {start_as_toml(variable)}'
+                f"{self.path.name}: '{lacking[0]}' belongs to the same array as '{self.crossings[name].name}' and is "
+                f"not mapped; map the whole array"
             )
-    for table, causality in (("inputs", "input"), ("parameters", "parameter")):
-        for name in getattr(mapping, table):
-            if name not in variables:
-                raise InputError(f"[{table}]: name each element of '{name}', or give a list ({mapping.file})")
-            if not _can_be(causality, variables[name]):
-                raise InputError(
-                    f"[{table}]: '{name}' of {label} is of causality {variables[name].causality}, "
-                    f"no {causality} ({mapping.file})"
-                )
-            if name in mapped:
-                raise InputError(f"[{table}]: '{name}' stands for one of our variables; remove it ({mapping.file})")
-    return {**mapping.inputs, **mapping.parameters}
+        return [self._ours[x] for x in theirs]
 
 
-def _tool(fmu: Fmu) -> Iterable[str]:
-    if fmu.description.coSimulation and fmu.description.coSimulation.needsExecutionTool:
-        maker = fmu.description.generationTool or "the tool that made it"
-        yield f"{fmu.path.name} says that it needs {maker} on this machine to run (needsExecutionTool)"
-
-
-def _crossing_notes(name: str, crossings: dict[str, Crossing], mapping: VariableMapping) -> Iterable[str]:
-    for ours, cross in crossings.items():
-        if mapping.states(ours) or not cross.exact:
-            yield f"{name}.{ours} is {cross}"
-
-
-def _differing(before: Component, presented: Iterable[ModelVariable], crossings: dict[str, Crossing]) -> Iterable[str]:
-    """Parameters that the system does not set and that their FMU starts with another value."""
-    for theirs in presented:
-        ours = before.fmu.variables.get(theirs.name)
-        if ours is None or ours.causality != "parameter" or theirs.name in before.parameters:
-            continue
-        values = [parse_value(theirs, v.start, theirs.name) for v in (theirs, ours) if v.start is not None]
-        if len(values) == 2 and not _alike(*values):
-            unit = f" {ours.unit}" if ours.unit and ours.unit != "1" else ""
-            yield f"{before.name}.{theirs.name} is {values[0]}{unit} there, {values[1]}{unit} here; theirs is kept"
-
-
-def _alike(a: Value, b: Value) -> bool:
-    if isinstance(a, float) and isinstance(b, float):
-        return abs(a - b) <= 1e-9 * max(abs(a), abs(b))
-    return a == b
+def crossings_of(fmu: Fmu) -> Mapping[str, Crossing]:
+    """How its variables cross, where an FMU stands in a component's place; nothing for any other."""
+    return fmu.crossings if isinstance(fmu, View) else {}

@@ -16,6 +16,7 @@ from ...errors import InputError
 from ...files import prepare_folder, write_file
 from ...fmu.fmu import Fmu
 from ..model import Component, Connection, System
+from ..replace.view import crossings_of
 from ..series import refuse_series
 from .annotations import annotate, component_keys, connection_keys, system_keys
 from .document import NAMESPACES, validate
@@ -34,7 +35,7 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
         raise InputError(f"SSP version {ssp_version!r} cannot be written; take {' or '.join(VERSIONS)}")
     refuse_series(system, "is not written to an SSP")
     for name, component in system.components.items():
-        if component.fmu.crossings:
+        if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which is not written to an SSP")
     prepare_folder(path.parent)
     files = resource_names(system)

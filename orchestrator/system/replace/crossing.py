@@ -7,10 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..errors import InputError
-from ..units import conversion
-
-REALS = ("Real", "Float64", "Float32")
+from ...errors import InputError
+from ...units import conversion
 
 
 @dataclass(frozen=True)
