@@ -13,7 +13,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.types import Value
 from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
 
-__all__ = ["STATUS", "CallError", "Instance", "State", "refused"]
+__all__ = ["STATUS", "CallError", "Participant", "State", "refused"]
 
 
 class CallError(FmuError):
@@ -24,7 +24,7 @@ class CallError(FmuError):
         self.status = status
 
 
-class Instance(ABC):
+class Participant(ABC):
     """An instance with a guard between its faults and the run, and between the master and what FMI does not allow.
 
     Methods make calls by name, before and after the loop; the loop calls five functions by `address` with `pointer`:

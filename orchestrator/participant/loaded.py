@@ -11,7 +11,7 @@ from fmpy.fmi1 import FMICallException
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.types import Value, function_type
-from .base import CallError, Instance, State
+from .base import CallError, Participant, State
 from .lifecycle import allowed, good
 from .surroundings import Surroundings
 
@@ -26,7 +26,7 @@ class Judged:
         return result
 
 
-class LoadedInstance(Instance):
+class LoadedInstance(Participant):
     """An instance whose library is in this process; `slave` is fmpy's. Raises FmuError if the FMU refuses."""
 
     slave: Any

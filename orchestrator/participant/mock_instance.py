@@ -7,14 +7,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..fmu.types import Value
-from .base import CallError, Instance
+from .base import CallError, Participant
 from .lifecycle import ERROR, OK, allowed, good
 from .mock import MockFmu
 
 POINTER, DOUBLE, SIZE, INT = ctypes.c_void_p, ctypes.c_double, ctypes.c_size_t, ctypes.c_int
 
 
-class MockInstance(Instance):
+class MockInstance(Participant):
     """An instance of a MockFmu."""
 
     prefix = "fmi2"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..fmu.fmu import Fmu
 from ..system.model import Component
-from .base import Instance
+from .base import Participant
 from .fmi2 import Fmi2Instance
 from .fmi3 import Fmi3Instance
 from .loaded import LoadedInstance
@@ -16,7 +16,7 @@ def load(fmu: Fmu, name: str) -> LoadedInstance:
     return Fmi2Instance(fmu, name) if fmu.version == 2 else Fmi3Instance(fmu, name)
 
 
-def start(component: Component) -> Instance:
+def start(component: Component) -> Participant:
     """The instance of a component, in a process of its own where the system file says so."""
     if component.isolation == "process":
         from .isolated.parent import IsolatedInstance

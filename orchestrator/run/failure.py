@@ -8,7 +8,7 @@ import numpy as np
 
 from ..loop import cells, exchange
 from ..loop.operations import STEP
-from ..participant.base import Instance
+from ..participant.base import Participant
 from ..participant.lifecycle import DISCARD, FATAL, status_text
 from ..plan.plan import Plan
 from .memory.algorithm_state import AlgorithmState
@@ -21,8 +21,9 @@ REPORTED = {
 
 
 def failure_of(
-    plan: Plan, instances: Mapping[str, Instance], code: int, control: np.ndarray, z: np.ndarray, space: AlgorithmState
-) -> tuple[float, str]:
+    plan: Plan, instances: Mapping[str, Participant], code: int, control: np.ndarray, z: np.ndarray,
+    space: AlgorithmState,
+) -> tuple[float, str]:  # fmt: skip
     """The time [s] until which every component is complete, and what happened; arrays as in `loop.run`."""
     clock, operations = plan.clock, plan.cycle
     row = operations[control[cells.AT_OPERATION]]
@@ -46,7 +47,7 @@ def failure_of(
 
 
 def _said(
-    plan: Plan, instance: Instance, code: int, control: np.ndarray, z: np.ndarray, action: str
+    plan: Plan, instance: Participant, code: int, control: np.ndarray, z: np.ndarray, action: str
 ) -> tuple[str, str]:
     """What a component did, and what may help; its life goes where the status leads (`lifecycle.after`)."""
     status, slot = int(control[cells.STATUS]), int(control[cells.SLOT])

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import FmuError, InputError
 from ..fmu.types import Value
-from ..participant.base import Instance
+from ..participant.base import Participant
 from ..participant.opening import start
 from ..plan.layout import Key
 from ..plan.plan import Plan
@@ -19,7 +19,7 @@ from .memory.memory import Memory
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 
 
-def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> Started:
+def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Started:
     """Set parameters and inputs, propagate outputs to inputs, solve algebraic loops, leave initialization mode.
 
     Fills the cells of `memory` at time 0; outputs as they are behind initialization mode, which may change them.
@@ -57,7 +57,7 @@ def initialize(plan: Plan, instances: dict[str, Instance], memory: Memory) -> St
 class _Propagation:
     """Values along the connections, block by block."""
 
-    def __init__(self, plan: Plan, instances: dict[str, Instance], memory: Memory) -> None:
+    def __init__(self, plan: Plan, instances: dict[str, Participant], memory: Memory) -> None:
         self.plan, self.instances, self.memory = plan, instances, memory
         self.started = Started()
 
@@ -143,7 +143,7 @@ def loop_residuals(plan: Plan) -> dict[str, float]:
     """
     if not any(block.loop for block in plan.start):
         return {}
-    instances: dict[str, Instance] = {}
+    instances: dict[str, Participant] = {}
     try:
         for name, component in plan.system.components.items():
             instances[name] = start(component)

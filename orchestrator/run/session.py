@@ -13,7 +13,7 @@ from ..errors import InputError, RunError
 from ..loop import cells
 from ..loop.compiled import compiled_run
 from ..loop.run import run
-from ..participant.base import Instance
+from ..participant.base import Participant
 from ..participant.opening import start
 from ..participant.surroundings import Surroundings
 from ..plan.plan import Plan
@@ -66,7 +66,7 @@ class Session:
         self.control = self.stop_requests.control
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
-        self.instances: dict[str, Instance] = {}
+        self.instances: dict[str, Participant] = {}
         self._function = run if interpreted else compiled_run()
         self.at = Position()
         self.notes: list[str] = []  # what FMUs changed in this process, and what went wrong in their ends

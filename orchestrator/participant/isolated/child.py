@@ -16,7 +16,7 @@ from typing import Any
 
 from ...fmu.fmu import Fmu
 from ...processes import end_with, watch
-from ..base import CallError, Instance, State
+from ..base import CallError, Participant, State
 from ..opening import load
 from .channel import CALL, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions
@@ -42,7 +42,7 @@ class Served:
 
     def __init__(self, path: Path, digest: str, name: str, shared: Shared) -> None:
         self.path, self.digest, self.name, self.shared = path, digest, name, shared
-        self.instance: Instance | None = None
+        self.instance: Participant | None = None
         self.functions: list[Function] = []
         self.loaded: dict[int, Any] = {}
         self.told: State | None = None  # the state that the master knows

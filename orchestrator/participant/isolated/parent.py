@@ -19,7 +19,7 @@ from ...errors import FmuError
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
 from ...processes import end, how_ended, start
-from ..base import CallError, Instance, State
+from ..base import CallError, Participant, State
 from ..exit_guard import made_by_pythonfmu
 from ..lifecycle import FATAL
 from .callbacks import Callbacks
@@ -39,7 +39,7 @@ STARTING = (
 CLOSING = 2.0  # s
 
 
-class IsolatedInstance(Instance):
+class IsolatedInstance(Participant):
     """Starts the process and instantiates the FMU there. Raises FmuError if that fails. `timeout` [s] for each call."""
 
     def __init__(self, fmu: Fmu, name: str, timeout: float) -> None:

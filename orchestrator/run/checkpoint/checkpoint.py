@@ -29,7 +29,7 @@ import numpy as np
 from ...errors import InputError, RunError
 from ...files import reason
 from ...loop.cells import NOW
-from ...participant.base import Instance
+from ...participant.base import Participant
 from ...plan.plan import Plan
 from ..session import Position, Session
 from .files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
@@ -94,7 +94,7 @@ def _arrays(session: Session) -> dict[str, np.ndarray]:
     }  # fmt: skip
 
 
-def _state(instance: Instance) -> bytes:
+def _state(instance: Participant) -> bytes:
     state = instance.save()
     try:
         return instance.serialize(state)

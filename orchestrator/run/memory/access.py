@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import InputError, nearest
 from ...fmu.types import Value
-from ...participant.base import Instance
+from ...participant.base import Participant
 from ...plan.plan import Plan
 from ...system.model import checked_values
 from .memory import Memory
@@ -18,7 +18,7 @@ from .memory import Memory
 class Access:
     """Between two cycles. Names and errors as of `Session.get` and `Session.set`."""
 
-    def __init__(self, plan: Plan, memory: Memory, instances: Mapping[str, Instance]) -> None:
+    def __init__(self, plan: Plan, memory: Memory, instances: Mapping[str, Participant]) -> None:
         self.plan, self.memory, self.instances = plan, memory, instances
         self.driven = {c.target: c.label for c in plan.system.connections}
 
@@ -37,7 +37,7 @@ class Access:
         values = [self._value(component, scalar) for scalar in scalars]
         return values[0] if scalars == [variable] else values
 
-    def _instance(self, what: str, name: str, component: str) -> Instance:
+    def _instance(self, what: str, name: str, component: str) -> Participant:
         if component not in self.instances:
             raise InputError(f"{what} {name}: no component '{component}'{nearest(component, self.instances)}")
         return self.instances[component]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...participant.base import Instance
+from ...participant.base import Participant
 from ...plan.algorithms.base import LoopArrays
 from ...plan.plan import Plan
 
@@ -28,7 +28,7 @@ class AlgorithmState:
         return *self.loop, self.states, self.state_calls
 
 
-def make_state(plan: Plan, instances: dict[str, Instance]) -> AlgorithmState:
+def make_state(plan: Plan, instances: dict[str, Participant]) -> AlgorithmState:
     """What the plan's algorithm needs."""
     count = len(instances)
     state = AlgorithmState(
@@ -40,7 +40,7 @@ def make_state(plan: Plan, instances: dict[str, Instance]) -> AlgorithmState:
     return state
 
 
-def free_states(state: AlgorithmState, instances: dict[str, Instance]) -> None:
+def free_states(state: AlgorithmState, instances: dict[str, Participant]) -> None:
     """Give saved states back to the FMUs that are alive."""
     from ...loop.calls import call_state
 

@@ -11,7 +11,7 @@ from ...loop.calls import STEP_FLAGS
 from ...loop.cells import IN_PLACE
 from ...loop.operations import RESTORE
 from ...loop.texts import Texts
-from ...participant.base import Instance
+from ...participant.base import Participant
 from ...plan.plan import Plan
 
 Key = tuple[str, str]
@@ -49,7 +49,7 @@ class Memory:
         found: Value = decode(kind, self.z[slot : slot + 1])[0].item()
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
-    def tables(self, instances: dict[str, Instance]) -> tuple[np.ndarray, np.ndarray, Typed]:
+    def tables(self, instances: dict[str, Participant]) -> tuple[np.ndarray, np.ndarray, Typed]:
         """`components` (n, 10) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
@@ -77,7 +77,7 @@ class Memory:
         return np.array(components, dtype=np.int64), np.array(blocks, dtype=np.int64).reshape(-1, 10), typed
 
     def _block(
-        self, instance: Instance, kind: FmiType, verb: str, slots: list[tuple[int, Key]], raw: int
+        self, instance: Participant, kind: FmiType, verb: str, slots: list[tuple[int, Key]], raw: int
     ) -> tuple[list[int], int]:
         """A row of `blocks`, its VALUES still from 0, and how many raw bytes it takes."""
         fmu = instance.fmu

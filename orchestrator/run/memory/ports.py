@@ -9,7 +9,7 @@ import numpy as np
 
 from ...fmu.types import function_type
 from ...loop.calls import exchange, exchange3
-from ...participant.base import Instance
+from ...participant.base import Participant
 from ...participant.lifecycle import good
 from ...plan.layout import Key
 from ...plan.plan import Plan
@@ -27,7 +27,7 @@ def reader_of(plan: Plan, memory: Memory, key: Key) -> Callable[[], float] | Non
     return lambda: float(item(slot))
 
 
-def writer_of(instance: Instance, variable: str) -> Callable[[float], bool]:
+def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
     """What sets a double input and says whether it was in range and the FMU took it; any other input it leaves."""
     fmu = instance.fmu
     kind = fmu.type_of(variable) if variable in fmu.variables else None

@@ -12,7 +12,7 @@ from native_build import feedthrough2, feedthrough3, moody, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant import lifecycle
-from rovbrush.orchestrator.participant.base import CallError, Instance
+from rovbrush.orchestrator.participant.base import CallError, Participant
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
 from rovbrush.orchestrator.participant.lifecycle import State
 from rovbrush.orchestrator.participant.opening import load
@@ -35,15 +35,15 @@ def told(log: Path) -> list[str]:
     return log.read_text().splitlines() if log.is_file() else []
 
 
-def isolated(fmu: Fmu, name: str) -> Instance:
+def isolated(fmu: Fmu, name: str) -> Participant:
     return IsolatedInstance(fmu, name, TIMEOUT)
 
 
 everywhere = pytest.mark.parametrize("start", [load, isolated], ids=["here", "isolated"])
-Start = Callable[[Fmu, str], Instance]
+Start = Callable[[Fmu, str], Participant]
 
 
-def stepping(instance: Instance) -> Instance:
+def stepping(instance: Participant) -> Participant:
     instance.begin(1.0)
     instance.exit_initialization()
     return instance
@@ -145,12 +145,12 @@ def test_so_does_one_before_the_loop(status: int, start: Start, tmp_path: Path) 
     assert instance.close() == ""
 
 
-EARLY: dict[str, Callable[[Instance], Any]] = {
+EARLY: dict[str, Callable[[Participant], Any]] = {
     "step from t = 0 s": lambda i: i.step(0.0, 1e-3),
     "leave initialization": lambda i: i.exit_initialization(),
     "get x": lambda i: i.get("x"),
 }
-LATE: dict[str, Callable[[Instance], Any]] = {
+LATE: dict[str, Callable[[Participant], Any]] = {
     "enter initialization": lambda i: i.enter_initialization(),
     "set up the experiment": lambda i: i.set_up(1.0),
     "leave initialization": lambda i: i.exit_initialization(),
