@@ -11,24 +11,12 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from . import (
-    bench_commands,
-    cache_command,
-    check_commands,
-    exchange_commands,
-    paper_commands,
-    schema_command,
-    study_commands,
-)
-from . import run_commands as commands
+from .commands import bench, cache, check, exchange, paper, run, schema, study
 from .guard import guarded
 from .options import app
 
 # Importing the commands registers them.
-__all__ = [
-    "bench_commands", "cache_command", "check_commands", "commands", "exchange_commands", "main", "paper_commands",
-    "program", "schema_command", "study_commands",
-]  # fmt: skip
+__all__ = ["bench", "cache", "check", "exchange", "main", "paper", "program", "run", "schema", "study"]
 
 
 # The commands that load FMUs into their own process.

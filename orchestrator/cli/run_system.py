@@ -20,7 +20,8 @@ from ..run.planned import planned
 from ..run.recording.recorder import IN_MEMORY
 from ..system.assemble import assemble_request
 from ..system.request import Request
-from .console import print_comparison, print_notes, print_summary, progress, tell, wrote
+from .console import print_comparison, print_notes, print_summary, tell, wrote
+from .progress import progress
 
 
 def run_system(request: Request, out: Path, check: bool, force: bool = False) -> None:

@@ -32,10 +32,10 @@ STOP = 0.3  # s, of what is not to be ended from outside
 # The command; what would be many bytes are few where the rows go to disk, and a fault of ours comes where it is asked.
 COMMAND = """
 import os, sys
-from rovbrush.orchestrator.cli import console, main
+from rovbrush.orchestrator.cli import main, progress
 from rovbrush.orchestrator.results.files import writing
 from rovbrush.orchestrator.run.recording import observers, recorder
-console.PLAIN_INTERVAL = 0.0
+progress.PLAIN_INTERVAL = 0.0
 mode, ours, *arguments = sys.argv[1:]
 if mode == "streamed":
     recorder.IN_MEMORY, recorder.PIECE, recorder.CHUNK = 4000, 2000, 5

@@ -21,8 +21,8 @@ from rovbrush.orchestrator.run import carry_out
 # The command with progress lines at every look, so that a test sees when the run is under way.
 COMMAND = """
 import sys
-from rovbrush.orchestrator.cli import console, main
-console.PLAIN_INTERVAL = 0.0
+from rovbrush.orchestrator.cli import main, progress
+progress.PLAIN_INTERVAL = 0.0
 sys.argv[0] = "rovbrush"
 main.main()
 """

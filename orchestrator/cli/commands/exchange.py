@@ -7,10 +7,11 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError, counted
-from .console import print_table, share, tell
-from .guard import sheltered
-from .options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
+from ...errors import InputError, counted
+from ..console import print_table, tell
+from ..guard import sheltered
+from ..options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
+from ..progress import share
 
 
 @app.command()
@@ -32,7 +33,7 @@ def replay_and_print(
     fmu: Path, folder: Path, name: str, map_: Path | None, rtol: float | None, atol: float
 ) -> None:  # in a process of its own
     """What was compared, as a table. Raises RunError if an output is outside its bound."""
-    from ..exchange.recordings.replay import replay as drive
+    from ...exchange.recordings.replay import replay as drive
 
     with share(f"replaying {name or folder}") as progress:
         found = drive(fmu, folder, name, map_, rtol, atol, progress)
@@ -65,10 +66,10 @@ def export(
     fmus: FmusOption = None,
 ) -> None:
     """Write a whole system as one file for other tools."""
-    from ..exchange.export import export_container, export_ssp
-    from ..run.planned import planned
-    from ..system.assemble import assemble
-    from ..system.request import assignments
+    from ...exchange.export import export_container, export_ssp
+    from ...run.planned import planned
+    from ...system.assemble import assemble
+    from ...system.request import assignments
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")

@@ -10,14 +10,14 @@ import typer
 from rich.table import Table
 from rich.text import Text
 
-from .console import console, print_table, tell
-from .guard import sheltered
-from .options import app
+from ..console import console, print_table, tell
+from ..guard import sheltered
+from ..options import app
 
 if TYPE_CHECKING:
-    from ..exchange.checks.rows import Report
-    from ..exchange.component_tests.compare import Comparison
-    from ..exchange.component_tests.verdicts import Verdict
+    from ...exchange.checks.rows import Report
+    from ...exchange.component_tests.compare import Comparison
+    from ...exchange.component_tests.verdicts import Verdict
 
 STYLES = {
     "pass": "green", "finding": "yellow", "error": "bold red", "not applicable": "dim", "skipped": "dim",
@@ -34,7 +34,7 @@ def check(
     json_file: Annotated[Path | None, typer.Option("--json", help="Write all rows to this file.")] = None,
 ) -> None:
     """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own."""
-    from ..exchange.checks.chain import check_fmu, write_reports
+    from ...exchange.checks.chain import check_fmu, write_reports
 
     reports = []
     for path in fmus:
@@ -88,7 +88,7 @@ def judge_and_print(path: Path, component: str, map_path: Path | None, tolerance
 
     In a process of its own.
     """
-    from ..exchange.component_tests.verdicts import make_bench, require_applicable, require_outputs
+    from ...exchange.component_tests.verdicts import make_bench, require_applicable, require_outputs
 
     bench = make_bench(path, component, map_path, tolerance)
     print_interface(bench.comparison)

@@ -8,9 +8,9 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError, RunError
-from .console import tell
-from .options import (
+from ...errors import InputError, RunError
+from ..console import tell
+from ..options import (
     SYSTEM_HELP,
     FmusOption,
     InputOption,
@@ -49,7 +49,7 @@ def build(
     ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
-    from ..system.components import fmu_folder
+    from ...system.components import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
     if not found:
@@ -72,8 +72,8 @@ def build(
 @app.command()
 def systems() -> None:
     """List the shipped systems and sweeps."""
-    from ..studies.sweep.file import SWEEPS, shipped_sweeps
-    from ..system.reader import SYSTEMS, shipped_systems, system_description
+    from ...studies.sweep.file import SWEEPS, shipped_sweeps
+    from ...system.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():
         tell(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
@@ -95,11 +95,11 @@ def plan(
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
-    from ..plan.explain import explain
-    from ..plan.plan import make_plan
-    from ..run.initialize import loop_residuals
-    from ..system.assemble import assemble_request
-    from ..system.request import Request
+    from ...plan.explain import explain
+    from ...plan.plan import make_plan
+    from ...run.initialize import loop_residuals
+    from ...system.assemble import assemble_request
+    from ...system.request import Request
 
     request = Request(system, set_=tuple(set_), replace=tuple(replace), map_=tuple(map_), period=tuple(period),
                       step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)))  # fmt: skip
@@ -152,8 +152,8 @@ def run(
     ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
-    from ..system.request import Request
-    from .run_system import resume_system, run_system
+    from ...system.request import Request
+    from ..run_system import resume_system, run_system
 
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .console import console, print_table, share, tell, wrote
-from .options import FmusOption, OutOption, SetOption, app
+from ..console import console, print_table, tell, wrote
+from ..options import FmusOption, OutOption, SetOption, app
+from ..progress import share
 
 if TYPE_CHECKING:
-    from ..paper.calibration import Fit
+    from ...paper.calibration import Fit
 
 
 @app.command()
@@ -23,7 +24,7 @@ def calibrate(
     fmus: FmusOption = None,
 ) -> None:
     """Fit the free parameters of the nominal system to the paper's Table 3 and write the parameter file."""
-    from ..paper.calibration import calibrate as fit
+    from ...paper.calibration import calibrate as fit
 
     _, path = fit(out, fmus, print_fit)
     tell(f"wrote {path}")
@@ -47,7 +48,7 @@ def reproduce(
     fmus: FmusOption = None,
 ) -> None:
     """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
-    from ..paper.reproduce import reproduce as study
+    from ...paper.reproduce import reproduce as study
 
     tell("every run, by the command that repeats it:")
     found = study(out, fmus, claim or (), lambda command: console.print(command, style="dim", markup=False))
@@ -63,7 +64,7 @@ def print_claims(rows: Sequence[Mapping[str, Any]]) -> None:
     """The claims and their verdicts."""
     from rich.text import Text
 
-    from ..paper.claims import VERDICTS
+    from ...paper.claims import VERDICTS
 
     color = dict(zip(VERDICTS, ("green", "blue", "red"), strict=True))
     cells = [(str(row["number"]), row["claim"], Text(row["verdict"], color[row["verdict"]])) for row in rows]
@@ -88,9 +89,9 @@ def print_checks(rows: Sequence[Mapping[str, Any]]) -> None:
 @app.command()
 def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
     """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
-    from ..paper.strategies import ROWS
-    from ..paper.strategies import strategies as study
-    from ..system.request import assignments
+    from ...paper.strategies import ROWS
+    from ...paper.strategies import strategies as study
+    from ...system.request import assignments
 
     with share("strategies") as progress:
         found = study(out, assignments(set_), fmus, progress)
