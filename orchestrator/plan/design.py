@@ -9,9 +9,9 @@ from ..clock import Clock
 from ..system.model import Connection, System
 from ..system.series import Series
 from .algorithms.base import Algorithm
-from .bond_energy import BondEnergy
-from .formulas import Choice
-from .layout import Group, Layout
+from .schedule.bond_energy import BondEnergy
+from .schedule.formulas import Choice
+from .schedule.layout import Group, Layout
 from .start import Block
 
 

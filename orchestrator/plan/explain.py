@@ -7,8 +7,8 @@ from math import inf
 from ..clock import seconds_text
 from ..system.series import series_in_words
 from .capabilities import remarks
-from .operation_text import OperationText
 from .plan import Plan
+from .schedule.operation_text import OperationText
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:

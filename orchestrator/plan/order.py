@@ -8,7 +8,7 @@ from itertools import groupby
 from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
-from .formulas import Choice
+from .schedule.formulas import Choice
 
 
 def discrete(system: System, end: tuple[str, str]) -> bool:

@@ -9,11 +9,11 @@ import numpy as np
 from ..system.model import System
 from ..system.series import check_series
 from .algorithms.registry import algorithm_of
-from .bond_energy import bond_energies, check_names
 from .capabilities import check_capabilities
 from .design import Design
-from .layout import make_groups, make_layout
 from .order import check_leaders, leaders_of, order_of
+from .schedule.bond_energy import bond_energies, check_names
+from .schedule.layout import make_groups, make_layout
 from .start import start_order
 from .transfers import held_by_type, rereads_of
 

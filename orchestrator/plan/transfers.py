@@ -5,8 +5,8 @@ from __future__ import annotations
 from ..clock import Clock, seconds_text
 from ..errors import InputError
 from ..system.model import Connection, System
-from .formulas import BOTH_ENDS, CHANGING, Choice, choose
 from .order import discrete
+from .schedule.formulas import BOTH_ENDS, CHANGING, Choice, choose
 
 
 def held_by_type(system: System, c: Connection) -> Choice | None:

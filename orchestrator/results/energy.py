@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import RunError
-from ..plan.bond_energy import slug
+from ..plan.schedule.bond_energy import slug
 from ..system.model import Bond
 from .signals import Signals
 from .tables import Run

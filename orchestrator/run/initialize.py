@@ -10,8 +10,8 @@ from ..errors import FmuError, InputError
 from ..fmu.types import Value
 from ..participant.base import Participant
 from ..participant.opening import start
-from ..plan.layout import Key
 from ..plan.plan import Plan
+from ..plan.schedule.layout import Key
 from ..results.tables import Started
 from ..system.model import Connection
 from .memory.memory import Memory

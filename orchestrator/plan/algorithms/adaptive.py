@@ -20,9 +20,9 @@ from ...loop.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
 from ...system.model import Connection, System
 from ..capabilities import require_state
 from ..design import Design
-from ..formulas import Choice
-from ..layout import Key, Layout
-from ..schedule import Row, Schedule
+from ..schedule.formulas import Choice
+from ..schedule.layout import Key, Layout
+from ..schedule.schedule import Row, Schedule
 from .base import LoopArrays
 from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps

@@ -11,16 +11,16 @@ from ...clock import Clock, make_clock
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS
 from ...system.model import Connection, System
-from ..formulas import Choice
-from ..layout import Layout
 from ..order import samplers_of
+from ..schedule.formulas import Choice
+from ..schedule.layout import Layout
 from ..transfers import by_rates
 from .settings import NoSettings
 
 if TYPE_CHECKING:
     from ..design import Design
     from ..plan import Plan
-    from ..schedule import Schedule
+    from ..schedule.schedule import Schedule
 
 
 class LoopArrays(NamedTuple):

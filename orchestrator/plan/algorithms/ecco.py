@@ -14,9 +14,9 @@ from typing import ClassVar
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
-from ..bond_energy import key_of
 from ..design import Design
-from ..schedule import Row, Schedule
+from ..schedule.bond_energy import key_of
+from ..schedule.schedule import Row, Schedule
 from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...system.model import Connection
 from ..design import Design
-from ..schedule import Schedule
+from ..schedule.schedule import Schedule
 from .base import Algorithm
 
 

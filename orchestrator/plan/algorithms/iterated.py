@@ -22,9 +22,9 @@ from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWI
 from ...system.model import Connection, System
 from ..capabilities import require_state
 from ..design import Design
-from ..formulas import ITERATED, Choice
-from ..layout import Key, Layout
-from ..schedule import Row, Schedule
+from ..schedule.formulas import ITERATED, Choice
+from ..schedule.layout import Key, Layout
+from ..schedule.schedule import Row, Schedule
 from .base import Algorithm, LoopArrays
 from .settings import setting
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..design import Design
-from ..schedule import Schedule
+from ..schedule.schedule import Schedule
 from .base import Algorithm
 
 

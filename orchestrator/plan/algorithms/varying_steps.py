@@ -14,9 +14,9 @@ from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS, MAXIMUM, MINIMUM, STEP_TICKS, STOP
 from ...system.model import Connection, System
 from ..capabilities import require_variable_steps
-from ..formulas import Choice
-from ..layout import Layout
-from ..schedule import Schedule
+from ..schedule.formulas import Choice
+from ..schedule.layout import Layout
+from ..schedule.schedule import Schedule
 from .base import Algorithm, LoopArrays, only_hold
 
 if TYPE_CHECKING:

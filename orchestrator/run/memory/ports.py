@@ -11,8 +11,8 @@ from ...fmu.types import function_type
 from ...loop.calls import exchange, exchange3
 from ...participant.base import Participant
 from ...participant.lifecycle import good
-from ...plan.layout import Key
 from ...plan.plan import Plan
+from ...plan.schedule.layout import Key
 from .memory import Memory
 
 LARGEST = sys.float_info.max

@@ -10,7 +10,7 @@ import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.plan.formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
+from rovbrush.orchestrator.plan.schedule.formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
 from rovbrush.orchestrator.results.tables import Run
 
 SINE = {"a": 1.0, "w": 5.0}

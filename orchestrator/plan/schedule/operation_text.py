@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from ..clock import seconds_text
-from ..fmu.fmu import Fmu
-from ..loop.operations import (
+from ...clock import seconds_text
+from ...fmu.fmu import Fmu
+from ...loop.operations import (
     ACCUMULATE,
     ADVANCE,
     CONTROL,
@@ -34,8 +34,8 @@ from ..loop.operations import (
     STEP,
     WORK,
 )
+from ..plan import Plan
 from .layout import by_component
-from .plan import Plan
 
 SHOWN = 6  # names of variables in one line, at most
 

@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..clock import Clock
-from ..fmu.fmu import Fmu
-from ..fmu.types import GROUPED
-from ..system.model import Bond, Connection, System
-from ..system.recorded import matches
-from ..system.replace.view import crossings_of
+from ...clock import Clock
+from ...fmu.fmu import Fmu
+from ...fmu.types import GROUPED
+from ...system.model import Bond, Connection, System
+from ...system.recorded import matches
+from ...system.replace.view import crossings_of
 from .formulas import HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable

@@ -16,9 +16,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..clock import seconds_text
-from ..errors import InputError
-from ..loop.operations import (
+from ...clock import seconds_text
+from ...errors import InputError
+from ...loop.operations import (
     ACCUMULATE,
     COLUMNS,
     COPY,
@@ -36,11 +36,11 @@ from ..loop.operations import (
     STEP,
     WORK,
 )
-from ..system.model import Connection
-from ..system.replace.crossing import Crossing
-from ..system.replace.view import crossings_of
+from ...system.model import Connection
+from ...system.replace.crossing import Crossing
+from ...system.replace.view import crossings_of
+from ..design import Constants, Design
 from .bond_energy import Side
-from .design import Constants, Design
 from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
 from .layout import Key, by_component
 

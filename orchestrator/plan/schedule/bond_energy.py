@@ -12,9 +12,9 @@ import re
 from dataclasses import dataclass
 from math import lcm
 
-from ..clock import Clock
-from ..errors import InputError
-from ..system.model import Bond, System
+from ...clock import Clock
+from ...errors import InputError
+from ...system.model import Bond, System
 from .layout import Key, Layout
 
 
