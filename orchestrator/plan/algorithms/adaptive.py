@@ -22,7 +22,8 @@ from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import Choice
 from ..schedule.layout import Key, Layout
-from ..schedule.schedule import Row, Schedule
+from ..schedule.schedule import Schedule
+from ..schedule.steps import Row
 from .base import LoopArrays
 from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps

@@ -16,7 +16,8 @@ from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
 from ..design import Design
 from ..schedule.bond_energy import key_of
-from ..schedule.schedule import Row, Schedule
+from ..schedule.schedule import Schedule
+from ..schedule.steps import Row
 from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps
 

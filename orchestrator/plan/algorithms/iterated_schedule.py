@@ -1,0 +1,137 @@
+"""The operations of a macro step that is repeated until its inputs agree with what their sources gave."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from ...loop.iteration import AITKEN, NEWTON
+from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
+from ...system.model import Connection
+from ..design import Design
+from ..schedule.formulas import ITERATED
+from ..schedule.schedule import Schedule
+from ..schedule.steps import Row
+
+if TYPE_CHECKING:
+    from .iterated import IteratedSettings
+
+
+class IteratedSchedule(Schedule):
+    """Predict, save, pass, judge; restore and repeat."""
+
+    def __init__(self, design: Design, settings: IteratedSettings) -> None:
+        super().__init__(design)
+        self.settings = settings
+        self.begun: set[int] = set()  # images that have their first part
+        self.driven: dict[str, list[Connection]] = {}  # iterated connections by their sources
+        for c, choice in design.choices.items():
+            if choice.transfer in ITERATED:
+                self.driven.setdefault(c.source[0], []).append(c)
+
+    def rows(self) -> Iterator[Row]:
+        layout, end = self.layout, self.clock.hyperperiod
+        unknowns, images = list(layout.unknowns.values()), list(layout.images.values())
+        signals = layout.extras["coupling", "iterations"].slot  # all but what the iteration itself counts
+        first = signals + 2
+        rows: list[Row] = [*self._predict(), *((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())]
+        rows.append((SAVE, 0, -1, signals, 0, 0, 0, 0))
+        again = len(rows)
+        one_pass = list(super().rows())
+        final = [row for row in one_pass if row[0] == RECORD and row[1] == end]  # these show how the iteration went
+        rows += [row for row in one_pass if row not in final]
+        recorded = Counter(row[3] for row in rows if row[0] == RECORD)
+        back: list[Row] = [(RESTORE, end, c, 0, 0, 0, 0, 0) for c in self.index.values()]
+        back.append((RESTORE, end, -1, signals, 0, 0, 0, 0))
+        back += [(REWIND, end, -1, group, count, 0, 0, 0) for group, count in recorded.items()]
+        back.append((REPEAT, end, -1, again, 0, 0, 0, 0))
+        on, image = len(rows) + 1 + len(back), images[0] if images else first
+        yield from rows
+        yield (ITERATE, end, -1, on, first, image, len(unknowns), self._settings())
+        yield from back
+        yield from final
+
+    def _settings(self) -> int:
+        """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""
+        s = self.settings
+        nominal = [self.nominal(key) for key, _ in self.layout.unknowns]
+        method = NEWTON if s.method == "newton" else AITKEN
+        return self.constants.at(s.tolerance, float(s.max_iterations), float(method), *nominal)
+
+    def _predict(self) -> Iterator[Row]:
+        """The first pass takes every input as its source left it."""
+        for c, choice in self.design.choices.items():
+            if choice.transfer in ITERATED:
+                k, a = self.constants.at(c.gain, c.offset), self.layout.outputs[c.source]
+                for j in range(self.clock.hyperperiod // self.clock.periods[c.target[0]]):
+                    slot = self.layout.unknowns.get((c.target, j))
+                    if slot is not None:
+                        yield (COPY, 0, self.index[c.target[0]], a, slot, 0, 0, k)
+
+    def begin(self, tick: int) -> Iterator[Row]:
+        """Samplers step; of the others the inputs that are held whatever the algorithm take their values."""
+        for name in self.due(tick):
+            if name in self.design.samplers:
+                yield from self._take(tick, name, tick)
+                yield from self.advance(tick, name, tick)
+        for name in self.due(tick):
+            if name not in self.design.samplers:
+                for c in self.design.into(name):
+                    if not self._real(c):
+                        yield self.held(
+                            c.target, tick, self.layout.outputs[c.source], self.layout.inputs[c.target], 1, 0
+                        )
+
+    def finish(self, tick: int) -> Iterator[Row]:
+        for name in self.due(tick):
+            if name not in self.design.samplers:
+                start = tick - self.clock.periods[name]
+                yield from self._take(tick, name, start)
+                yield from self.advance(tick, name, start)
+                yield from self._collect(tick, name, start)
+        yield from self.record(tick)
+
+    def _take(self, tick: int, name: str, start: int) -> Iterator[Row]:
+        """The inputs of one step: unknowns, and what samplers hold or take."""
+        for c in self.design.into(name):
+            b = self.layout.inputs[c.target]
+            if self.design.choices[c].transfer in ITERATED:
+                step = (c.target, start // self.clock.periods[name])
+                a = self.layout.unknowns.get(step, self.layout.images[step])  # what this pass knows already
+                yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
+            elif name in self.design.samplers or self._real(c):
+                yield self.held(c.target, tick, self.layout.outputs[c.source], b, c.gain, c.offset)
+
+    def _real(self, c: Connection) -> bool:
+        return self.system.components[c.source[0]].fmu.is_real(c.source[1])
+
+    def _collect(self, tick: int, name: str, start: int) -> Iterator[Row]:
+        """What the step from `start` to `tick` adds to the images of the inputs that it drives."""
+        for c in self.driven.get(name, []):
+            transfer, H = self.design.choices[c].transfer, self.clock.periods[c.target[0]]
+            for j in range(start // H, -(-tick // H)):
+                if transfer != "iterated" and (j + 1) * H > tick:
+                    continue  # a later step of the source reaches the end of that one
+                parts = self._mean(start, tick, j, H) if transfer == "iterated" else self._end(start, tick, j, H)
+                late, early = map(float, parts)
+                image = self.layout.images[c.target, j]
+                kept = 1.0 if image in self.begun else 0.0
+                self.begun.add(image)
+                weights = (kept, c.gain * late, c.gain * early, 0.0 if kept else c.offset)
+                a = self.layout.outputs[c.source]
+                p = a if transfer == "end" else self.layout.start(c.source)
+                yield (MIX, tick, self.index[c.target[0]], a, image, p, 0, self.constants.at(*weights))
+
+    def _mean(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
+        """Weights of the end and of the beginning of a source's step in the mean over step j of length H."""
+        h = tick - start
+        x, y = (Fraction(t - start, h) for t in (max(start, j * H), min(tick, (j + 1) * H)))
+        late = Fraction(h, H) * (y * y - x * x) / 2
+        return late, Fraction(h, H) * (y - x) - late
+
+    def _end(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
+        """The same in the value at the end of step j."""
+        late = Fraction((j + 1) * H - start, tick - start)
+        return late, 1 - late
