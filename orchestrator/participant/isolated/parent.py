@@ -9,8 +9,6 @@ from __future__ import annotations
 import base64
 import json
 import os
-import subprocess
-import sys
 import tempfile
 from collections.abc import Mapping
 from typing import Any
@@ -18,25 +16,16 @@ from typing import Any
 from ...errors import FmuError
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
-from ...processes import end, how_ended, start
+from ...processes import how_ended
 from ..base import CallError, Participant, State
 from ..exit_guard import made_by_pythonfmu
 from ..lifecycle import FATAL
 from .callbacks import Callbacks
-from .channel import (
-    SIZE,
-    STATUS,
-    Channel,
-    ChannelBrokenError,
-    ChannelClosedError,
-    ChannelSilentError,
-    Shared,
-)
+from .channel import SIZE, STATUS, Shared
+from .child_process import ChildProcess, ProcessLostError
 
-STARTING = (
-    120.0  # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
-)
-CLOSING = 2.0  # s
+# s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
+STARTING = 120.0
 
 
 class IsolatedInstance(Participant):
@@ -52,7 +41,7 @@ class IsolatedInstance(Participant):
         memory, path = tempfile.mkstemp(dir="/dev/shm" if os.path.isdir("/dev/shm") else None)
         os.unlink(path)
         os.truncate(memory, SIZE)
-        self.process, self.channel = self._start(memory)
+        self.child = ChildProcess(fmu, name, memory)
         self.shared = Shared(memory)
         self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
@@ -60,21 +49,6 @@ class IsolatedInstance(Participant):
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None
-
-    def _start(self, memory: int) -> tuple[subprocess.Popen[bytes], Channel]:
-        to_child, out = os.pipe()
-        into, from_child = os.pipe()
-        ends = (to_child, from_child, memory)
-        command = [sys.executable, "-m", f"{__package__}.child", *map(str, ends), str(os.getpid())]
-        process = start(
-            [*command, str(self.fmu.path), self.fmu.digest, self.name],
-            pass_fds=ends,
-            stdin=subprocess.DEVNULL,
-            start_new_session=True,  # Ctrl-C is for the master
-        )
-        os.close(to_child)
-        os.close(from_child)
-        return process, Channel(into, out)
 
     @property
     def pointer(self) -> int:
@@ -93,39 +67,24 @@ class IsolatedInstance(Participant):
         """How long a call may take [s]."""
         return max(self.timeout, STARTING) if self.compiles else self.timeout
 
-    def _exchange(self, letter: bytes, body: bytes, limit: float) -> bytes:
-        """A message and the body of its answer. Raises ChannelClosedError, with `fault` set, if there is none."""
+    def _ask(self, letter: bytes, body: bytes, limit: float) -> bytes:
+        """A message and the body of its answer. Raises ProcessLostError, with `fault` set, if there is none."""
         try:
-            answered, answer = self.channel.ask(letter, body, limit)
-            if answered != letter:
-                raise ChannelBrokenError
-        except ChannelSilentError:
-            self._lost(f"its process did not answer within {limit:g} s and was ended")
-            raise ChannelClosedError from None
-        except ChannelBrokenError:
-            self._lost(
-                "its process sent what is no answer (the FMU writes to files that are not its own) and was ended"
-            )
-            raise ChannelClosedError from None
-        except ChannelClosedError:
-            try:
-                self._lost(f"its process {how_ended(self.process.wait(CLOSING))}")
-            except subprocess.TimeoutExpired:
-                self._lost("its process closed the connection to the master and was ended")
+            return self.child.ask(letter, body, limit)
+        except ProcessLostError as error:
+            self._lost(str(error))
             raise
-        return answer
 
     def _lost(self, fault: str) -> None:
         """What befell the process; the first counts. It is no more then."""
         self.fault = self.fault or fault
         self.state = State.DEAD
-        self.process.kill()
-        self.process.wait()
 
     def broken_off(self, error: type[BaseException]) -> None:
         """An exception came while the loop waited for a call: nobody knows what became of that."""
         ctrl_c = issubclass(error, KeyboardInterrupt)
         self._lost(f"its call was broken off by {'a second Ctrl-C' if ctrl_c else error.__name__}")
+        self.child.kill()
 
     def _news(self, found: dict[str, Any]) -> None:
         self.messages.extend(found.get("log", ()))
@@ -137,8 +96,8 @@ class IsolatedInstance(Participant):
         if self.dead:
             return FATAL
         try:
-            answer = self._exchange(b"F", body, self.limit)
-        except ChannelClosedError:
+            answer = self._ask(b"F", body, self.limit)
+        except ProcessLostError:
             return FATAL
         if len(answer) > STATUS.size:
             self._news(json.loads(answer[STATUS.size :]))
@@ -157,8 +116,8 @@ class IsolatedInstance(Participant):
             reason = self.fault or f"it is {self.state.value}"
             raise CallError(f"component {self.name}: cannot {shown}: {reason}{self.log_text()}")
         try:
-            answer = json.loads(self._exchange(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
-        except ChannelClosedError:
+            answer = json.loads(self._ask(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
+        except ProcessLostError:
             raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
         self._news(answer)
         if "error" in answer:
@@ -213,14 +172,13 @@ class IsolatedInstance(Participant):
             except FmuError as error:
                 said = str(error)
         self._end()
-        if not said and self.state is State.FREED and self.process.returncode:
-            said = f"component {self.name}: its process {how_ended(self.process.returncode)} when it was no more needed"
+        if not said and self.state is State.FREED and (code := self.child.process.returncode):
+            said = f"component {self.name}: its process {how_ended(code)} when it was no more needed"
         self.state = State.FREED
         return said
 
     def _end(self) -> None:
-        """End the process: it goes when its pipe closes, and is made to if it does not."""
-        self.channel.close()
-        end(self.process, CLOSING)
+        """Of the process and what is shared with it."""
+        self.child.close()
         if self.shared.base:
             self.shared.close()

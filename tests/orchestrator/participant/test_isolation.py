@@ -117,14 +117,15 @@ def test_states_travel_between_here_and_there(native: Path) -> None:
     finally:
         there.close()
         here.close()
-    assert there.process.poll() == 0
+    assert there.child.process.poll() == 0
 
 
 def test_a_process_never_outlives_its_master(native: Path, tmp_path: Path) -> None:
     code = (
         "import sys, time; from pathlib import Path; from rovbrush.orchestrator.fmu.fmu import Fmu;"
         "from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance;"
-        "i = IsolatedInstance(Fmu.open(Path(sys.argv[1])), 'i', 60.0); print(i.process.pid, flush=True); time.sleep(60)"
+        "i = IsolatedInstance(Fmu.open(Path(sys.argv[1])), 'i', 60.0);"
+        "print(i.child.process.pid, flush=True); time.sleep(60)"
     )
     master = subprocess.Popen([sys.executable, "-c", code, str(native / "feedthrough2.fmu")], stdout=subprocess.PIPE)
     assert master.stdout is not None
