@@ -10,9 +10,9 @@ from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
 from ..plan.plan import Plan
 from ..results.energy import require_energy
+from ..results.figures_of_merit import figure_units
 from ..results.files.netcdf import group_name
 from ..results.files.writing import ROWS, More
-from ..results.summary import figure_units
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
 from ..run.checkpoint.checkpoint import Checkpoint, read_checkpoint
 from ..run.checkpoint.fingerprint import require_unchanged

@@ -30,6 +30,11 @@ class Plan(Design):
         """Whether the macro steps vary; the clock's hyperperiod is the first of them then."""
         return self.algorithm.steps_vary
 
+    @property
+    def cycle_ticks(self) -> int:
+        """Ticks of a cycle; 0 where its length is the loop's choice."""
+        return 0 if self.adaptive else self.clock.hyperperiod
+
 
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""

@@ -9,7 +9,7 @@ from typing import Any
 from ..errors import InputError, nearest
 from ..system.figure_kinds import figure_kind, figure_kinds
 from ..system.model import System
-from .summary import check_summary
+from .figures_of_merit import OPERATIONS
 
 WINDOW_KEYS = {"angle", "start", "end"}
 COMPARE_KEYS = {"label", "value", "unit", "reference", "tolerance", "note"}
@@ -99,3 +99,32 @@ def check_numbers(entry: Mapping[str, Any], keys: Iterable[str], label: str) -> 
         value = entry.get(key, 0.0)
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise InputError(f"{label}: {key} = {value!r} is not a number")
+
+
+def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], origin: str) -> None:
+    """Raise InputError before the run for a figure of merit that could not be computed after it."""
+    for key, names in reporting["balance"].items():
+        if key not in ("supplied", "lost", "stored") or not isinstance(names, list):
+            raise InputError(f"{origin}: balance {key}: lists named supplied, lost and stored are allowed")
+        for name in names:
+            if name not in run_or_plan_names:
+                raise InputError(f"{origin}: balance {key}: '{name}' is not recorded{nearest(name, run_or_plan_names)}")
+    for key, text in reporting["summary"].items():
+        if key == "window":
+            names = [text["angle"]] if "angle" in text else []
+        else:
+            operation, *names = str(text).split()
+            if operation not in OPERATIONS:
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: unknown operation '{operation}'"
+                    f"{nearest(operation, OPERATIONS)}"
+                )
+            if len(names) != OPERATIONS[operation]:
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: {operation} takes {OPERATIONS[operation]} signals"
+                )
+        for name in names:
+            if name not in run_or_plan_names:
+                raise InputError(
+                    f"{origin}: summary {key} = {text!r}: '{name}' is not recorded{nearest(name, run_or_plan_names)}"
+                )

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -13,32 +11,19 @@ from ..errors import InputError, RunError
 from ..loop import cells
 from ..loop.compiled import compiled_run
 from ..loop.run import run
-from ..participant.base import Participant
-from ..participant.opening import start
-from ..participant.surroundings import Surroundings
 from ..plan.plan import Plan
-from ..processes import seconds_since_start
 from ..results.tables import Run
+from .blocks import Blocks
 from .failure import failure_of
 from .initialize import initialize
 from .interrupt import StopRequests
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
 from .memory.memory import Memory
+from .participants import Participants
+from .position import Position
 from .recording.observers import NEVER, Observer, Progress
 from .recording.recorder import Recorder
-
-BLOCK = 0.1  # s of wall time between two looks at progress and signals
-
-
-@dataclass
-class Position:
-    """How far a run is."""
-
-    cycle: int = 0  # whole cycles done
-    operation: int = 0  # the first one of the next cycle that is still to be done; not 0 after Ctrl-C
-    time: float = 0.0  # s
-    wall: float = 0.0  # s that the loop took
 
 
 class Session:
@@ -66,37 +51,28 @@ class Session:
         self.control = self.stop_requests.control
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
-        self.instances: dict[str, Participant] = {}
-        self._function = run if interpreted else compiled_run()
         self.at = Position()
-        self.notes: list[str] = []  # what FMUs changed in this process, and what went wrong in their ends
         self.ended_badly = ""  # how components fell down while they were terminated and freed
-        self._surroundings, self._looked = Surroundings(), 0.0
         self._interrupted = False
-        self._block, self._began = 1, 0.0
         self._closed = False
-        try:
-            with self.stop_requests.heard():
-                for name, component in plan.system.components.items():
-                    self.instances[name] = start(component)
-                    self._look_around(f"while {name} was loaded")
+        function = run if interpreted else compiled_run()
+        with self.stop_requests.heard():
+            self.participants = Participants(plan.system)
+            self.instances = self.participants.by_name
+            try:
                 self.memory = Memory(plan)
                 self._started = initialize(plan, self.instances, self.memory)
-                self._look_around("in the initialization")
-                self._calculated = {
-                    f"{name}.{variable}": instance.get(variable)
-                    for name, instance in self.instances.items()
-                    for variable in instance.fmu.names("calculatedParameter")
-                    if instance.fmu.type_of(variable) is not None
-                }
-                self._components, self._blocks, self._typed = self.memory.tables(self.instances)
+                self.participants.look_around("in the initialization")
+                self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
                 self._access = Access(plan, self.memory, self.instances)
                 self.recorder = Recorder(plan, self.memory, file)
-        except BaseException:
-            for instance in self.instances.values():
-                instance.close()
-            raise
+                self._blocks = Blocks(
+                    function, plan, self.instances, self.memory, self.recorder, self.space, self.control
+                )
+            except BaseException:
+                self.participants.abandon()
+                raise
 
     @property
     def time(self) -> float:
@@ -106,11 +82,7 @@ class Session:
     @property
     def tick(self) -> int:
         """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
-        return int(self.space.clock[cells.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self._cycle_ticks)
-
-    @property
-    def _cycle_ticks(self) -> int:
-        return 0 if self.plan.adaptive else self.plan.clock.hyperperiod
+        return int(self.space.clock[cells.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self.plan.cycle_ticks)
 
     def advance(
         self,
@@ -128,14 +100,14 @@ class Session:
         until = stop if until_tick is None else until_tick
         if not self.tick <= until <= stop or (cycles is not None and cycles < 0):
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
-        last = stop if self.plan.adaptive else -(-until // self._cycle_ticks)  # no step is shorter than a tick
+        last = stop if self.plan.adaptive else -(-until // self.plan.cycle_ticks)  # no step is shorter than a tick
         last = last if cycles is None else min(last, self.at.cycle + cycles)
         watching = [*self.observers, *([Progress(progress)] if progress else [])]
         with self.stop_requests.heard():
             while self.at.cycle < last and self.tick < until and not self.failure:
                 due = min((observer.due(self.tick) for observer in watching), default=NEVER)
                 self.space.clock[cells.UNTIL] = min(until, due)
-                whole = last if self.plan.adaptive else min(last, -(-due // self._cycle_ticks))
+                whole = last if self.plan.adaptive else min(last, -(-due // self.plan.cycle_ticks))
                 self._run_block(max(whole - self.at.cycle, 1))
                 if not self.failure:
                     self._show(watching)
@@ -151,24 +123,12 @@ class Session:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
         plan, clock = self.plan, self.plan.clock
         try:
-            size = 1 if self.at.operation else self.recorder.make_room(min(self._block, cycles))
+            size = self._blocks.size(self.at, cycles)
         except RunError as error:  # the disk refuses: what was computed is not to be lost for it
             self.failure = f"t = {self.at.time:.9g} s: {error}"
             return
-        self.control[cells.RESUME_AT] = self.at.operation
-        begin = time.perf_counter()
-        code = self._function(
-            plan.cycle, plan.coefficients, self._components, self._blocks, self.memory.z, *self._typed,
-            *self.recorder.arrays, self.control, *self.space.arrays, self.at.cycle, size, self._cycle_ticks,
-            clock.numerator, clock.denominator,
-        )  # fmt: skip
-        spent = time.perf_counter() - begin
-        self.at.wall += spent
-        due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
-        self._looked = begin if due else self._looked
-        self._look_around(f"before t = {clock.time(self.tick + size * self._cycle_ticks):.9g} s", due)
-        self._began = self._began or seconds_since_start()
-        self._block = max(1, min(2 * self._block, int(size * BLOCK / max(spent, 1e-6))))
+        code, due = self._blocks.run(self.at, size)
+        self.participants.look_around(f"before t = {clock.time(self.tick + size * plan.cycle_ticks):.9g} s", due)
         self.at.operation = 0
         if code != cells.DONE:
             self.at.cycle = int(self.control[cells.AT_CYCLE])
@@ -189,18 +149,6 @@ class Session:
             if ends and not self.plan.adaptive and not self.plan.algorithm.repeats_rows:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
-
-    def _look_around(self, when: str, folder: bool = True) -> None:
-        """Restore what an FMU has changed for the whole process, and say so once."""
-        for change in self._surroundings.restore(folder):
-            here = [c.name for c in self.plan.system.components.values() if c.isolation != "process"]
-            who = f"component {here[0]}" if len(here) == 1 else f"a component in this process ({', '.join(here)})"
-            known = any(change in note for note in self.notes)
-            if not known:
-                self.notes.append(
-                    f"{who} {change} {when}, which was restored; what it computed with it stays as it is; "
-                    f'isolation = "process" under [components.NAME] keeps it apart'
-                )
 
     @property
     def resumable(self) -> bool:
@@ -233,13 +181,13 @@ class Session:
 
     def run(self) -> Run:
         """What was recorded so far."""
-        self._look_around(f"before t = {self.at.time:.9g} s")
+        self.participants.look_around(f"before t = {self.at.time:.9g} s")
         rows = self._rows
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [self.tick // group.period + 1 for group in self.plan.groups]
         return Run(
-            self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._began,
-            self._started, self.memory.texts, self._calculated, self.notes,
+            self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
+            self._started, self.memory.texts, self._calculated, self.participants.notes,
         )  # fmt: skip
 
     def close(self) -> None:
@@ -247,10 +195,7 @@ class Session:
         if not self._closed:
             self._closed = True
             free_states(self.space, self.instances)
-            faults = [fault for instance in self.instances.values() if (fault := instance.close())]
-            self.ended_badly = "\n".join(faults)
-            self.notes += faults
-            self._look_around("in its end")
+            self.ended_badly = self.participants.close()
             if self.recorder.stream:
                 self.recorder.stream.close()
 

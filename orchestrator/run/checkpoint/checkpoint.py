@@ -31,7 +31,8 @@ from ...files import reason
 from ...loop.cells import NOW
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ..session import Position, Session
+from ..position import Position
+from ..session import Session
 from .files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
 

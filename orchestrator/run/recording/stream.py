@@ -16,7 +16,6 @@ import numpy as np
 
 from ...errors import RunError
 from ...files import reason
-from ...fmu.types import encode_cells
 from ...loop.texts import Texts
 from ...plan.plan import Plan
 from ...results.files.netcdf import datasets, group_name, stored, stored_names
@@ -24,6 +23,7 @@ from ...results.files.rows_file import RowsFile, room_for
 from ...results.signals import instants, typed
 from ...results.tables import Run
 from .observers import NEVER, Piece
+from .read_back import as_signal, as_table, type_of
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
 TEXT = 64  # bytes that a text takes beside its own
@@ -109,16 +109,16 @@ class Stream:
             for g, table in enumerate(tables):
                 chunk, columns = file.chunk(group_name(self.plan, g)), self.plan.groups[g].columns
                 size += room_for(self.rows[g], len(table), len(columns) + 1, chunk)
-                size += len(table) * sum(map(self._is_text, columns)) * (TEXT + self.texts.longest)
+                size += (
+                    len(table)
+                    * sum(type_of(self.plan, key) == "String" for key in columns)
+                    * (TEXT + self.texts.longest)
+                )
             file.reserve(size)
         except OSError as error:
             self.full = (
                 f"the rows cannot grow in {self.path.parent}: {reason(error)}; record less (--record) or make room"
             )
-
-    def _is_text(self, key: tuple[str, str]) -> bool:
-        component = self.plan.system.components.get(key[0])
-        return component is not None and component.fmu.variables[key[1]].type == "String"
 
     def _opened(self) -> RowsFile:
         """The file, opened anew if it was closed."""
@@ -156,10 +156,7 @@ class Stream:
         found: np.ndarray = (
             self._finished_values(place, name) if self._finished else self._opened().tables[place][name][:]
         )
-        if found.dtype.kind == "O":
-            texts = [text.decode() if isinstance(text, bytes) else text for text in found.tolist()]
-            return np.array(texts, dtype=object)
-        return found.astype(bool) if found.dtype == np.int8 and self._boolean(key) else found
+        return as_signal(found, type_of(self.plan, key))
 
     def _finished_values(self, group: str, name: str) -> np.ndarray:
         import h5py  # type: ignore[import-untyped]
@@ -168,19 +165,10 @@ class Stream:
             found: np.ndarray = file[group][name][:]
             return found
 
-    def _boolean(self, key: tuple[str, str]) -> bool:
-        component = self.plan.system.components.get(key[0])
-        return component is not None and component.fmu.variables[key[1]].type == "Boolean"
-
     def table(self, group: int) -> np.ndarray:
         """A whole table in cells of the loop, as precise as each signal's own type."""
-        cells = np.empty((self.rows[group], len(self.plan.groups[group].columns)))
-        for k in range(cells.shape[1]):
-            values = self.values(group, k)
-            if values.dtype.kind == "O":
-                values = np.array([self.texts.number(text) for text in values.tolist()], dtype=np.int64)
-            cells[:, k] = encode_cells(values)
-        return cells
+        columns = len(self.plan.groups[group].columns)
+        return as_table(self.rows[group], columns, lambda k: self.values(group, k), self.texts)
 
     def finish(self, path: Path, complete: bool, partly: bool = False) -> None:
         """Write what is pending, say how the run ended, and give the file its name, also in another folder.

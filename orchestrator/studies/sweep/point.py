@@ -22,7 +22,9 @@ from ...plan.algorithms.registry import algorithm_of
 from ...plan.plan import Plan, make_plan
 from ...processes import peak_memory
 from ...results.energy import require_energy
-from ...results.summary import check_summary, figure_units, summarize
+from ...results.figures_of_merit import figure_units
+from ...results.requested import check_summary
+from ...results.summary import summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble

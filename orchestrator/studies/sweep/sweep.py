@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from ...environment import environment, versions
 from ...errors import InputError, RunError, counted
 from ...files import prepare_folder
-from ...results.summary import figure_units
+from ...results.figures_of_merit import figure_units
 from ...system.model import System
 from ...system.request import UNCHANGED, Changes
 from .design import Design, check_count, make_design, vary_entries

@@ -10,7 +10,8 @@ import pytest
 import xarray
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.results.summary import figure_units, summarize
+from rovbrush.orchestrator.results.figures_of_merit import figure_units
+from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.design import make_design

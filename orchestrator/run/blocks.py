@@ -1,0 +1,55 @@
+"""The loop, called for blocks of cycles: each as long as a person waits for a bar to move or for Ctrl-C to be heard."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from ..loop import cells
+from ..participant.base import Participant
+from ..plan.plan import Plan
+from ..processes import seconds_since_start
+from .memory.algorithm_state import AlgorithmState
+from .memory.memory import Memory
+from .position import Position
+from .recording.recorder import Recorder
+
+BLOCK = 0.1  # s of wall time between two looks at progress and signals
+
+
+class Blocks:
+    """What the loop is called with, and how many cycles at a time."""
+
+    def __init__(
+        self, function: Callable[..., int], plan: Plan, instances: dict[str, Participant], memory: Memory,
+        recorder: Recorder, space: AlgorithmState, control: np.ndarray,
+    ) -> None:  # fmt: skip
+        self.function, self.plan, self.memory, self.recorder = function, plan, memory, recorder
+        self.space, self.control = space, control
+        self.components, self.blocks, self.typed = memory.tables(instances)
+        self.began = 0.0  # s from the start of the process to the end of the first block
+        self._size, self._looked = 1, 0.0
+
+    def size(self, at: Position, cycles: int) -> int:
+        """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
+        return 1 if at.operation else self.recorder.make_room(min(self._size, cycles))
+
+    def run(self, at: Position, size: int) -> tuple[int, bool]:
+        """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
+        clock = self.plan.clock
+        self.control[cells.RESUME_AT] = at.operation
+        begin = time.perf_counter()
+        code = self.function(
+            self.plan.cycle, self.plan.coefficients, self.components, self.blocks, self.memory.z, *self.typed,
+            *self.recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
+            clock.numerator, clock.denominator,
+        )  # fmt: skip
+        spent = time.perf_counter() - begin
+        at.wall += spent
+        due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
+        self._looked = begin if due else self._looked
+        self.began = self.began or seconds_since_start()
+        self._size = max(1, min(2 * self._size, int(size * BLOCK / max(spent, 1e-6))))
+        return code, due

@@ -1,0 +1,63 @@
+"""All that take part in a run, from their start to their end; what they change in this process is restored at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..participant.base import Participant
+from ..participant.opening import start
+from ..participant.surroundings import Surroundings
+from ..system.model import System
+
+
+class Participants:
+    """The components of a system, loaded and instantiated; `notes` says what they did that a person must know.
+
+    Raises FmuError if one of them refuses; the others are closed then.
+    """
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.by_name: dict[str, Participant] = {}
+        self.notes: list[str] = []
+        self._surroundings = Surroundings()
+        try:
+            for name, component in system.components.items():
+                self.by_name[name] = start(component)
+                self.look_around(f"while {name} was loaded")
+        except BaseException:
+            self.abandon()
+            raise
+
+    def look_around(self, when: str, folder: bool = True) -> None:
+        """Restore what one of them has changed for the whole process, and note it once; `folder`: look at that too."""
+        for change in self._surroundings.restore(folder):
+            here = [c.name for c in self.system.components.values() if c.isolation != "process"]
+            who = f"component {here[0]}" if len(here) == 1 else f"a component in this process ({', '.join(here)})"
+            known = any(change in note for note in self.notes)
+            if not known:
+                self.notes.append(
+                    f"{who} {change} {when}, which was restored; what it computed with it stays as it is; "
+                    f'isolation = "process" under [components.NAME] keeps it apart'
+                )
+
+    def calculated(self) -> dict[str, Any]:
+        """What they have calculated of their parameters, by `component.variable`."""
+        return {
+            f"{name}.{variable}": instance.get(variable)
+            for name, instance in self.by_name.items()
+            for variable in instance.fmu.names("calculatedParameter")
+            if instance.fmu.type_of(variable) is not None
+        }
+
+    def close(self) -> str:
+        """Terminate and free them; how they fell down in that, one a line."""
+        faults = [fault for instance in self.by_name.values() if (fault := instance.close())]
+        self.notes += faults
+        self.look_around("in its end")
+        return "\n".join(faults)
+
+    def abandon(self) -> None:
+        """Give back what there is, of a run that does not begin."""
+        for instance in self.by_name.values():
+            instance.close()
