@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import os
 import queue
@@ -12,6 +13,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -66,6 +68,22 @@ def peak_memory() -> float:
         return 0.0
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak / (1e6 if sys.platform == "darwin" else 1e3)
+
+
+def end_at_once(code: int) -> NoReturn:
+    """End this process without taking its modules to pieces, which takes Python up to a second.
+
+    All else is done that Python does at its end: threads are waited for, exit handlers called, streams flushed, those
+    of C as well.
+    """
+    threading._shutdown()  # type: ignore[attr-defined]
+    atexit._run_exitfuncs()
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):  # who prints has said so before
+            stream.flush()
+    if os.name == "posix":
+        ctypes.CDLL(None).fflush(None)
+    os._exit(code)
 
 
 # --- other processes ---

@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -43,8 +44,11 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
         processes.began_with(parent)
         try:
             work()
-        finally:
+        except SystemExit as end:
             os.write(writer, b"!")  # an FMU that ends the process does not come by here
+            processes.end_at_once(end.code if isinstance(end.code, int) else int(end.code is not None))
+        finally:
+            os.write(writer, b"!")
     os.close(writer)
     code, passed = _wait(child)
     if -code in passed:  # before there was anything that could be kept
@@ -54,7 +58,7 @@ def guarded(work: Callable[[], NoReturn]) -> NoReturn:
         how = processes.how_ended(code)
         print(f"error: an FMU ended the run, or did not return: the process {how}; {ADVICE}", file=sys.stderr)
         code = 1
-    sys.exit(code)
+    processes.end_at_once(code)
 
 
 def _wait(child: int) -> tuple[int, list[int]]:
@@ -63,12 +67,24 @@ def _wait(child: int) -> tuple[int, list[int]]:
 
     def pass_on(number: int, _frame: Any) -> None:
         passed.append(number)
-        os.kill(child, signal.SIGKILL if len(passed) >= INSISTED else number)
+        with suppress(ProcessLookupError):
+            os.kill(child, signal.SIGKILL if len(passed) >= INSISTED else number)
 
     for number in PASSED_ON:
         if signal.getsignal(number) is not signal.SIG_IGN:  # nohup, background jobs
             signal.signal(number, pass_on)
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), passed
+    if hasattr(os, "waitid"):  # not on macOS; until the child is collected its number is nobody else's
+        os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+        _ignore_the_rest()
+    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    _ignore_the_rest()
+    return code, passed
+
+
+def _ignore_the_rest() -> None:
+    """One signal too many, behind the end of the child, does not change how the command ends."""
+    for number in PASSED_ON:
+        signal.signal(number, signal.SIG_IGN)
 
 
 def sheltered(fmu: Path, work: Callable[..., Any], *arguments: object) -> Any:

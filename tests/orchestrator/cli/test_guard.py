@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from helpers import system_text
+from helpers import python, system_text
 from native_build import FAULTS2, built, needs_gcc
 
 FREE = {"=u": 1.5, "=n_in": 1, "=mode_in": 2, "=on_in": True, "=s_in": "on"}
@@ -67,15 +67,30 @@ def test_an_fmu_that_never_returns_is_ended_by_pressing_ctrl_c_three_times(nativ
         try:
             child = child_of(process)
             assert process.stderr is not None and process.stderr.readline() == "hanging\n"
-            presses = 0
-            while process.poll() is None and presses < 50:  # presses that come too fast for a slow machine are one
+            presses, deadline = 0, time.monotonic() + 60.0
+            while process.poll() is None and time.monotonic() < deadline:  # those that come too fast are one
                 process.send_signal(signal.SIGINT)
                 presses += 1
-                time.sleep(0.2)
+                time.sleep(0.01)
             _, err = process.communicate(timeout=60)
         finally:
             process.kill()
     assert process.returncode == 1 and "SIGKILL" in err and not is_alive(child) and presses >= 3
+
+
+def test_what_is_registered_for_the_end_is_done() -> None:
+    code = (
+        "import atexit, ctypes, sys, threading, time; from rovbrush.orchestrator.cli import guard\n"
+        "def work():\n"
+        "    atexit.register(print, 'handler')\n"
+        "    threading.Thread(target=lambda: (time.sleep(0.2), print('thread'))).start()\n"
+        "    ctypes.CDLL(None).printf(b'C\\n')\n"
+        "    print('work')\n"
+        "    sys.exit(3)\n"
+        "guard.guarded(work)"
+    )
+    done = python(code)
+    assert done.returncode == 3 and sorted(done.stdout.split()) == ["C", "handler", "thread", "work"], done.stderr
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
