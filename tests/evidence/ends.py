@@ -20,6 +20,8 @@ from pathlib import Path
 import numpy as np
 from native_build import FAULTS2, feedthrough2
 
+from .warm import Command, starter
+
 NAME = "ends"
 CLAIM = "however a run ends, its complete rows are in result.nc, closed and marked"
 UNIT = "ways x modes"
@@ -49,6 +51,8 @@ sys.argv = ["rovbrush", *arguments]
 main.program()
 """
 
+Running = subprocess.Popen[str] | Command
+
 
 @dataclass(frozen=True)
 class Way:
@@ -59,7 +63,7 @@ class Way:
     fault: str = "none"  # of FMU `a`, in the step to 40 ms
     slow: bool = False  # its steps take a millisecond each
     complete: bool = False
-    act: Callable[[subprocess.Popen[str], Path], None] | None = None  # when the run is under way
+    act: Callable[[Running, Path], None] | None = None  # when the run is under way
     stdout: str = ""  # where it goes, if not to us
     ours: str = ""  # where a fault of ours comes
     disk: str = ""  # the size of the disk
@@ -67,16 +71,16 @@ class Way:
     moved: bool = False  # the rows may be in another folder, which the message names
 
 
-def _send(number: int) -> Callable[[subprocess.Popen[str], Path], None]:
+def _send(number: int) -> Callable[[Running, Path], None]:
     return lambda process, _out: process.send_signal(number)
 
 
-def _close(process: subprocess.Popen[str], _out: Path) -> None:
+def _close(process: Running, _out: Path) -> None:
     assert process.stdout is not None
     process.stdout.close()
 
 
-def _delete(process: subprocess.Popen[str], out: Path) -> None:
+def _delete(process: Running, out: Path) -> None:
     shutil.rmtree(out)
     process.send_signal(signal.SIGINT)
 
@@ -162,37 +166,41 @@ def _system(way: Way, mode: str, folder: Path, fmus: Path) -> Path:
 
 def _run(way: Way, mode: str, folder: Path, fmus: Path) -> tuple[int, str]:
     """Exit code and stderr of the command."""
-    out = folder / "out"
-    command = [sys.executable, "-c", COMMAND, mode, way.ours, "run", str(_system(way, mode, folder, fmus))]
-    if way.disk:  # a disk of its own, which the processes of the command see and nobody else
-        out.mkdir()
-        inner = (
-            f'mount -t tmpfs -o size={way.disk} tmpfs "$0" || exit 90; "$@"; code=$?; cp -r "$0" "$0.kept"; exit $code'
-        )
-        command = ["unshare", "--map-root-user", "--mount", "sh", "-c", inner, str(out), *command]
-    environment, said = {**os.environ, "TMPDIR": str(folder)}, folder / "stderr"
+    out, said = folder / "out", folder / "stderr"
+    arguments = [mode, way.ours, "run", str(_system(way, mode, folder, fmus)), "--out", str(out)]
+    environment = {**os.environ, "TMPDIR": str(folder)}
     with open(way.stdout or folder / "stdout", "w") as stdout, said.open("w") as stderr:
-        process = subprocess.Popen(
-            [*command, "--out", str(out)], stdout=subprocess.PIPE if way.act else stdout, stderr=stderr, text=True,
-            env=environment,
-        )  # fmt: skip
+        process: Running
+        if way.disk:
+            out.mkdir()
+            command = [*_on_a_disk(way.disk, out), sys.executable, "-c", COMMAND, *arguments]
+            process = subprocess.Popen(command, stdout=stdout, stderr=stderr, text=True, env=environment)
+        else:
+            process = starter().start(COMMAND, arguments, None if way.act else stdout, stderr, environment)
         try:
             if way.act:
                 assert process.stdout is not None
-                while not process.stdout.readline().startswith("running") and process.poll() is None:
+                while (line := process.stdout.readline()) and not line.startswith("running"):
                     pass
                 way.act(process, out)
                 if not process.stdout.closed:
                     process.stdout.read()
-            process.wait()
+            code = process.wait()
         finally:
             process.kill()
+            process.wait()
             if process.stdout:
                 process.stdout.close()
     if way.disk and (folder / "out.kept").is_dir():
         out.rmdir()
         (folder / "out.kept").rename(out)
-    return process.returncode, said.read_text()
+    return code, said.read_text()
+
+
+def _on_a_disk(size: str, out: Path) -> list[str]:
+    """What to put before a command, for a disk of its own, which its processes see and nobody else."""
+    inner = f'mount -t tmpfs -o size={size} tmpfs "$0" || exit 90; "$@"; code=$?; cp -r "$0" "$0.kept"; exit $code'
+    return ["unshare", "--map-root-user", "--mount", "sh", "-c", inner, str(out)]
 
 
 def _place(error: str, folder: Path) -> Path:
