@@ -8,7 +8,9 @@ from pathlib import Path
 from rovbrush.orchestrator.fmu.fmu import Fmu
 
 from . import seeded
-from .mutations import DESCRIPTION2, DESCRIPTION3, XML, mutated, read, write_fmu
+from .mutations import mutated
+from .strangers import XML
+from .toys import DESCRIPTION2, DESCRIPTION3, read, write_fmu
 
 NAME = "read_description"
 CLAIM = "an FMU with a mutated modelDescription.xml is read whole, or is one error of ours"

@@ -10,7 +10,9 @@ from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.series_file import with_files
 
 from . import seeded
-from .mutations import CSV, mutated, prepare_toy, read
+from .mutations import mutated
+from .strangers import CSV
+from .toys import prepare_toy, read
 
 NAME = "read_input"
 CLAIM = "a mutated CSV file of inputs or points is read, or is one error of ours"

@@ -11,7 +11,9 @@ from rovbrush.orchestrator.system.replace.mapping import load_mapping
 from rovbrush.orchestrator.system.replace.replacement import replace_component
 
 from . import seeded
-from .mutations import DESCRIPTION2, TOML, mutated, prepare_toy, read, write_fmu
+from .mutations import mutated
+from .strangers import TOML
+from .toys import DESCRIPTION2, prepare_toy, read, write_fmu
 
 NAME = "read_mapping"
 CLAIM = "a mutated mapping file is read and applied, or is one error of ours"

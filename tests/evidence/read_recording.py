@@ -7,7 +7,9 @@ from pathlib import Path
 from rovbrush.orchestrator.exchange.recordings.read import read_recording
 
 from . import seeded
-from .mutations import CSV, mutated, read
+from .mutations import mutated
+from .strangers import CSV
+from .toys import read
 
 NAME = "read_recording"
 CLAIM = "a mutated file of a recording is read, or is one error of ours"

@@ -9,7 +9,9 @@ from pathlib import Path
 from rovbrush.orchestrator.system.reader import load_system
 
 from . import seeded
-from .mutations import SEEDS, XML, mutated, prepare_toy, read
+from .mutations import mutated
+from .strangers import XML
+from .toys import SEEDS, prepare_toy, read
 
 NAME = "read_ssp"
 CLAIM = "a mutated SSD, SSV or SSM is read, or is one error of ours"

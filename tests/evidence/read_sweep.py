@@ -11,7 +11,9 @@ from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 
 from . import seeded
-from .mutations import TOML, mutated, prepare_toy, read
+from .mutations import mutated
+from .strangers import TOML
+from .toys import prepare_toy, read
 
 NAME = "read_sweep"
 CLAIM = "a mutated sweep file is read and made a design, or is one error of ours"

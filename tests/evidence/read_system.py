@@ -7,7 +7,9 @@ from pathlib import Path
 from rovbrush.orchestrator.system.reader import load_system
 
 from . import seeded
-from .mutations import TOML, mutated, prepare_toy, read
+from .mutations import mutated
+from .strangers import TOML
+from .toys import prepare_toy, read
 
 NAME = "read_system"
 CLAIM = "a mutated system file is read, or is one error of ours"

@@ -3,50 +3,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 import pytest
-from fmpy.model_description import ModelVariable
-from helpers import edited, last, read_system, run_of, system_text
+from good_system import GOOD, read
+from helpers import system_text
 from rovbrush.orchestrator.errors import FmuError, InputError, RovbrushError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.model import System, start_as_toml
 from rovbrush.orchestrator.system.reader import load_system
-
-GOOD = """\
-# A gain is a gain again: words like k, u and y stand in comments too, before the lines that count.
-description = "k"
-stop_time = "1 s"
-connections = [
-  "source.y -> g.u",
-  "g.y -> i.u (hold)",
-]
-
-[components.source]
-fmu = "wave"
-period = "10 ms"
-parameters = { c0 = 1.0 }
-
-[components.g]
-fmu = "gain"
-period = "10 ms"
-[components.g.parameters]
-k = 2.0
-count = 3
-on = true
-weights = [1.0, 2.0]
-
-[components.i]
-fmu = "integrator"
-period = "20 ms"
-"""
-
-
-def read(tmp_path: Path, fmus: Path, text: str, name: str = "case.toml") -> System:
-    path = tmp_path / name
-    path.write_text(text, encoding="utf-8")
-    return load_system(str(path), fmus)
 
 
 def test_the_good_file_is_good(tmp_path: Path, fmus: Path) -> None:
@@ -176,128 +140,3 @@ def test_a_wrong_bond_sign_is_refused(tmp_path: Path, fmus: Path) -> None:
         read(tmp_path, fmus, text + bond.format('"x"'))
     with pytest.raises(InputError, match="bonds"):
         read(tmp_path, fmus, "bonds = [5]\n" + text)
-
-
-# --- units ---
-
-
-def fmu_with_units(fmus: Path, folder: Path, name: str, renamed: dict[str, str]) -> str:
-    changes = {f'unit="{old}"': f'unit="{new}"' for old, new in renamed.items()}
-    changes |= {f'<Unit name="{old}"': f'<Unit name="{new}"' for old, new in renamed.items()}
-    return str(edited(fmus / f"{name}.fmu", folder / f"{name}_{len(list(folder.iterdir()))}.fmu", {}, changes))
-
-
-@pytest.mark.parametrize(
-    ("source", "target", "value", "expected"),
-    [
-        ("m/s", "km/h", 10.0, 36.0), ("rpm", "rad/s", 60.0, 6.283185307179586), ("degC", "K", 20.0, 293.15), ("K", "degC", 0.0, -273.15),
-        ("degF", "degC", 212.0, 100.0), ("N.m", "kN.m", 1500.0, 1.5), ("deg", "rad", 180.0, 3.141592653589793), ("N.m", "J", 2.0, 2.0),
-        ("Ohm", "V/A", 3.0, 3.0), ("kg.m2", "g.cm2", 1.0, 1e7), ("rad", "1", 2.0, 2.0),
-    ],
-)  # fmt: skip
-def test_units_that_fit_are_converted(
-    source: str, target: str, value: float, expected: float, tmp_path: Path, fmus: Path
-) -> None:
-    a = fmu_with_units(fmus, tmp_path, "chassis", {"m/s": source})
-    b = fmu_with_units(fmus, tmp_path, "wheel", {"m/s": target})
-    system = read_system(tmp_path, fmus, {"c": (a, "1 ms", {"=F": 0.0}), "w": (b, "1 ms")}, ["c.v_c -> w.v_c"])
-    connection = system.connections[0]
-    assert connection.gain * value + connection.offset == pytest.approx(expected, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("source", "target", "hints"),
-    [
-        ("m/s", "N", ["the units do not fit: m/s cannot become N"]),
-        ("m/s", "furlong/blip", ["unit 'furlong/blip' is not understood"]),
-        ("Hz", "rad/s", ["Hz", "rad/s", "2 pi"]),
-        ("rpm", "Hz", ["rpm", "Hz", "2 pi"]),
-    ],
-)
-def test_units_that_do_not_fit_are_refused_with_the_line(
-    source: str, target: str, hints: list[str], tmp_path: Path, fmus: Path
-) -> None:
-    a = fmu_with_units(fmus, tmp_path, "chassis", {"m/s": source})
-    b = fmu_with_units(fmus, tmp_path, "wheel", {"m/s": target})
-    with pytest.raises(InputError) as error:
-        read_system(tmp_path, fmus, {"c": (a, "1 ms", {"=F": 0.0}), "w": (b, "1 ms")}, ["c.v_c -> w.v_c"])
-    for hint in [*hints, "connection c.v_c -> w.v_c", "(case.toml, line 3)"]:
-        assert hint in str(error.value)
-
-
-def test_a_converted_signal_arrives_converted(tmp_path: Path, fmus: Path) -> None:
-    fast = fmu_with_units(fmus, tmp_path, "wheel", {"m/s": "km/h"})
-    parts = {"c": ("chassis", "1 ms", {"=F": -400.0}), "w": (fast, "1 ms", {"k_c": 0.0, "k_w": 0.0, "m_w": 1e6})}
-    run = run_of(tmp_path, fmus, parts, ["c.v_c -> w.v_c"], algorithm="gauss-seidel", order=["c", "w"])
-    # 1 m/s after 1 s is 3.6 km/h, which the damper multiplies by 1000; the wheel is too heavy to move away.
-    assert last(run, "w.F") == pytest.approx(3600.0, rel=1e-2)
-
-
-# --- values given afterwards, as by --set ---
-
-
-@pytest.mark.parametrize(
-    ("values", "hints"),
-    [
-        ({"gg.k": 1.0}, ["--set: no component 'gg' in 'gg.k'; did you mean 'g'?"]),
-        ({"g.kk": 1.0}, ["--set: g.kk is unknown; did you mean 'k'?"]),
-        ({"g": 1.0}, ["--set", "g"]),
-        ({"g.": 1.0}, ["--set", "unknown"]),
-        ({"g.k": "3 apples"}, ["g.k = 3 apples is not a finite number"]),
-        ({"g.k": -2e6}, ["-2e+06", "out of range"]),
-        ({"g.u": 1.0}, ["--set: g.u is driven by the connection source.y -> g.u"]),
-        ({"g.y": 1.0}, ["is of causality output and cannot be set"]),
-        ({"g.weights[3]": 1.0}, ["g.weights[3] is unknown", "weights"]),
-    ],
-)
-def test_wrong_values_given_afterwards_are_refused(
-    values: dict[str, object], hints: list[str], tmp_path: Path, fmus: Path
-) -> None:
-    system = read(tmp_path, fmus, GOOD)
-    with pytest.raises(InputError) as error:
-        system.with_values(values, "--set")
-    for hint in hints:
-        assert hint in str(error.value)
-
-
-def test_values_given_afterwards_win_over_the_file_and_the_file_over_its_parameter_file(
-    tmp_path: Path, fmus: Path
-) -> None:
-    (tmp_path / "set.toml").write_text("[g]\nk = 9.0\noffset = 8.0\n[source]\nc0 = 7.0\n[unused]\nx = 1\n")
-    system = read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD).with_values({"g.offset": "6"}, "--set")
-    assert (system.components["g"].parameters["k"], system.components["g"].parameters["offset"]) == (2.0, 6.0)
-    assert system.components["source"].parameters["c0"] == 1.0
-
-
-def test_a_wrong_value_in_the_parameter_file_names_that_file(tmp_path: Path, fmus: Path) -> None:
-    (tmp_path / "set.toml").write_text("[g]\noffset = 8.0e9\n")
-    with pytest.raises(InputError, match=r"set\.toml.*g\.offset = 8e\+09 N is out of range"):
-        read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD)
-
-
-def test_a_misspelt_component_in_the_parameter_file_is_an_error(tmp_path: Path, fmus: Path) -> None:
-    (tmp_path / "set.toml").write_text("[sourse]\nc0 = 7.0\n")
-    with pytest.raises(InputError, match=r"no component 'sourse'; did you mean 'source'\? \(set\.toml, line 1\)"):
-        read(tmp_path, fmus, 'parameters = "set.toml"\n' + GOOD)
-
-
-def test_parameters_reach_the_fmu_in_their_own_type(tmp_path: Path, fmus: Path) -> None:
-    parts = {
-        "p": ("plain", "10 ms", {"label": "5 % ü", "mode": 0, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}),
-        "g": ("gain", "10 ms", {"count": 7, "on": False, "=u": 1.0, "offset": 0.5}),
-    }
-    assert last(run_of(tmp_path, fmus, parts), "g.y") == 1.5
-
-
-MENDS = {"Real": "0.0", "Integer": "0", "Boolean": "false", "String": '""', "Enumeration": "0"}
-
-
-@pytest.mark.parametrize("kind", MENDS)
-@pytest.mark.parametrize("start", [None, "1"])
-def test_the_mend_for_a_missing_value_is_toml_of_its_type(kind: str, start: str | None) -> None:
-    variable = ModelVariable(kind, 1, type=kind, start=start)
-    text = start_as_toml(variable)
-    value = tomllib.loads(f"x = {text}")["x"]
-    stated = {"Boolean": "true", "String": '"1"'}.get(kind, "1")
-    assert text == (MENDS[kind] if start is None else stated)
-    assert isinstance(value, {"Boolean": bool, "String": str}.get(kind, float | int))
