@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,8 +19,8 @@ from ..run.simulation import simulate
 from ..system.assemble import assemble
 from ..system.model import System
 from ..system.reader import SYSTEMS
+from .specification import Specification, read_specification
 
-SPECIFICATION = Path(__file__).with_name("calibration.toml")
 EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladder
 
 
@@ -57,16 +56,15 @@ def calibrate(
     `report` hears of each rung's fit. Returns the best and its file. Deterministic: no random numbers. Raises RunError
     if no rung meets every bound; the file is then left as it is.
     """
-    with SPECIFICATION.open("rb") as file:
-        specification = tomllib.load(file)
-    target_file = out or SYSTEMS / specification["write"]
+    specification = read_specification()
+    target_file = out or SYSTEMS / specification.write
     prepare_folder(target_file.parent)
-    system = planned(assemble(specification["system"], {}, fmus=fmus)).system
-    ((rung, candidates),) = specification["ladder"].items()
-    start = {name: entry["start"] for name, entry in specification["free"].items()}
+    system = planned(assemble(specification.system, {}, fmus=fmus)).system
+    ((rung, candidates),) = specification.ladder.items()
+    start = {name: entry.start for name, entry in specification.free.items()}
     best = None
     for candidate in candidates:
-        fit = fit_rung(system, specification, {rung: float(candidate), **specification["held"]}, start)
+        fit = fit_rung(system, specification, {rung: candidate, **specification.held}, start)
         report(fit)
         start = {name: fit.values[name] for name in start}
         if not fit.missed:
@@ -81,20 +79,18 @@ def calibrate(
 
 
 def fit_rung(
-    system: System, specification: Mapping[str, Any], fixed: Mapping[str, float], start: Mapping[str, float]
+    system: System, specification: Specification, fixed: Mapping[str, float], start: Mapping[str, float]
 ) -> Fit:
     """Bounded nonlinear least squares (scipy, trust region reflective) over the free parameters."""
     from scipy.optimize import least_squares
 
-    free = specification["free"]
-    coded = {name: np.log if entry.get("log") else np.asarray for name, entry in free.items()}
-    first = {name: {**entry, "start": start[name]} for name, entry in free.items()}
-    edges = np.array([[coded[name](entry[key]) for name, entry in first.items()] for key in ("low", "start", "high")])
+    free = specification.free
+    coded = {name: np.log if entry.log else np.asarray for name, entry in free.items()}
+    bounds = {name: (entry.low, start[name], entry.high) for name, entry in free.items()}
+    edges = np.array([[coded[name](three[k]) for name, three in bounds.items()] for k in range(3)])
 
     def values(x: np.ndarray) -> dict[str, float]:
-        decoded = {
-            name: float(np.exp(v)) if free[name].get("log") else float(v) for name, v in zip(free, x, strict=True)
-        }
+        decoded = {name: float(np.exp(v)) if free[name].log else float(v) for name, v in zip(free, x, strict=True)}
         return {**fixed, **decoded}
 
     def run(x: np.ndarray) -> dict[str, Any]:
@@ -102,10 +98,8 @@ def fit_rung(
 
     def residuals(x: np.ndarray) -> np.ndarray:
         summary = run(x)
-        terms = [(summary[key] / t["reference"] - 1.0) / t["scale"] for key, t in specification["targets"].items()]
-        terms += [
-            max(0.0, summary[key] - limit["at_most"]) / limit["scale"] for key, limit in specification["limits"].items()
-        ]
+        terms = [(summary[key] / t.reference - 1.0) / t.scale for key, t in specification.targets.items()]
+        terms += [max(0.0, summary[key] - limit.at_most) / limit.scale for key, limit in specification.limits.items()]
         return np.array(terms)
 
     # Contact makes the means a little rough: differences over 1e-3 of each parameter, not over rounding errors.
@@ -119,10 +113,10 @@ def fit_rung(
     )
     best = {name: float(f"{v:.5g}") for name, v in values(solution.x).items()}
     summary = summarize(require_complete(simulate(make_plan(system.with_values(best, "calibration")))))
-    missed = [key for key, t in specification["targets"].items() if abs(summary[key] / t["reference"] - 1) > t["bound"]]
-    missed += [key for key, limit in specification["limits"].items() if summary[key] > limit["at_most"] * 1.005]
-    figures = [Figure(key, summary[key], t["reference"]) for key, t in specification["targets"].items()]
-    figures += [Figure(key, summary[key], limit["at_most"], True) for key, limit in specification["limits"].items()]
+    missed = [key for key, t in specification.targets.items() if abs(summary[key] / t.reference - 1) > t.bound]
+    missed += [key for key, limit in specification.limits.items() if summary[key] > limit.at_most * 1.005]
+    figures = [Figure(key, summary[key], t.reference) for key, t in specification.targets.items()]
+    figures += [Figure(key, summary[key], limit.at_most, True) for key, limit in specification.limits.items()]
     return Fit(best, figures, missed)
 
 

@@ -15,7 +15,7 @@ from ..fmu.types import REALS, Value
 from ..toml_file import TomlFile
 from ..units import parse_unit
 from .model import Component, checked_values
-from .schema.checked import checked
+from .schema.checked import checked, checked_value
 from .schema.system import ComponentTable
 from .series_file import stated_series
 
@@ -104,6 +104,8 @@ def stated_units(file: TomlFile, component: str, entry: dict[str, str] | str, fm
     if isinstance(entry, str):
         file, heading = TomlFile(file.path.parent / entry), ""
         entry = file.data
+        for name, unit in entry.items():
+            checked_value(str, unit, f"component {component}: unit of {name}", file.at(name))
     found: dict[str, str] = {}
     for name, unit in entry.items():
         scalars = fmu.expand(name)

@@ -12,11 +12,13 @@ from ..toml_file import TomlFile
 from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
-from .model import Component, System
+from .figure_kinds import figure_kind, figure_kinds
+from .model import Component, System, checked_values
 from .recorded import matching
-from .schema.checked import check_types, checked
+from .schema.checked import checked, checked_value
 from .schema.report import Balance, Comparison, Figure, Window
 from .schema.system import KEYS, SystemTable
+from .schema.values import Value
 
 SYSTEMS = Path(__file__).parent.parent / "systems"
 REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list}
@@ -88,10 +90,22 @@ def _reporting(file: TomlFile) -> dict[str, Any]:
             )
     checked(Balance, file.entry(dict, "balance"), f"{origin}: balance", file, "balance")
     for entry in file.entry(list, "compare"):
-        check_types(Comparison, entry, f"{origin}: compare {entry.get('label', '')}".rstrip(), file, "compare")
+        checked(Comparison, entry, f"{origin}: compare {entry.get('label', '')}".rstrip(), file, "compare")
     for entry in file.entry(list, "figures"):
-        check_types(Figure, entry, f"{origin}: figure {entry.get('file', '')}".rstrip(), file, "figures")
+        _check_figure(file, entry, f"{origin}: figure {entry.get('file', '')}".rstrip())
     return {key: file.entry(type_, key) for key, type_ in REPORTING.items()}
+
+
+def _check_figure(file: TomlFile, entry: dict[str, Any], label: str) -> None:
+    """An entry of `[[figures]]`: the keys of every figure, and those that its kind adds."""
+    kinds, kind = figure_kinds(), entry.get("kind")
+    if isinstance(kind, str) and kind not in kinds:
+        raise file.fail(f"{label}: unknown kind '{kind}'{nearest(kind, kinds)}", "kind", "figures")
+    further = figure_kind(kind).KEYS if isinstance(kind, str) else ()
+    checked(Figure, entry, label, file, "figures", further=further)
+    for key in further or ("signals",):
+        if key not in entry:
+            raise file.fail(f"{label}: '{key}' is missing", "[[figures]]")
 
 
 def _opened(name: str, step: str, stop: str) -> TomlFile:
@@ -115,14 +129,20 @@ def _with_parameter_file(file: TomlFile, system: System) -> System:
     if name is None:
         return system
     table = TomlFile(file.path.parent / name)
-    for heading in table.data:  # a table for a component of another system is fine, a misspelt one is not
+    for heading, entries in table.data.items():  # a table for a component of another system is fine, a slip is not
         close = difflib.get_close_matches(heading, system.components, n=1, cutoff=0.8)
+        if not isinstance(entries, dict):
+            raise table.fail(f"'{heading}' must be a table of values, [COMPONENT]", heading)
         if heading not in system.components and close:
             raise table.fail(f"no component '{heading}'; did you mean '{close[0]}'?", heading)
+        for key, value in entries.items():
+            checked_value(Value | list[Value], value, f"{heading}: {key}", table.at(key, heading))
+            if heading in system.components:
+                checked_values(system.components[heading], key, value, f"{table.name} {table.at(key, heading)}")
     values = {
         f"{c}.{key}": value
         for c, entries in table.data.items()
-        if isinstance(entries, dict) and c in system.components
+        if c in system.components
         for key, value in entries.items()
         if not set(system.components[c].fmu.expand(key)) & system.components[c].series.keys()
     }

@@ -12,7 +12,9 @@ from ..options import app
 
 @app.command()
 def schema(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="Of which file: system, mapping or sweep.")] = "system",
+    kind: Annotated[
+        str, typer.Argument(metavar="KIND", help="Of which file: system, mapping, sweep, parameter or unit.")
+    ] = "system",
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write it there.")] = None,
     reference: Annotated[
         bool, typer.Option("--reference", help="Every key of all of them, with type and default, as Markdown.")
@@ -20,10 +22,10 @@ def schema(
 ) -> None:
     """Print the JSON schema of a kind of file, for editors, or the reference of all keys."""
     from ...files import prepare_folder, write_file
-    from ...plan.algorithms.registry import algorithm_names, settings_schema
+    from ...plan.algorithms.registry import algorithm_names, settings_tables
     from ...system.schema import pages
 
-    algorithms = pages.Algorithms(algorithm_names(), settings_schema())
+    algorithms = pages.Algorithms(algorithm_names(), settings_tables())
     text = pages.reference(algorithms) if reference else pages.schema_text(kind, algorithms)
     if out is None:
         print(text, end="")

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 from ..lab import Lab
+from ..specification import read_specification
 
 REPRODUCED = "reproduced"
 BY_CALIBRATION = "reproduced by calibration"
@@ -75,8 +74,7 @@ def claim(number: int, text: str, place: str) -> Callable[[Callable[[Lab], Findi
 @cache
 def calibration_targets() -> frozenset[str]:
     """The figures of merit that `rovbrush calibrate` fits."""
-    path = Path(__file__).parent.parent / "calibration.toml"
-    return frozenset(tomllib.loads(path.read_text(encoding="utf-8"))["targets"])
+    return frozenset(read_specification().targets)
 
 
 def near(quantity: str, paper: float, computed: float, unit: str, relative: float, target: str = "") -> Check:

@@ -8,16 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
+from msgspec import Meta
 
 from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import ADVANCE, ESTIMATE, HALVE, PUSH, REPEAT, RESTORE, SAVE
 from ...loop.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
 from ...system.model import Connection, System
+from ...system.schema.values import Positive, Span
 from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import Choice
@@ -25,7 +26,6 @@ from ..schedule.layout import Key, Layout
 from ..schedule.schedule import Schedule
 from ..schedule.steps import Row
 from .base import LoopArrays
-from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps
 
 if TYPE_CHECKING:
@@ -36,12 +36,18 @@ if TYPE_CHECKING:
 class AdaptiveSettings:
     """`[adaptive]`: the tolerance of the error of a step, limits of the step and of its change."""
 
-    tolerance: float = setting(1e-4, "error of a step, relative to an output or to its nominal value if larger [1]")
-    minimum: Fraction | None = setting(None, "smallest macro step; a hundredth of the period where nothing is stated")
-    maximum: Fraction | None = setting(None, "largest macro step; a hundred periods where nothing is stated")
-    safety: float = setting(0.9, "factor of every new step [1]")
-    shrink: float = setting(0.2, "smallest ratio of two steps [1]")
-    grow: float = setting(2.0, "largest ratio of two steps [1]")
+    tolerance: Annotated[
+        Positive, Meta(description="error of a step, relative to an output or to its nominal value if larger [1]")
+    ] = 1e-4
+    minimum: Annotated[
+        Span | None, Meta(description="smallest macro step; a hundredth of the period where nothing is stated")
+    ] = None
+    maximum: Annotated[
+        Span | None, Meta(description="largest macro step; a hundred periods where nothing is stated")
+    ] = None
+    safety: Annotated[Positive, Meta(description="factor of every new step [1]")] = 0.9
+    shrink: Annotated[Positive, Meta(description="smallest ratio of two steps [1]")] = 0.2
+    grow: Annotated[Positive, Meta(description="largest ratio of two steps [1]")] = 2.0
 
     def __post_init__(self) -> None:
         if not (self.shrink < 1.0 < self.grow and self.safety < 1.0):

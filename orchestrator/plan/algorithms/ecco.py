@@ -8,17 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import ClassVar
+from typing import Annotated, ClassVar
+
+from msgspec import Meta
 
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
+from ...system.schema.values import Positive, Span
 from ..design import Design
 from ..schedule.bond_energy import key_of
 from ..schedule.schedule import Schedule
 from ..schedule.steps import Row
-from .settings import setting
 from .varying_steps import VaryingSchedule, VaryingSteps
 
 
@@ -26,15 +27,19 @@ from .varying_steps import VaryingSchedule, VaryingSteps
 class EccoSettings:
     """`[ecco]`: energy tolerances, limits of the step and the gains of the step controller."""
 
-    tolerance: float = setting(1e-3, "energy that the coupling may make at a bond in a step [J]")
-    relative: float = setting(1e-2, "and of the energy that the bond carries over it [1]")
-    minimum: Fraction | None = setting(None, "smallest macro step; a hundredth of the period where nothing is stated")
-    maximum: Fraction | None = setting(None, "largest macro step; a hundred periods where nothing is stated")
-    safety: float = setting(0.8, "factor of every new step [1]")
-    integral: float = setting(0.15, "gain of the indicator of this step [1]")
-    proportional: float = setting(0.2, "gain of its change [1]")
-    shrink: float = setting(0.2, "smallest ratio of two steps [1]")
-    grow: float = setting(1.5, "largest ratio of two steps [1]")
+    tolerance: Annotated[Positive, Meta(description="energy that the coupling may make at a bond in a step [J]")] = 1e-3
+    relative: Annotated[Positive, Meta(description="and of the energy that the bond carries over it [1]")] = 1e-2
+    minimum: Annotated[
+        Span | None, Meta(description="smallest macro step; a hundredth of the period where nothing is stated")
+    ] = None
+    maximum: Annotated[
+        Span | None, Meta(description="largest macro step; a hundred periods where nothing is stated")
+    ] = None
+    safety: Annotated[Positive, Meta(description="factor of every new step [1]")] = 0.8
+    integral: Annotated[Positive, Meta(description="gain of the indicator of this step [1]")] = 0.15
+    proportional: Annotated[Positive, Meta(description="gain of its change [1]")] = 0.2
+    shrink: Annotated[Positive, Meta(description="smallest ratio of two steps [1]")] = 0.2
+    grow: Annotated[Positive, Meta(description="largest ratio of two steps [1]")] = 1.5
 
     def __post_init__(self) -> None:
         if not self.shrink < 1.0 < self.grow:

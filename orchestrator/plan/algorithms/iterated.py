@@ -9,14 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
+from msgspec import Meta
 
 from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.iteration import COUNT, RESIDUAL, WORST, workspace
 from ...system.model import Connection, System
+from ...system.schema.values import Count, Positive
 from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import ITERATED, Choice
@@ -24,7 +26,6 @@ from ..schedule.layout import Key, Layout
 from ..schedule.schedule import Schedule
 from .base import Algorithm, LoopArrays
 from .iterated_schedule import IteratedSchedule
-from .settings import setting
 
 if TYPE_CHECKING:
     from ..plan import Plan
@@ -36,15 +37,21 @@ LARGEST_NEWTON = 100  # unknowns: each costs a pass
 class IteratedSettings:
     """`[iteration]`: the residual of an input is relative to its size, or to its nominal value where that is larger."""
 
-    method: Literal["aitken", "newton"] = setting("aitken", "fixed point with Aitken's relaxation, or Newton")
-    inputs: Literal["mean", "end"] = setting(
-        "mean", "over a step: the mean of the source over it (second order), or its value at the end (first order)"
-    )
-    sweep: Literal["jacobi", "gauss-seidel"] = setting(
-        "jacobi", "a pass takes what the one before it gave, or where it is known what this one gave"
-    )
-    tolerance: float = setting(1e-8, "residual at which the inputs of a step are consistent [1]")
-    max_iterations: int = setting(50, "passes of one step, those for a Jacobian aside, before the run fails [1]")
+    method: Annotated[
+        Literal["aitken", "newton"], Meta(description="fixed point with Aitken's relaxation, or Newton")
+    ] = "aitken"
+    inputs: Annotated[
+        Literal["mean", "end"],
+        Meta(description="over a step: the mean of the source over it (second order), or its value at the end (first)"),
+    ] = "mean"
+    sweep: Annotated[
+        Literal["jacobi", "gauss-seidel"],
+        Meta(description="a pass takes what the one before it gave, or where it is known what this one gave"),
+    ] = "jacobi"
+    tolerance: Annotated[Positive, Meta(description="residual at which the inputs of a step are consistent [1]")] = 1e-8
+    max_iterations: Annotated[
+        Count, Meta(description="passes of one step, those for a Jacobian aside, before the run fails [1]")
+    ] = 50
 
 
 class Iterated(Algorithm):

@@ -6,6 +6,7 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...system.model import System
+from ...system.schema.checked import checked
 from ...system.schema.system import KEYS
 from ...toml_file import TomlFile
 from .adaptive import Adaptive
@@ -14,7 +15,6 @@ from .ecco import Ecco
 from .gauss_seidel import GaussSeidel
 from .iterated import Iterated
 from .jacobi import Jacobi
-from .settings import read_settings, schema_of
 
 ALGORITHMS: tuple[type[Algorithm], ...] = (GaussSeidel, Jacobi, Iterated, Ecco, Adaptive)
 
@@ -32,13 +32,15 @@ def algorithm_of(system: System) -> Algorithm:
         if not isinstance(table, dict):
             raise _fail(system, f"{heading} must be a table", heading)
         kind = headings[heading]
-        found[kind.name] = kind(read_settings(kind.Settings, heading, table, lambda *words: _fail(system, *words)))
+        file = _file(system)
+        where = "" if file else f"({system.path.name})"
+        found[kind.name] = kind(checked(kind.Settings, table, heading, file, heading, where))
     return found.get(system.algorithm) or known[system.algorithm](known[system.algorithm].Settings())
 
 
-def settings_schema() -> dict[str, Any]:
-    """JSON schemas of the tables of all algorithms, by their headings."""
-    return {kind.heading: schema_of(kind.Settings) for kind in ALGORITHMS if kind.heading}
+def settings_tables() -> dict[str, type[Any]]:
+    """The declared settings of all algorithms, by the headings of their tables."""
+    return {kind.heading: kind.Settings for kind in ALGORITHMS if kind.heading}
 
 
 def algorithm_names() -> tuple[str, ...]:
@@ -46,8 +48,11 @@ def algorithm_names() -> tuple[str, ...]:
     return tuple(kind.name for kind in ALGORITHMS)
 
 
-def _fail(system: System, message: str, needle: str, heading: str = "") -> InputError:
-    """With file and line, where the system comes from a file that has lines."""
-    if system.path.suffix == ".toml" and system.path.is_file():
-        return TomlFile(system.path).fail(message, needle, heading)
-    return InputError(f"{message} ({system.path.name})")
+def _file(system: System) -> TomlFile | None:
+    """Where the system comes from, if that has lines."""
+    return TomlFile(system.path) if system.path.suffix == ".toml" and system.path.is_file() else None
+
+
+def _fail(system: System, message: str, needle: str) -> InputError:
+    file = _file(system)
+    return file.fail(message, needle) if file else InputError(f"{message} ({system.path.name})")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import cache
 from typing import Any, TypeVar, get_type_hints
 
@@ -32,28 +32,37 @@ def _fields(kind: Any) -> dict[str, tuple[inspect.Field, Any]]:
 
 
 def checked(
-    kind: type[T], table: dict[str, Any], label: str, file: TomlFile | None = None, heading: str = "", where: str = ""
-) -> T:
+    kind: type[T], table: dict[str, Any], label: str, file: TomlFile | None = None, heading: str = "", where: str = "",
+    further: Collection[str] = (),
+) -> T:  # fmt: skip
     """The table as an object of `kind`; tables within it stay as they are, to be checked by themselves.
 
-    `label` begins the messages; `heading` is where the table stands in the file, or `where` its line. Raises InputError
+    `label` begins the messages; `heading` is where the table stands in the file, or `where` its line;
+    `further` keys are allowed and checked elsewhere. Raises InputError
     for a key that is unknown or missing, and for a value of another type or out of range.
     """
     fail, known = _failing(label, file, heading, where), fields_of(kind)
     for key in table:
-        if key not in known:
-            raise fail(f"unknown key '{key}'{nearest(key, known)}", key)
+        if key not in known and key not in further:
+            raise fail(f"unknown key '{key}'{nearest(key, (*known, *further))}", key)
     for key, (field, _) in known.items():
         if field.required and key not in table:
             if file is not None and not heading:
                 raise InputError(f"{file.path.name}: '{key}' is missing")
             raise fail(f"'{key}' is missing", f"[{heading}]")
-    return kind(**_values(kind, table, label, fail))
+    values = _values(kind, table, label, fail)
+    try:
+        return kind(**values)
+    except InputError as error:  # values that do not fit each other
+        raise fail(str(error).removeprefix(f"{label}: "), f"[{heading}]") from None
 
 
-def check_types(kind: type[Any], table: dict[str, Any], label: str, file: TomlFile, heading: str) -> None:
-    """Raise InputError for a known key of a wrong type; what else is there, or not, is told elsewhere."""
-    _values(kind, table, label, _failing(label, file, heading, ""))
+def checked_value(kind: Any, value: Any, label: str, place: str) -> None:
+    """Raise InputError, between `label` and `place`, for a value that is not of a declared kind."""
+    try:
+        msgspec.convert(value, kind)
+    except msgspec.ValidationError:
+        raise InputError(f"{label} must be {in_words(inspect.type_info(kind))} {place}") from None
 
 
 def _failing(label: str, file: TomlFile | None, heading: str, where: str) -> Fail:

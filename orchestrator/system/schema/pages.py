@@ -15,9 +15,12 @@ from .checked import fields_of
 from .mapping import MappingTable
 from .sweep import SweepTable
 from .system import SystemTable
+from .values import TIME, ParameterFile, UnitFile
 from .words import in_words, stripped
 
-FILES: dict[str, type[Any]] = {"system": SystemTable, "mapping": MappingTable, "sweep": SweepTable}
+FILES: dict[str, Any] = {
+    "system": SystemTable, "mapping": MappingTable, "sweep": SweepTable, "parameter": ParameterFile, "unit": UnitFile
+}  # fmt: skip
 HEAD = """\
 # Keys of the files
 
@@ -29,10 +32,10 @@ Times are written as `0.005`, `"5 ms"`, `"250 us"` or `"1/60 s"`.
 
 @dataclass(frozen=True)
 class Algorithms:
-    """What a system file can say of algorithms: their names, and JSON schemas of their tables of settings."""
+    """What a system file can say of algorithms: their names, and the declared settings by the headings of tables."""
 
     names: Sequence[str] = ()
-    settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    settings: Mapping[str, type[Any]] = field(default_factory=dict)
 
 
 def json_schema(name: str, algorithms: Algorithms) -> dict[str, Any]:
@@ -44,7 +47,7 @@ def json_schema(name: str, algorithms: Algorithms) -> dict[str, Any]:
         properties = found["$defs"][SystemTable.__name__]["properties"]
         properties["algorithm"]["enum"] = list(algorithms.names)
         said = {"description": "settings of an algorithm"}
-        properties.update({heading: {**said, **table} for heading, table in algorithms.settings.items()})
+        properties.update({heading: {**said, **_settings(kind)} for heading, kind in algorithms.settings.items()})
     cleaned: dict[str, Any] = _without_null(found)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"rovbrush {name} file", **cleaned}
 
@@ -71,12 +74,18 @@ def reference(algorithms: Algorithms) -> str:
     parts = [HEAD]
     for name, kind in FILES.items():
         parts.append(f"## A {name} file\n")
+        declared = inspect.type_info(kind)
+        if isinstance(stripped(declared), inspect.DictType):  # names of your own, and nothing else
+            parts.append(f"{_described(declared)}\n")
+            continue
         for heading, table in _tables(kind, ""):
             rows = [_row(key, entry) for key, (entry, _) in fields_of(table).items()]
             parts.append(f"{heading}{(table.__doc__ or '').strip()}\n\n{_page_table(rows)}")
         if name == "system":
             parts.append(f"`algorithm` is one of {', '.join(algorithms.names)}. Some have settings:\n")
-            parts += [_settings(heading, schema) for heading, schema in algorithms.settings.items()]
+            for heading, kind in algorithms.settings.items():
+                rows = [_row(key, entry) for key, (entry, _) in fields_of(kind).items()]
+                parts.append(f"### `[{heading}]`\n\n{_page_table(rows)}")
     return "\n".join(parts)
 
 
@@ -84,17 +93,10 @@ def _page_table(rows: list[str]) -> str:
     return "\n".join(["| key | what | default | |", "|---|---|---|---|", *rows]) + "\n"
 
 
-def _settings(heading: str, schema: Mapping[str, Any]) -> str:
-    """The settings of an algorithm, from their JSON schema."""
-    rows = []
-    for key, entry in schema["properties"].items():
-        kinds = {"integer": "a whole number above 0", "number": "a number above 0"}
-        words = " or ".join(json.dumps(word) for word in entry.get("enum", ()))
-        default = f"`{json.dumps(entry['default'])}`" if "default" in entry else ""
-        rows.append(
-            f"| `{key}` | {words or kinds.get(str(entry['type']), 'a time')} | {default} | {entry['description']} |"
-        )
-    return f"### `[{heading}]`\n\n{_page_table(rows)}"
+def _settings(kind: type[Any]) -> dict[str, Any]:
+    """The JSON schema of a table of settings."""
+    found = msgspec.json.schema(kind, schema_hook=lambda _time: {"type": ["number", "string"], "pattern": TIME})
+    return {**found["$defs"][kind.__name__], "additionalProperties": False}
 
 
 def _tables(kind: type[Any], heading: str) -> Iterator[tuple[str, type[Any]]]:

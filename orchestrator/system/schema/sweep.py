@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from .values import FigureOfMerit, Time, Value, Values
 
-Whole = Annotated[int, Meta(ge=0, extra={"says": "{key} must be a whole number"})]
+Whole = Annotated[int, Meta(ge=0, extra={"says": "{key} must be a whole number, 0 or more"})]
 
 
 class SweepTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -3,25 +3,39 @@
 from __future__ import annotations
 
 import sys
+from fractions import Fraction
 from typing import Annotated
 
 from msgspec import Meta
 
 LARGEST = sys.float_info.max  # the bound that keeps infinity out
 
+TIME = r"^\s*[+]?[0-9.]+([eE][+-]?[0-9]+)?(/[0-9]+)?\s*(s|ms|us|ns)?\s*$"
 Time = Annotated[
     str | int | float,
     Meta(
         examples=["5 ms", "1/60 s", 0.005],
-        extra_json_schema={"pattern": r"^\s*[+]?[0-9.]+([eE][+-]?[0-9]+)?(/[0-9]+)?\s*(s|ms|us|ns)?\s*$"},
+        extra_json_schema={"pattern": TIME},
         extra={"must": 'a time: a number of seconds, "5 ms", "250 us" or "1/60 s"'},
     ),
 ]
+Span = Fraction  # a time that is read at once, and exact
 Number = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0, le=LARGEST)]
 Count = Annotated[int, Meta(ge=1)]
 Value = bool | int | float | str
 Values = dict[str, Value | list[Value]]
+ParameterFile = Annotated[
+    dict[str, Values],
+    Meta(
+        description="A table `[COMPONENT]` of values for each component: what `parameters` in a system file names. "
+        "Tables for components that the system does not have are left out."
+    ),
+]
+UnitFile = Annotated[
+    dict[str, str],
+    Meta(description='A line `variable = "unit"` each: what `units` under `[components.NAME]` names.'),
+]
 # An operation and its signals: see `results/summary`.
 FigureOfMerit = Annotated[
     str, Meta(pattern=r"\S", extra={"must": 'text: an operation and its signals, such as "mean motor.i"'})

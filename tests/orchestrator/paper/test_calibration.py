@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from helpers import Measured
-from rovbrush.orchestrator.paper.calibration import SPECIFICATION
+from rovbrush.orchestrator.paper.specification import SPECIFICATION
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.simulation import simulate

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from rovbrush.orchestrator.plan.algorithms import registry
 from rovbrush.orchestrator.plan.algorithms.base import Algorithm
-from rovbrush.orchestrator.plan.algorithms.registry import ALGORITHMS, algorithm_names, settings_schema
+from rovbrush.orchestrator.plan.algorithms.registry import ALGORITHMS, algorithm_names, settings_tables
+from rovbrush.orchestrator.system.schema.pages import Algorithms, json_schema
 from rovbrush.orchestrator.system.schema.system import SystemTable
 
 HERE = Path(registry.__file__).parent
@@ -48,11 +49,12 @@ def test_the_default_is_the_first() -> None:
 
 
 def test_the_schema_tells_every_setting_with_its_type_default_and_meaning() -> None:
-    found = settings_schema()
+    schema = json_schema("system", Algorithms(algorithm_names(), settings_tables()))
+    found = {heading: schema["$defs"]["SystemTable"]["properties"][heading] for heading in settings_tables()}
     assert set(found) == {"iteration", "ecco", "adaptive"}
     tolerance = found["adaptive"]["properties"]["tolerance"]
     assert (tolerance["type"], tolerance["exclusiveMinimum"], tolerance["default"]) == ("number", 0, 1e-4)
-    assert found["iteration"]["properties"]["inputs"]["enum"] == ["mean", "end"]
+    assert found["iteration"]["properties"]["inputs"]["enum"] == ["end", "mean"]
     assert found["iteration"]["properties"]["max_iterations"]["type"] == "integer"
     assert found["ecco"]["properties"]["minimum"]["type"] == ["number", "string"]
     for table in found.values():
