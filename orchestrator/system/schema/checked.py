@@ -37,20 +37,20 @@ def checked(
 ) -> T:  # fmt: skip
     """The table as an object of `kind`; tables within it stay as they are, to be checked by themselves.
 
-    `label` begins the messages; `heading` is where the table stands in the file, or `where` its line;
-    `further` keys are allowed and checked elsewhere. Raises InputError
-    for a key that is unknown or missing, and for a value of another type or out of range.
+    `label` begins the messages; `heading` is where the table stands in the file, or `where` its line; `further` keys
+    are allowed and checked elsewhere. Raises InputError for a key that is unknown or missing, for a value of another
+    type or out of range, and for values that do not fit each other.
     """
     fail, known = _failing(label, file, heading, where), fields_of(kind)
     for key in table:
         if key not in known and key not in further:
             raise fail(f"unknown key '{key}'{nearest(key, (*known, *further))}", key)
+    values = _values(kind, table, label, fail)
     for key, (field, _) in known.items():
         if field.required and key not in table:
             if file is not None and not heading:
                 raise InputError(f"{file.path.name}: '{key}' is missing")
             raise fail(f"'{key}' is missing", f"[{heading}]")
-    values = _values(kind, table, label, fail)
     try:
         return kind(**values)
     except InputError as error:  # values that do not fit each other
