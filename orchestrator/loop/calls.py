@@ -46,7 +46,7 @@ def _do_step3(address: int) -> Any:
     )(address)
 
 
-def exchange(function: int, component: int, references: int, count: int, values: int) -> int:
+def exchange2(function: int, component: int, references: int, count: int, values: int) -> int:
     """fmi2SetReal, fmi2GetInteger...: `count` values at address `values`, for those at `references`; the status."""
     return int(_set_or_get(int(function))(int(component), int(references), int(count), int(values)))
 
@@ -64,6 +64,7 @@ def do_step(function: int, component: int, time: float, step: float, final: int)
 def do_step3(function: int, component: int, time: float, step: float, final: int, flags: int) -> int:
     """fmi3DoStep; the FMU writes its three flags and its last time to the address `flags` (see STEP_FLAGS)."""
     ends = (int(flags), int(flags) + 1, int(flags) + 2, int(flags) + 8)
+    ctypes.memset(int(flags), 0, 3)
     return int(_do_step3(int(function))(int(component), time, step, bool(final), *ends))
 
 
@@ -125,6 +126,8 @@ def _do_step3_native(typing: Any, function: Any, component: Any, time: Any, step
         kind = ir.FunctionType(_INT32, [pointer, double, double, _INT32, *(pointer,) * 4])
         target = builder.inttoptr(args[0], kind.as_pointer())
         ends = [_pointer(builder, builder.add(args[5], ir.Constant(_INT64, k))) for k in (0, 1, 2, 8)]
+        for flag in ends[:3]:
+            builder.store(ir.Constant(ir.IntType(8), 0), flag)
         final = builder.trunc(args[4], _INT32)
         return builder.call(target, [_pointer(builder, args[1]), args[2], args[3], final, *ends])
 
@@ -165,7 +168,7 @@ def _do_step_native(typing: Any, function: Any, component: Any, time: Any, step:
 
 
 # Numba compares the argument names and annotations of an overload with those of its implementation: neither has any.
-@overload(exchange)
+@overload(exchange2)
 def _exchange_overload(function, component, references, count, values):  # type: ignore[no-untyped-def]
     return lambda function, component, references, count, values: _exchange_native(
         function, component, references, count, values

@@ -1,4 +1,4 @@
-"""What the loop needs to exchange typed values: between the run's vector and the FMI functions.
+"""Typed values between the run's vector and what FMI functions take and give.
 
 A component has one block per type and direction: its value references, and its values where the FMU wants them. Doubles
 lie in the run's vector itself; other types in `raw`, packed as in C, and are converted here. Like `run.run` this is
@@ -11,19 +11,8 @@ import numpy as np
 from numba.extending import register_jitable
 
 from ..fmu.types import BOOLEAN, FLOAT, TEXT
-from .calls import do_step3
-from .cells import AT, BYTES, CODE, DO_STEP, FINAL, FIRST_SLOT, FLAGS, FLAGS_AT, INSTANCE, SIGNED, SIZE
+from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
-
-REPORTS = 1 << 40  # from here on, where no status of an FMU can be: a C int
-EVENT, TERMINATE, EARLY = REPORTS, REPORTS + 1, REPORTS + 2  # what fmi3DoStep reports beside its status
-NO_ROOM = REPORTS + 3  # for another text
-
-
-@register_jitable
-def good(status: int) -> bool:
-    """Whether a status is OK (0) or Warning (1): anything else is none, the unknown too."""
-    return (status | 1) == 1
 
 
 @register_jitable
@@ -79,21 +68,3 @@ def unpack(
         else:
             whole[first + j] = whole_at(raw, at + size * j, size, blocks[m, SIGNED])
     return -1
-
-
-@register_jitable
-def step3(components: np.ndarray, c: int, raw: np.ndarray, time: float, length: float) -> int:
-    """Step component c of FMI 3; the status, or EVENT, TERMINATE, EARLY."""
-    at = components[c, FLAGS_AT]
-    for k in range(3):
-        raw[at + k] = 0
-    final = components[c, FINAL]
-    status = do_step3(components[c, DO_STEP], components[c, INSTANCE], time, length, final, components[c, FLAGS])
-    if good(status):
-        if raw[at + 1] != 0:
-            return TERMINATE
-        if raw[at + 2] != 0:
-            return EARLY
-        if raw[at] != 0:
-            return EVENT
-    return status

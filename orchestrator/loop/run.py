@@ -1,6 +1,6 @@
 """Runs a plan. `run` is one source with two lives: compiled for speed (`compiled.py`), plain Python as its interpreter.
 
-It calls the FMI functions by address (`exchange.py`, `calls.py`), allocates nothing and touches no Python object.
+It calls the FMI functions by address (`versions.py`), allocates nothing and touches no Python object.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from math import isfinite
 import numpy as np
 
 from ..fmu.types import FLOAT
-from .calls import call_state, do_step, exchange, exchange3
+from .calls import call_state
 from .cells import (
     AT,
     AT_CYCLE,
@@ -24,6 +24,7 @@ from .cells import (
     FIRST_IN,
     FIRST_OUT,
     FIRST_SLOT,
+    FLAGS,
     FMI,
     FREE_STATE,
     FUNCTION,
@@ -48,7 +49,7 @@ from .cells import (
     UNTIL,
     VALUES,
 )
-from .exchange import NO_ROOM, good, pack, step3, unpack
+from .exchange import pack, unpack
 from .iteration import AGAIN, CONVERGED, iterate
 from .lookup import held_at, mean_over
 from .operations import (
@@ -82,6 +83,7 @@ from .operations import (
 from .step_control import control as choose_step
 from .step_control import gauge
 from .step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
+from .versions import NO_ROOM, exchange, good, step
 
 
 def run(
@@ -94,7 +96,7 @@ def run(
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
 
-    operations (m, 8), see operations.COLUMNS; components (n, 10) and their blocks (k, 10), addresses and counts, see
+    operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
@@ -124,11 +126,10 @@ def run(
                 start = base + b
                 time = (start * numerator) / denominator
                 length = ((a + clock[STEP_TICKS]) * numerator) / denominator
-                if components[c, FMI] == 2:
-                    final = components[c, FINAL]
-                    status = do_step(components[c, DO_STEP], components[c, INSTANCE], time, length, final)
-                else:
-                    status = step3(components, c, raw, time, length)
+                status = step(
+                    components[c, FMI], components[c, DO_STEP], components[c, INSTANCE], time, length,
+                    components[c, FINAL], components[c, FLAGS],
+                )  # fmt: skip
                 if not good(status):
                     control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                     return BAD_STATUS
@@ -141,10 +142,8 @@ def run(
                         pack(blocks, n, z, whole, raw, raw32, index)
                     function, instance = blocks[n, FUNCTION], components[c, INSTANCE]
                     references, count, values = blocks[n, REFERENCES], blocks[n, COUNT], blocks[n, VALUES]
-                    if components[c, FMI] == 2:
-                        status = exchange(function, instance, references, count, values)
-                    else:
-                        status = exchange3(function, instance, references, count, values, blocks[n, SIZE])
+                    size, fmi = blocks[n, SIZE], components[c, FMI]
+                    status = exchange(fmi, function, instance, references, count, values, size)
                     if good(status) and code == GET and blocks[n, AT] != IN_PLACE:
                         full = unpack(blocks, n, z, whole, raw, raw32, pool, index)
                         if full >= 0:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..loop import cells, exchange
+from ..loop import cells, versions
 from ..loop.operations import STEP
 from ..participant.base import Participant
 from ..participant.lifecycle import DISCARD, FATAL, status_text
@@ -14,9 +14,9 @@ from ..plan.plan import Plan
 from .memory.algorithm_state import AlgorithmState
 
 REPORTED = {
-    exchange.TERMINATE: " asks to end the simulation (terminateSimulation)",
-    exchange.EARLY: " returned early (earlyReturn), which it was not allowed to,",
-    exchange.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
+    versions.TERMINATE: " asks to end the simulation (terminateSimulation)",
+    versions.EARLY: " returned early (earlyReturn), which it was not allowed to,",
+    versions.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
 }
 
 
@@ -57,7 +57,7 @@ def _said(
     if instance.fault:
         instance.noted(action, FATAL)
         return f": {instance.fault}", instance.log_text()
-    if status == exchange.NO_ROOM:
+    if status == versions.NO_ROOM:
         what = f": there is no room for another text of output {outputs[slot]}; do not record or connect it,"
         return what, instance.log_text()
     if status in REPORTED:

@@ -50,14 +50,14 @@ class Memory:
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Participant]) -> tuple[np.ndarray, np.ndarray, Typed]:
-        """`components` (n, 10) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
+        """`components` (n, 9) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0
         final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
-            row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), 0, flags]
+            row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), flags]
             for table, verb in zip(self.plan.layout.exchanged(name), ("Set", "Get"), strict=True):
                 row.append(len(blocks))
                 slots = [(slot, (name, variable)) for variable, slot in table.items()]
@@ -70,7 +70,7 @@ class Memory:
         self.raw = np.zeros(max(raw, 1), dtype=np.uint8)
         base = self.raw.ctypes.data
         for row in components:
-            row[3] = base + row[4]
+            row[3] += base
         for block in blocks:
             block[3] += base if block[6] != IN_PLACE else self.z.ctypes.data
         typed = (self.whole, self.raw, self.raw.view(np.float32), self.texts.pool, self.texts.index)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...fmu.types import function_type
-from ...loop.calls import exchange, exchange3
+from ...loop.versions import exchange
 from ...participant.base import Participant
 from ...participant.lifecycle import good
 from ...plan.plan import Plan
@@ -45,8 +45,6 @@ def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
         if not low <= value <= high:
             return False
         arrays[1][0] = value
-        if fmu.version == 2:
-            return good(exchange(function, pointer, at, 1, to))
-        return good(exchange3(function, pointer, at, 1, to, 1))
+        return good(exchange(fmu.version, function, pointer, at, 1, to, 1))
 
     return write

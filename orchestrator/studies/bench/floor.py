@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...loop.calls import do_step, exchange
+from ...loop.calls import do_step, exchange2
 from ...participant.fmi2 import Fmi2Instance
 from ...plan.plan import Plan
 
@@ -21,13 +21,13 @@ def call_all(table: np.ndarray, steps: int, step: float) -> int:
     for k in range(steps):
         for c in range(table.shape[0]):
             if table[c, IN_COUNT]:
-                status = exchange(
+                status = exchange2(
                     table[c, SET], table[c, INSTANCE], table[c, IN_REFS], table[c, IN_COUNT], table[c, VALUES]
                 )
                 worst = max(worst, status)
             worst = max(worst, do_step(table[c, STEP], table[c, INSTANCE], k * step, step, 1))
             if table[c, OUT_COUNT]:
-                status = exchange(
+                status = exchange2(
                     table[c, GET], table[c, INSTANCE], table[c, OUT_REFS], table[c, OUT_COUNT], table[c, VALUES]
                 )
                 worst = max(worst, status)

@@ -81,8 +81,8 @@ def test_ctrl_c_within_a_cycle_goes_on_bitwise(
             session.control[cells.STOP_REQUEST] = done[0] >= steps
             return original(*arguments)
 
-        original = run.do_step
-        monkeypatch.setattr(run, "do_step", step)
+        original = run.step
+        monkeypatch.setattr(run, "step", step)
         session.advance()
         monkeypatch.undo()
         assert "interrupted by the user" in session.failure and session.resumable
