@@ -107,4 +107,4 @@ def test_a_random_file_is_a_system_with_a_plan_or_one_clear_error(tmp_path: Path
             outcomes["error"] += 1
 
     read()
-    assert min(outcomes.values()) > 20, outcomes
+    assert min(outcomes.values()) > 10, outcomes  # how many depends on Hypothesis's version
