@@ -14,7 +14,12 @@ test: $(VENV)/test.stamp
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
+	@$(MAKE) --no-print-directory -j 2 types tests
+
+types: $(VENV)/test.stamp
 	$(BIN)/mypy components orchestrator
+
+tests: $(VENV)/test.stamp
 	$(BIN)/python -m pytest -n logical --dist worksteal
 
 evidence: $(VENV)/test.stamp
@@ -42,4 +47,4 @@ $(VENV)/test.stamp: pyproject.toml
 clean:
 	rm -rf $(VENV) .lowest results fmus/*.fmu build *.egg-info
 
-.PHONY: run test lowest evidence clean
+.PHONY: run test types tests lowest evidence clean

@@ -7,7 +7,7 @@ import shutil
 import signal
 import tempfile
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
+from rovbrush.orchestrator.loop.compiled import compiled_run, is_compiled
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
@@ -25,6 +26,7 @@ from rovbrush.orchestrator.system.assemble import assemble
 
 Rows = dict[str, tuple[float | str, str]]
 MEASURED = pytest.StashKey[Rows]()
+LONG = ("system", "packaging", "orchestrator/paper", "orchestrator/studies")  # folders
 FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py")), "plain")
 
 
@@ -49,6 +51,12 @@ def pytest_configure(config: pytest.Config) -> None:
         os.environ.pop(name, None)
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests and what they share come first: at the end no worker waits for one of them."""
+    top = Path(__file__).parent
+    items.sort(key=lambda item: not any(item.path.is_relative_to(top / long) for long in LONG))
+
+
 def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
     """A folder that `make` has filled, once for all workers of this session."""
     common = factory.getbasetemp()
@@ -70,7 +78,8 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
     def make(folder: Path) -> None:
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            built = [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
+            built: list[Future[Any]] = [] if is_compiled() else [pool.submit(compiled_run)]  # not by every worker
+            built += [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
             built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
             for task in built:
                 task.result()

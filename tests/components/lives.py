@@ -5,11 +5,14 @@ Arguments are bound by name, as the FMU base class does it, from the component's
 
 from __future__ import annotations
 
+import atexit
 import importlib
 import inspect
+import shutil
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -46,15 +49,18 @@ def component(name: str) -> type[ComponentSlave]:
     return next(c for c in classes if c is not ComponentSlave)
 
 
-def lives(name: str, folder: Path) -> dict[str, Any]:
-    """The kernel as plain Python, under Numba and as C: three namespaces with the same functions.
+@cache
+def lives(name: str) -> dict[str, Any]:
+    """The kernel as plain Python, under Numba and as C: three namespaces with the same functions, made once.
 
     In C no contraction to fused multiply-add: it rounds once where Python rounds twice. Symbols are bound inside the
     library: the C library has an old function `step` of its own, which would be called instead of the kernel's.
     """
     kernel = component(name).kernel
     flags = {"flags": "-ffp-contract=off", "wrapper_flags": "-Wl,-Bsymbolic"}
-    in_c = epyccel(joined_source(kernel), language="c", folder=str(folder), **flags)
+    folder = tempfile.mkdtemp(prefix=f"{name}_")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    in_c = epyccel(joined_source(kernel), language="c", folder=folder, **flags)
     return {"python": kernel, "numba": compiled(kernel), "c": in_c}
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -40,20 +39,9 @@ CASES = (
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 
 
-@pytest.fixture(scope="module")
-def compiled_lives(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
-    """Filled on demand: one compilation per component."""
-    made: dict[str, dict[str, Any]] = {}
-    for name in NAMES:
-        made[name] = lives(name, tmp_path_factory.mktemp(name))
-    return made
-
-
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_python_numba_and_c_agree_bit_by_bit(
-    case: Case, compiled_lives: dict[str, dict[str, Any]], measured: Measured
-) -> None:
-    runs = {life: history(case, functions) for life, functions in compiled_lives[case.name].items()}
+def test_python_numba_and_c_agree_bit_by_bit(case: Case, measured: Measured) -> None:
+    runs = {life: history(case, functions) for life, functions in lives(case.name).items()}
     assert np.all(np.isfinite(runs["python"][-1]["y"]))
     unequal = 0
     for life in ("numba", "c"):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 from lives import Case, history, lives
@@ -24,14 +22,9 @@ CASES = (
 )  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def compiled_lives(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    return lives("filament_brush", tmp_path_factory.mktemp("filament_brush"))
-
-
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_python_numba_and_c_agree_bit_by_bit(case: Case, compiled_lives: dict[str, Any]) -> None:
-    runs = {life: history(case, functions) for life, functions in compiled_lives.items()}
+def test_python_numba_and_c_agree_bit_by_bit(case: Case) -> None:
+    runs = {life: history(case, functions) for life, functions in lives("filament_brush").items()}
     assert np.all(np.isfinite(runs["python"][-1]["y"]))
     assert any(snapshot["y"][1] != 0.0 for snapshot in runs["python"])  # there was contact
     for life in ("numba", "c"):
