@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -28,6 +29,14 @@ print(*[double(x) for x in json.loads(sys.argv[1])], sum(double.stats.cache_hits
 """
 
 
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache that a process has filled."""
+    cache = tmp_path_factory.mktemp("filled") / "cache"
+    run(cache)
+    return cache
+
+
 def run(cache: Path, arguments: str = "[2.0]", **environment: str) -> list[str]:
     done = subprocess.run(
         [sys.executable, "-c", RUN, arguments],
@@ -48,11 +57,14 @@ def test_a_second_process_takes_what_the_first_compiled(tmp_path: Path) -> None:
     assert run(tmp_path / "cache")[:2] == ["4.0", "1"]
 
 
+def test_a_cache_that_was_copied_is_taken(filled: Path, tmp_path: Path) -> None:
+    assert run(shutil.copytree(filled, tmp_path / "cache"))[:2] == ["4.0", "1"]
+
+
 @pytest.mark.parametrize("suffix", [".nbc", ".nbi"])
 @pytest.mark.parametrize("how", ["emptied", "truncated", "one bit flipped", "missing"])
-def test_a_damaged_file_is_compiled_anew(how: str, suffix: str, tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    run(cache)
+def test_a_damaged_file_is_compiled_anew(how: str, suffix: str, filled: Path, tmp_path: Path) -> None:
+    cache = shutil.copytree(filled, tmp_path / "cache")
     (file,) = (path for path in kept(cache) if path.suffix == suffix)
     content = file.read_bytes()
     flipped = content[:-200] + bytes([content[-200] ^ 1]) + content[-199:]
@@ -64,15 +76,15 @@ def test_a_damaged_file_is_compiled_anew(how: str, suffix: str, tmp_path: Path) 
     assert run(cache)[:2] == ["4.0", "1"]
 
 
-def test_a_damaged_source_is_written_anew(tmp_path: Path) -> None:
-    path = Path(run(tmp_path / "cache")[2])
+def test_a_damaged_source_is_written_anew(filled: Path, tmp_path: Path) -> None:
+    cache = shutil.copytree(filled, tmp_path / "cache")
+    (path,) = cache.rglob("kernel.py")
     path.write_text("def double(x):\n    return 666.0\n")
-    assert run(tmp_path / "cache")[0] == "4.0"
+    assert run(cache)[0] == "4.0" and path.read_text().startswith("def double(x):\n    return x + x")
 
 
-def test_processes_that_compile_for_two_types_take_two_files(tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    run(cache)
+def test_processes_that_compile_for_two_types_take_two_files(filled: Path, tmp_path: Path) -> None:
+    cache = shutil.copytree(filled, tmp_path / "cache")
     (index,) = cache.rglob("*.nbi")
     before = index.read_bytes()
     run(cache, "[2]")
@@ -81,9 +93,8 @@ def test_processes_that_compile_for_two_types_take_two_files(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("which", [".", "kernels", "users"])
-def test_a_folder_that_others_can_write_to_is_refused(which: str, tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    run(cache)
+def test_a_folder_that_others_can_write_to_is_refused(which: str, filled: Path, tmp_path: Path) -> None:
+    cache = shutil.copytree(filled, tmp_path / "cache")
     (cache / which).chmod(0o777)
     with pytest.raises(subprocess.CalledProcessError) as error:
         run(cache)

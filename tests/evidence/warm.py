@@ -107,6 +107,8 @@ def _become(files: list[int], code: str, arguments: list[str], environment: dict
         os.dup2(file, target)
         os.close(file)
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)  # which `nohup` has ignored, and that is inherited
     os.environ.clear()
     os.environ.update(environment)
     sys.argv = ["-c", *arguments]
