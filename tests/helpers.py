@@ -13,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from rovbrush.components.archive import repack
 from rovbrush.components.build import build
+from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
@@ -137,6 +139,14 @@ def interrupted(command: Sequence[str], first_words: str) -> tuple[int, str]:
         finally:
             process.kill()
     return process.returncode, err
+
+
+def rovbrush(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
+    """The command in this process; returns its exit code."""
+    monkeypatch.setattr(sys, "argv", ["rovbrush", *map(str, arguments)])
+    with pytest.raises(SystemExit) as ending:
+        main()
+    return int(ending.value.code or 0)
 
 
 def python(code: str, *arguments: str, timeout: float = 60.0, **environment: str) -> subprocess.CompletedProcess[str]:

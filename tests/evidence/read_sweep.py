@@ -7,13 +7,11 @@ from pathlib import Path
 
 from rovbrush.orchestrator.studies.sweep.design import make_design
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
-from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 
 from . import seeded
 from .mutations import mutated
 from .strangers import TOML
-from .toys import prepare_toy, read
+from .toys import prepare_system, read, toy_system
 
 NAME = "read_sweep"
 CLAIM = "a mutated sweep file is read and made a design, or is one error of ours"
@@ -22,7 +20,6 @@ UNIT = "files"
 LIMIT = 5.0
 SAMPLE = 100
 
-SYSTEM = 'stop_time = "10 ms"\ncomponents.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }\n'
 SEED = """\
 description = "what for"
 system = "case.toml"
@@ -57,13 +54,7 @@ RANGES = [
     '"::"',
 ]
 SWEEP = replace(TOML, strangers=[*TOML.strangers, *RANGES], values=[*TOML.values, *RANGES])
-_systems: list[System] = []
-
-
-def prepare(folder: Path) -> None:
-    prepare_toy(folder)
-    (folder / "case.toml").write_text(SYSTEM)
-    _systems.append(load_system(str(folder / "case.toml"), folder))
+prepare = prepare_system
 
 
 def one(index: int, folder: Path) -> str:
@@ -73,7 +64,7 @@ def one(index: int, folder: Path) -> str:
 
     def reading() -> None:
         file = sweep_file(str(path))
-        system = _systems[0].with_values(file.values, "set")
+        system = toy_system().with_values(file.values, "set")
         make_design(system, file.vary, file.random, file.seed)
 
     return read(reading)

@@ -9,7 +9,10 @@ from pathlib import Path
 
 import fmpy
 from rovbrush.orchestrator.errors import RovbrushError
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.reader import load_system
 
+SYSTEM = 'stop_time = "10 ms"\ncomponents.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }\n'
 SEEDS = Path(__file__).parent / "seeds"
 DESCRIPTION2, DESCRIPTION3 = ((SEEDS / f"toy{version}.xml").read_text(encoding="utf-8") for version in (2, 3))
 
@@ -39,3 +42,18 @@ def read(reader: Callable[[], object]) -> str:
     except RovbrushError as error:
         return "" if str(error).strip() else "an error without words"
     return ""
+
+
+_systems: list[System] = []
+
+
+def prepare_system(folder: Path) -> None:
+    """`prepare_toy`, and the system that `toy_system` gives."""
+    prepare_toy(folder)
+    (folder / "case.toml").write_text(SYSTEM)
+    _systems.append(load_system(str(folder / "case.toml"), folder))
+
+
+def toy_system() -> System:
+    """One toy, with a number and an array for inputs."""
+    return _systems[-1]

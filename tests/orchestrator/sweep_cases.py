@@ -8,9 +8,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-import pytest
 from helpers import Part, system_text
-from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
 from rovbrush.orchestrator.system.reader import load_system
 
@@ -24,14 +22,6 @@ def plain_case(folder: Path, stop: str = "10 ms", mode: int = 0) -> Path:
     start = {"mode": mode, "=u": 0.0, "=temperature": 0.0, "=speed": 0.0}
     path.write_text(system_text({"p": ("plain", "1 ms", start)}, stop=stop) + '\n[summary]\ny_last = "last p.y"\n')
     return path
-
-
-def rovbrush(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
-    """The command in this process; returns its exit code."""
-    monkeypatch.setattr(sys, "argv", ["rovbrush", *map(str, arguments)])
-    with pytest.raises(SystemExit) as ending:
-        main()
-    return int(ending.value.code or 0)
 
 
 def design_of(path: Path, fmus: Path, *vary: str, **keys: Any) -> Design:

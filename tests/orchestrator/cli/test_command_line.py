@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from helpers import interrupted, system_text
+from helpers import interrupted, rovbrush, system_text
 from rovbrush.orchestrator.cli.main import LOADING, main, program
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.run import carry_out
@@ -26,14 +26,6 @@ progress.PLAIN_INTERVAL = 0.0
 sys.argv[0] = "rovbrush"
 main.main()
 """
-
-
-def rovbrush(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
-    """The command in this process; returns its exit code."""
-    monkeypatch.setattr(sys, "argv", ["rovbrush", *map(str, arguments)])
-    with pytest.raises(SystemExit) as ending:
-        main()
-    return int(ending.value.code or 0)
 
 
 def marked_incomplete(folder: Path, failure: str) -> float:

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from helpers import interrupted, system_text
+from helpers import interrupted, rovbrush, system_text
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint
-from test_command_line import COMMAND, marked_incomplete, rovbrush
+from test_command_line import COMMAND, marked_incomplete
 
 NOMINAL = ("run", "nominal", "--set", "motor.R=0.1", "--record", "brush.F_?", "--stop")
 

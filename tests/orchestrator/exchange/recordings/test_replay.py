@@ -3,15 +3,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import fmpy
 import numpy as np
 import pytest
 from fmpy.util import read_csv, read_ref_opt_file
-from helpers import edited, system_text
-from rovbrush.orchestrator.cli.main import main
+from helpers import edited, rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.exchange.recordings.read import read_recording
 from rovbrush.orchestrator.exchange.recordings.replay import replay
@@ -28,13 +26,6 @@ PARTS = {
     "x": ("integrator", "1 ms", {"x_start": -0.5}),
 }
 WIRES = ["w.y -> g.u (mean)", "g.y -> x.u (linear)"]
-
-
-def rovbrush(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
-    monkeypatch.setattr(sys, "argv", ["rovbrush", *map(str, arguments)])
-    with pytest.raises(SystemExit) as ending:
-        main()
-    return int(ending.value.code or 0)
 
 
 @pytest.fixture(scope="module")

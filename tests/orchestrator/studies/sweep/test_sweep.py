@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from helpers import system_text
+from helpers import rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.results.figures_of_merit import figure_units
 from rovbrush.orchestrator.results.summary import summarize
@@ -21,7 +21,7 @@ from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
-from sweep_cases import design_of, plain_case, rovbrush
+from sweep_cases import design_of, plain_case
 
 
 def test_a_grid_is_the_product_of_its_axes_with_the_last_one_fastest(case: Path, fmus: Path) -> None:

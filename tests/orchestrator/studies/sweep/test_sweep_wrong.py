@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from helpers import system_text
+from helpers import rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
 from rovbrush.orchestrator.studies.sweep.points import Points
 from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
-from sweep_cases import PARTS, lines, plain_case, rovbrush
+from sweep_cases import PARTS, lines, plain_case
 
 
 @pytest.mark.parametrize(
