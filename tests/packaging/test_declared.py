@@ -15,6 +15,7 @@ from helpers import ROOT, python
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXTRAS: Mapping[str, list[str]] = PROJECT["optional-dependencies"]
 NOT_IMPORTED = {
+    "filelock": "Pyccel needs a newer one than it says",
     "h5py": "xarray and the checkpoints reach it through h5netcdf",
     "pyccel": "started as a program of its own",
     "tbb": "a library that ecospy loads and does not bring",
