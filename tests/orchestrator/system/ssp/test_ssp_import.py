@@ -7,7 +7,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from helpers import last, read_system
+from helpers import edited, last, read_system
+from rovbrush.orchestrator.cli.console import print_notes
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
@@ -197,3 +198,23 @@ def test_a_strangers_ssp_runs(read: Read) -> None:
     gain = component("a", "gain", bindings(inline(real("k", "0") + real("offset", "2"))))
     found = read(document(system(gain + component("x", "integrator"), connection("a.y", "x.u"))))
     assert last(simulate(make_plan(found)), "x.x") == pytest.approx(0.2, rel=1e-13)
+
+
+def test_model_exchange_of_an_fmu_that_can_do_both_is_run_in_co_simulation_and_noted(
+    tmp_path: Path, fmus: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "both").mkdir()
+    both = {"<CoSimulation": '<ModelExchange modelIdentifier="gain"/><CoSimulation'}
+    edited(fmus / "gain.fmu", tmp_path / "both" / "gain.fmu", {}, both)
+    top = system(
+        component("a", "gain", implementation="ModelExchange") + component("b", "gain", implementation="CoSimulation"),
+        connection("a.y", "b.u"),
+    )
+    path = write_ssp_file(tmp_path / "case.ssp", tmp_path / "both", document(top), ("gain",))
+    found = load_system(str(path))
+    assert found.components["a"].notes == ("a: the SSP wants ModelExchange; the FMU is run in co-simulation",)
+    assert found.components["b"].notes == ()
+    plain = load_system(str(write_ssp_file(tmp_path / "plain.ssp", fmus, document(CHAIN), ("gain",))))
+    assert last(simulate(make_plan(found)), "b.y") == last(simulate(make_plan(plain)), "b.y")
+    print_notes(found)
+    assert "a: the SSP wants ModelExchange" in " ".join(capsys.readouterr().out.split())
