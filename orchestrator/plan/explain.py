@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from ..clock import seconds_text
+from ..errors import counted
 from ..system.series import series_in_words
 from .capabilities import remarks
 from .plan import Plan
@@ -52,13 +53,13 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += ["", "inputs that follow tables", *tables] if tables else []
     for bond in system.bonds:
         effort, flow = (" -> ".join(filter(None, ends)) for ends in (bond.effort, bond.flow))
-        counted = [f"exactly by {name}" for name in (bond.impulse, bond.displacement) if name]
+        exactly = [f"exactly by {name}" for name in (bond.impulse, bond.displacement) if name]
         limits = [f"{bond.limit:g} J"] * (bond.limit < inf) + [f"{bond.limit_relative:g} of it"] * (
             bond.limit_relative < inf
         )
         lines.append(
             f"  power bond {bond.name}: {effort} times {flow}"
-            + (f"; counted {' and '.join(counted)}" if counted else "")
+            + (f"; counted {' and '.join(exactly)}" if exactly else "")
             + (f"; the coupling may make {' and '.join(limits)}" if limits else "")
         )
     lines += ["", "initialization, in this order"]
@@ -68,7 +69,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += ["", "recorded"]
     for group in plan.groups:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))
-        lines.append(f"  every {every:<8} {len(group.columns)} signals of {', '.join(group.components)}")
+        lines.append(f"  every {every:<8} {counted(len(group.columns), 'signal')} of {', '.join(group.components)}")
     total = len(plan.cycle)
     lines += [
         "",

@@ -7,6 +7,7 @@ import posixpath
 import zipfile
 from collections.abc import Iterator
 
+from ...errors import counted
 from ...fmu.binary import LONGEST, is_identifier
 from .rows import Row, judged, listed
 from .subject import PLATFORMS, Subject, suffix
@@ -55,7 +56,7 @@ def _sources(subject: Subject) -> Row:
         missing = ["a list of the source files"]
     where = "SourceFiles of modelDescription.xml" if subject.version == 2 else "sources/buildDescription.xml"
     mend = f"let {where} and sources/ agree"
-    return judged(STAGE, rule, missing, f"{len(named)} files to compile", "missing", mend, "error")
+    return judged(STAGE, rule, missing, f"{counted(len(named), 'file')} to compile", "missing", mend, "error")
 
 
 def _binaries(subject: Subject) -> Iterator[Row]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from ...errors import FmuError
+from ...errors import FmuError, counted
 from ...files import write_file
 from ...fmu.archive import OURS
 from .archive_rules import archive_rows, loadable_row
@@ -34,7 +34,7 @@ def check_fmu(path: Path) -> Report:
     described = subject.description
     kind = f"FMI {described.fmiVersion}, {described.modelName}"
     files = sum(p.is_file() and OURS not in p.parts for p in subject.folder.rglob("*"))
-    good = f"{files} files, none outside the folder"
+    good = f"{counted(files, 'file')}, none outside the folder"
     return Report(path, kind, [Row("archive", "can be read", "pass", good), *_rows(subject)])
 
 

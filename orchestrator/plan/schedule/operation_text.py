@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from ...clock import seconds_text
+from ...errors import counted
 from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
@@ -81,7 +82,7 @@ class OperationText:
                 return f"{name} by the macro step"
             return f"{name} from {seconds_text(clock.seconds(b)) if b else '0 s'} by {seconds_text(clock.seconds(a))}"
         if code in (SAVE, RESTORE):
-            return f"the state of {name}" if component >= 0 else f"{a} signals"
+            return f"the state of {name}" if component >= 0 else counted(a, "signal")
         table = (self.inputs if code == SET else self.outputs).get(name, {})
         again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a else ""
         return f"{name}: {_types(self.plan.system.components[name].fmu, [variable for _, variable in table])}{again}"
@@ -92,12 +93,13 @@ class OperationText:
         c, s = self.plan.coefficients, self.slots
         if code in (RECORD, REWIND):
             group = self.plan.groups[a]
-            what = f"{len(group.columns)} signals of {', '.join(group.components)}"
-            return what if code == RECORD else f"the last {b} rows of the {what}"
+            what = f"{counted(len(group.columns), 'signal')} of {', '.join(group.components)}"
+            return what if code == RECORD else f"the last {counted(b, 'row')} of the {what}"
         if code == REPEAT:
             return f"from operation {a + 1} on"
         if code == ITERATE:
-            return f"go to operation {a + 1} if {q} unknowns are consistent within {c[k]:g}, at most {c[k + 1]:g} times"
+            unknowns = f"{counted(q, 'unknown')} {'is' if q == 1 else 'are'} consistent"
+            return f"go to operation {a + 1} if {unknowns} within {c[k]:g}, at most {c[k + 1]:g} times"
         if code == HALVE:
             return "the macro step, to do it again as two"
         if code == ADVANCE:

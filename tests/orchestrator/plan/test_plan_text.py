@@ -79,3 +79,12 @@ def test_turns_are_counted_only_where_an_angle_is_given(fmus: Path, tmp_path: Pa
     assert "window_turns" not in summarize(run_of(tmp_path, fmus, *case))
     turning = run_of(tmp_path, fmus, *case, summary={"window": {"angle": "w.Y", "start": 0.1}})
     assert summarize(turning)["window_turns"] == 3  # from 0.25 to 25 rad
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "iterated"])
+def test_one_of_anything_is_told_in_the_singular(algorithm: str, fmus: Path, tmp_path: Path) -> None:
+    parts = {"w": ("wave", "1 ms"), "i": ("integrator", "1 ms")}
+    chosen = {"algorithm": algorithm, "record": ["i.x"]}
+    text = explain(plan_of(tmp_path, fmus, parts, ["w.y -> i.u"], **chosen))
+    assert re.search(r"\b1 (signal|unknown)\b", text)
+    assert not re.search(r"\b1 (signals|rows|unknowns|tables|components)\b", text), text
