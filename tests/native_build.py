@@ -137,8 +137,11 @@ def feedthrough3(target: Path, **defines: object) -> Path:
     return native_fmu.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3, defines)
 
 
-def moody(target: Path, **actions: str) -> Path:
-    """FMI 2.0: x integrates u, y = k x behind each step; `ON_STEP="return 99"` and so on: what a call does first."""
+def moody(target: Path, flags: str = "", categories: tuple[str, ...] = (), **actions: str) -> Path:
+    """FMI 2.0: x integrates u, y = k x behind each step; `ON_STEP="return 99"` and so on: what a call does first.
+
+    `categories`: of messages, that it declares.
+    """
     variables = [
         f'<ScalarVariable name="{name}" valueReference="{reference}" causality="{causality}" '
         f'variability="{variability}"><Real {start}/></ScalarVariable>'
@@ -147,8 +150,10 @@ def moody(target: Path, **actions: str) -> Path:
             ("k", 2, "parameter", "fixed", 'start="1"'), ("y", 3, "output", "continuous", ""),
         )
     ]  # fmt: skip
-    xml = native_fmu.description2(target.stem, variables, [1, 4])
-    xml = xml.replace("<ModelVariables>", '<DefaultExperiment tolerance="1e-6"/>\n<ModelVariables>')
+    xml = native_fmu.description2(target.stem, variables, [1, 4], flags)
+    said = "".join(f'<Category name="{name}"/>' for name in categories)
+    said = f"<LogCategories>{said}</LogCategories>\n" if said else ""
+    xml = xml.replace("<ModelVariables>", f'{said}<DefaultExperiment tolerance="1e-6"/>\n<ModelVariables>')
     return native_fmu.native_fmu(target, [NATIVE / "moody.c"], xml, 2, actions)
 
 

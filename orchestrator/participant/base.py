@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections import deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -12,6 +11,7 @@ from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.types import Value
 from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
+from .messages import Logging, Messages
 
 __all__ = ["STATUS", "CallError", "Participant", "State", "refused"]
 
@@ -34,9 +34,10 @@ class Participant(ABC):
     prefix: str  # of its functions: fmi2, fmi3
     state_functions: tuple[str, str, str]  # names of those that save, restore and forget a state
 
-    def __init__(self, fmu: Fmu, name: str) -> None:
+    def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
         self.fmu, self.name = fmu, name
-        self.messages: deque[str] = deque(maxlen=50)  # an FMU may warn at every step
+        self.log = Messages(logging)
+        self._tolerance = tolerance
         self.state = State.INSTANTIATED
         self.guarded = True
         self.fault = ""  # what befell its process, where it has one of its own
@@ -103,6 +104,27 @@ class Participant(ABC):
     # --- what all have in common ---
 
     @property
+    def tolerance(self) -> float | None:
+        """The relative tolerance of its solver: what was asked for, else what its maker had in mind, if anything."""
+        if self._tolerance is not None:
+            return self._tolerance
+        experiment = self.fmu.description.defaultExperiment
+        return float(experiment.tolerance) if experiment is not None and experiment.tolerance else None
+
+    @property
+    def messages(self) -> list[str]:
+        """The last of what it has logged."""
+        return list(self.log.recent)
+
+    def look(self) -> None:
+        """Let it say some more; called now and then while it is stepped, and never while a function of it runs."""
+        return
+
+    def logged(self) -> list[str]:
+        """What it has logged, as lines of a file."""
+        return self.log.lines(self.name)
+
+    @property
     def dead(self) -> bool:
         """Whether nothing may be called any more."""
         return self.state in (State.DEAD, State.FREED)
@@ -149,7 +171,7 @@ class Participant(ABC):
             reason = str(error) if status is None else status_text(self.prefix, status)
             if status is not None:
                 self.noted(action, status)
-            raise CallError(f"component {self.name}: cannot {what} ({reason}){self.log_text()}", status) from error
+            raise CallError(f"component {self.name}: cannot {what} ({reason}){self.reasons()}", status) from error
         self.noted(action, OK)
         return result
 
@@ -172,7 +194,11 @@ class Participant(ABC):
 
     def log_text(self) -> str:
         """What the FMU has logged, as the tail of an error message."""
-        return "".join(f"\n{message}" for message in dict.fromkeys(self.messages))
+        return self.log.text()
+
+    def reasons(self) -> str:
+        """The same for an error of the FMU's own making; how to learn more where it said nothing."""
+        return self.log.advice(self.name) + self.log.text()
 
     def why_discarded(self) -> str:
         """What the FMU says about a step that it discarded; empty if it says nothing."""

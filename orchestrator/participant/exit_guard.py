@@ -19,6 +19,11 @@ def made_by_pythonfmu(fmu: Fmu) -> bool:
     return (fmu.folder / "resources" / "slavemodule.txt").is_file()
 
 
+def made_here(fmu: Fmu) -> bool:
+    """Whether an FMU is one of the project's own, which keep nothing outside of their instances."""
+    return str(fmu.description.generationTool or "").startswith("rovbrush ")
+
+
 @cache
 def end_before_library_destructors() -> None:
     """Register, once: flush the C streams, then `_exit` with the code of the process (handlers run last to first)."""

@@ -13,6 +13,7 @@ from .base import refused
 from .exit_guard import end_before_library_destructors, made_by_pythonfmu
 from .lifecycle import allowed
 from .loaded import Judged, LoadedInstance
+from .message_filter import Row, address_of, filtered
 
 # The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all
 # instances give it the same, which lives as long as the process and finds whose message it is.
@@ -51,9 +52,9 @@ class Fmi2Instance(LoadedInstance):
                 unzipDirectory=str(self.fmu.folder),
                 instanceName=self.name,
             )
-            self.slave.instantiate(callbacks=self._callbacks, loggingOn=True)  # without it errors arrive without text
+            self.slave.instantiate(callbacks=self._callbacks, loggingOn=self.asked_for_all)
         except Exception as error:
-            raise refused(self.fmu, self.name, error, self.log_text()) from error
+            raise refused(self.fmu, self.name, error, self.reasons()) from error
 
     def _make_callbacks(self) -> Any:
         callbacks = fmi2.fmi2CallbackFunctions()
@@ -66,12 +67,14 @@ class Fmi2Instance(LoadedInstance):
         if not self.made_by_pythonfmu:
             _LOGGING[id(self)] = self
             fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
+            self._row = Row(id(self), self.log.logging == "all")
+            callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(filtered(2, address_of(callbacks.logger)))
         return callbacks
 
-    def _log(self, _environment: Any, _instance: bytes, status: int, _category: bytes, message: bytes) -> None:
-        if status > 0 and message:
-            text = message.decode("utf-8", "replace").strip()
-            self.messages.append(text.replace("%%", "%") if self.made_by_pythonfmu else text)
+    def _log(self, _environment: Any, _instance: bytes, status: int, category: bytes, message: bytes) -> None:
+        text = (message or b"").decode("utf-8", "replace").strip()
+        text = text.replace("%%", "%") if self.made_by_pythonfmu else text
+        self.log.add(status, (category or b"").decode("utf-8", "replace"), text)
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self.call("set up", "set up the experiment", self.slave.setupExperiment, self.tolerance, start, stop)

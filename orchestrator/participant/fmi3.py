@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
+from weakref import WeakValueDictionary
 
 from fmpy import fmi3
 
 from ..errors import FmuError
 from .base import CallError, refused
 from .loaded import Judged, LoadedInstance
+from .message_filter import Row, address_of, filtered
+
+_LOGGING: WeakValueDictionary[int, Fmi3Instance] = WeakValueDictionary()  # by what the FMU is told of its environment
+
+
+def _log_of_any(environment: Any, status: int, category: bytes, message: bytes) -> None:
+    alone = next(iter(_LOGGING.values())) if len(_LOGGING) == 1 else None  # of an FMU that gives something else back
+    instance = _LOGGING.get(environment) or alone
+    if instance is not None:
+        instance._log(status, category, message)
+
+
+_LOGGER = fmi3.fmi3LogMessageCallback(_log_of_any)
 
 
 class FMU3Instance(Judged, fmi3.FMU3Slave):  # type: ignore[misc]
@@ -30,13 +45,28 @@ class Fmi3Instance(LoadedInstance):
                 unzipDirectory=str(self.fmu.folder),
                 instanceName=self.name,
             )
-            self.slave.instantiate(loggingOn=True, logMessage=self._log)
+            self._instantiate()
         except Exception as error:
-            raise refused(self.fmu, self.name, error, self.log_text()) from error
+            raise refused(self.fmu, self.name, error, self.reasons()) from error
 
-    def _log(self, _environment: Any, status: int, _category: bytes, message: bytes) -> None:
-        if status > 0 and message:
-            self.messages.append(message.decode("utf-8", "replace").strip())
+    def _instantiate(self) -> None:
+        """As fmpy does it, with an environment by which its messages are known."""
+        _LOGGING[id(self)] = self
+        self._row = Row(id(self), self.log.logging == "all")
+        slave, nothing = self.slave, fmi3.fmi3IntermediateUpdateCallback()
+        logger = fmi3.fmi3LogMessageCallback(filtered(3, address_of(_LOGGER)))
+        self._callbacks = logger, nothing  # alive as long as the FMU may call them
+        folder = f"{self.fmu.folder / 'resources'}{os.sep}"
+        slave.component = slave.fmi3InstantiateCoSimulation(
+            self.name.encode(), slave.guid.encode(), folder.encode(), False, self.asked_for_all, False, False,
+            (fmi3.fmi3ValueReference * 0)(), 0, id(self), logger, nothing,
+        )  # fmt: skip
+        if not slave.component:
+            raise FmuError("it gave no instance")
+
+    def _log(self, status: int, category: bytes, message: bytes) -> None:
+        words = ((part or b"").decode("utf-8", "replace").strip() for part in (category, message))
+        self.log.add(status, *words)
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self.require("set up", "set up the experiment")

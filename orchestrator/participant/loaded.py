@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from fmpy.fmi1 import FMICallException
@@ -12,8 +13,13 @@ from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.types import Value, function_type
 from .base import CallError, Participant, State
+from .exit_guard import made_by_pythonfmu, made_here
 from .lifecycle import allowed, good
+from .message_filter import Row
+from .messages import Logging
 from .surroundings import Surroundings
+
+CATEGORIES = tuple(f"logStatus{name}" for name in ("Warning", "Discard", "Error", "Fatal"))
 
 
 class Judged:
@@ -31,19 +37,48 @@ class LoadedInstance(Participant):
 
     slave: Any
 
-    def __init__(self, fmu: Fmu, name: str) -> None:
-        super().__init__(fmu, name)
+    def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
+        super().__init__(fmu, name, logging, tolerance)
+        self._row: Row | None = None  # of the filter of its messages
+        self._unread = 0  # messages that the filter had kept back when its row was given back
         self.arrays: dict[int, list[Value]] = {}  # values of arrays by reference: one element needs all the others
         self.modes: dict[int, State] = {}  # of saved states: restoring one brings its mode back
         before = Surroundings()
         try:
             self.instantiate()
+            self._choose_messages()
         finally:
             before.restore()  # fmpy stays in the folder of a library that it cannot load
 
     def instantiate(self) -> None:
         """Load and instantiate by fmpy. Raises FmuError if the FMU refuses."""
         raise NotImplementedError
+
+    @property
+    def asked_for_all(self) -> bool:
+        """Whether it is to log all that it can: its maker was asked to, or it is ours or another in Python, which log
+        little and give the reason of an error nowhere else."""
+        return self.log.logging == "all" or made_by_pythonfmu(self.fmu) or made_here(self.fmu)
+
+    def _choose_messages(self) -> None:
+        """Of an FMU that is not to log: warnings and worse, of the categories that it declares."""
+        declared = {category.name for category in self.fmu.description.logCategories}
+        wanted = [name for name in CATEGORIES if name in declared]
+        if wanted and not self.asked_for_all:
+            with suppress(Exception):  # many FMUs have no such function, or one that does nothing
+                self.slave.setDebugLogging(True, wanted)
+
+    def look(self) -> None:
+        if self._row:
+            self._row.look()
+
+    def logged(self) -> list[str]:
+        return self.log.lines(self.name, self.unread)
+
+    @property
+    def unread(self) -> int:
+        """Messages that the filter has kept back."""
+        return self._row.counted if self._row else self._unread
 
     @property
     def pointer(self) -> int:
@@ -54,12 +89,6 @@ class LoadedInstance(Participant):
             return ctypes.cast(getattr(self.slave.dll, function), ctypes.c_void_p).value or 0
         except AttributeError:
             raise FmuError(f"component {self.name}: {self.fmu.path.name} has no function {function}") from None
-
-    @property
-    def tolerance(self) -> float | None:
-        """The relative tolerance that its maker had in mind; None where the description gives none."""
-        experiment = self.fmu.description.defaultExperiment
-        return float(experiment.tolerance) if experiment is not None and experiment.tolerance else None
 
     def put(self, what: str, kind: str, references: Sequence[int], values: Sequence[Any]) -> None:
         """Set variables of one type (of FMI's functions: Real, Float64 ...) by value reference."""
@@ -135,6 +164,10 @@ class LoadedInstance(Participant):
                     function()
                 except CallError as error:
                     said.append(str(error))
+        if self._row:
+            self._unread = self._row.counted
+            self._row.give_back()
+            self._row = None
         return "\n".join(said)
 
     def cancel(self) -> None:

@@ -21,8 +21,8 @@ class MockInstance(Participant):
     state_functions = ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
     fmu: MockFmu
 
-    def __init__(self, fmu: MockFmu, name: str) -> None:
-        super().__init__(fmu, name)
+    def __init__(self, fmu: MockFmu, name: str, tolerance: float | None = None) -> None:
+        super().__init__(fmu, name, tolerance=tolerance)
         self.names = {v.valueReference: v.name for v in fmu.description.modelVariables}
         self.model = fmu.model({v: float(fmu.start(v)) for v in fmu.variables})
         fmu.made.append(self.model)
@@ -55,7 +55,7 @@ class MockInstance(Participant):
             try:
                 return function(*arguments) or OK
             except Exception as error:
-                self.messages.append(str(error))
+                self.log.add(ERROR, "", str(error))
                 return ERROR
 
         return answer
@@ -108,7 +108,7 @@ class MockInstance(Participant):
         self.noted(action, OK)
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
-        self._do("set up", "set up", lambda: None)
+        self._do("set up", "set up", lambda: None, self.tolerance, start, stop)
 
     def set_own(self, values: Mapping[str, Value]) -> None:
         for name in values:

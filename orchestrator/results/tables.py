@@ -50,6 +50,7 @@ class Run:
     texts: Texts | None = None  # those whose numbers the tables hold
     calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
     notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
+    messages: list[str] = field(default_factory=list)  # what FMUs logged
 
     @cached_property
     def tables(self) -> list[np.ndarray]:

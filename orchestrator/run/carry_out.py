@@ -13,11 +13,11 @@ from math import ceil
 from pathlib import Path
 
 from ..clock import duration
-from ..errors import InputError, RovbrushError
-from ..files import prepare_folder, sweep_up
+from ..errors import InputError, RovbrushError, RunError
+from ..files import prepare_folder, sweep_up, write_file
 from ..plan.plan import Plan
 from ..results.files.folder import remove, require_own
-from ..results.files.writing import More, Written, write_products, write_rows
+from ..results.files.writing import MESSAGES, More, Written, write_messages, write_products, write_rows
 from ..results.tables import Run
 from ..system.request import Request
 from .checkpoint.checkpoint import Checkpoint, unserializable, write_checkpoint
@@ -97,6 +97,7 @@ def carry_out(
                 written.failures.append("interrupted while the results were written")
             finished.failures = [*filter(None, [run.failure, written.elsewhere]), *written.failures]
         finished.failures += filter(None, [session.ended_badly])
+        _say_more(session, finished)
         return finished
     finally:
         file.unlink(missing_ok=True)
@@ -120,6 +121,17 @@ def _advance(session: Session, out: Path, request: Request, progress: Callable[[
         session.fail(str(error))
     except Exception as error:  # a fault of ours: what was computed is not to be lost for it
         session.fail(f"t = {session.time:.9g} s: unexpected {type(error).__name__}: {error}")
+
+
+def _say_more(session: Session, finished: Finished) -> None:
+    """What FMUs logged while they were terminated, beside what they had before."""
+    messages = session.participants.messages()
+    if len(messages) > len(finished.run.messages):
+        path = finished.written.folder / MESSAGES
+        try:
+            write_file(path, lambda new: write_messages(messages, new))
+        except RunError as error:
+            finished.failures.append(str(error))
 
 
 def _resume(session: Session, out: Path, request: Request) -> str:

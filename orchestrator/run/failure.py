@@ -64,4 +64,4 @@ def _said(
         return REPORTED[status], instance.log_text()
     instance.noted(action, status)
     why = instance.why_discarded() if status == DISCARD else ""
-    return f" returned {status_text(instance.prefix, status)}", why + instance.log_text()
+    return f" returned {status_text(instance.prefix, status)}", why + instance.reasons()

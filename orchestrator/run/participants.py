@@ -50,6 +50,15 @@ class Participants:
             if instance.fmu.type_of(variable) is not None
         }
 
+    def look(self) -> None:
+        """Let those that talk say some more."""
+        for instance in self.by_name.values():
+            instance.look()
+
+    def messages(self) -> list[str]:
+        """What they have logged, as lines of a file."""
+        return [line for instance in self.by_name.values() for line in instance.logged()]
+
     def close(self) -> str:
         """Terminate and free them; how they fell down in that, one a line."""
         faults = [fault for instance in self.by_name.values() if (fault := instance.close())]

@@ -129,6 +129,8 @@ class Session:
             return
         code, due = self._blocks.run(self.at, size)
         self.participants.look_around(f"before t = {clock.time(self.tick + size * plan.cycle_ticks):.9g} s", due)
+        if due:
+            self.participants.look()
         self.at.operation = 0
         if code != cells.DONE:
             self.at.cycle = int(self.control[cells.AT_CYCLE])
@@ -188,6 +190,7 @@ class Session:
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated, self.participants.notes,
+            self.participants.messages(),
         )  # fmt: skip
 
     def close(self) -> None:

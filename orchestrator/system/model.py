@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from fmpy.model_description import ModelVariable
 
@@ -32,6 +32,8 @@ class Component:
     series: Mapping[str, Series] = field(default_factory=dict)  # inputs that follow a table
     notes: tuple[str, ...] = ()  # what the user must know of it: see `replace/`
     isolation: str = ""  # "process": the FMU runs in a process of its own
+    logging: Literal["warnings", "all"] = "warnings"  # what the FMU is asked to log
+    tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
 
     def with_value(self, name: str, value: Value) -> Component:

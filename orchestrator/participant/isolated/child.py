@@ -10,19 +10,24 @@ import ctypes
 import json
 import os
 import sys
+import time
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ...fmu.fmu import Fmu
 from ...processes import end_with, watch
-from ..base import CallError, Participant, State
+from ..base import CallError, State
+from ..lifecycle import ERROR
+from ..loaded import LoadedInstance
 from ..opening import load
 from .channel import CALL, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions
 
 BY_NAME = ("set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save", "restore",
-           "forget", "serialize", "deserialize", "why_discarded", "close")  # fmt: skip
+           "forget", "serialize", "deserialize", "why_discarded", "look", "close")  # fmt: skip
+
+LOOK = 0.1  # s between two looks at what the FMU may log
 
 
 def main(arguments: list[str]) -> None:
@@ -42,7 +47,8 @@ class Served:
 
     def __init__(self, path: Path, digest: str, name: str, shared: Shared) -> None:
         self.path, self.digest, self.name, self.shared = path, digest, name, shared
-        self.instance: Participant | None = None
+        self.instance: LoadedInstance | None = None
+        self.look_at = 0.0  # when more messages may be said, of time.monotonic
         self.functions: list[Function] = []
         self.loaded: dict[int, Any] = {}
         self.told: State | None = None  # the state that the master knows
@@ -53,22 +59,28 @@ class Served:
             number, letter, body = channel.receive()
             if letter == b"F":
                 status = STATUS.pack(self.function(body))
-                news = self.news()
+                news = self.news(asked=False)
                 channel.send(letter, status + json.dumps(news).encode() if news else status, number)
                 continue
             try:
                 answer: dict[str, Any] = {"ok": self.by_name(*json.loads(body))}
             except Exception as error:
                 answer = {"error": str(error), "status": getattr(error, "status", None)}
-            channel.send(letter, json.dumps(answer | self.news()).encode(), number)
+            channel.send(letter, json.dumps(answer | self.news(asked=True)).encode(), number)
 
-    def news(self) -> dict[str, Any]:
-        """What the master must know of the instance: messages, and its state where that has changed."""
+    def news(self, asked: bool) -> dict[str, Any]:
+        """What the master must know of the instance: messages, and its state where that has changed. `asked`: by
+        name, when there is time to say how many messages were not read too."""
         found: dict[str, Any] = {}
         if self.instance is not None:
-            if self.instance.messages:
-                found["log"] = list(self.instance.messages)
-                self.instance.messages.clear()
+            if time.monotonic() > self.look_at:
+                self.look_at = time.monotonic() + LOOK
+                self.instance.look()
+            if self.instance.unread and asked:
+                found["unread"] = self.instance.unread
+            if self.instance.log.kept:
+                found["log"] = self.instance.log.kept
+                self.instance.log.kept = []
             if self.instance.state is not self.told:
                 self.told = self.instance.state
                 found["state"] = self.told.name
@@ -80,7 +92,7 @@ class Served:
             fmu = Fmu.open(self.path)
             if fmu.digest != self.digest:
                 raise ValueError(f"{self.path.name} has changed since the system was read; start again")
-            self.instance, self.functions = load(fmu, self.name), functions(fmu.version)
+            self.instance, self.functions = load(fmu, self.name, *values), functions(fmu.version)
             return self.instance.pointer
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")
@@ -111,7 +123,7 @@ class Served:
             sizes = [values] if version == 3 else []
             status = native(pointer, self.shared.references, references, at, *sizes)
             if function.text and kind == "get" and status in (0, 1) and not self.shared.put_texts(texts_at(at, values)):
-                instance.messages.append("its texts are longer than the memory shared with it")
+                instance.log.add(ERROR, "", "its texts are longer than the memory shared with it")
                 return 3
         instance.noted(kind, int(status))
         return int(status)

@@ -11,6 +11,7 @@ import json
 import os
 import tempfile
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 from ...errors import FmuError
@@ -20,6 +21,7 @@ from ...processes import how_ended
 from ..base import CallError, Participant, State
 from ..exit_guard import made_by_pythonfmu
 from ..lifecycle import FATAL
+from ..messages import Logging
 from .callbacks import Callbacks
 from .channel import SIZE, STATUS, Shared
 from .child_process import ChildProcess, ProcessLostError
@@ -31,8 +33,11 @@ STARTING = 120.0
 class IsolatedInstance(Participant):
     """Starts the process and instantiates the FMU there. Raises FmuError if that fails. `timeout` [s] for each call."""
 
-    def __init__(self, fmu: Fmu, name: str, timeout: float) -> None:
-        super().__init__(fmu, name)
+    def __init__(
+        self, fmu: Fmu, name: str, timeout: float, logging: Logging = "all", tolerance: float | None = None
+    ) -> None:
+        super().__init__(fmu, name, logging, tolerance)
+        self._unread = 0  # messages that the process has counted only
         self.prefix = f"fmi{fmu.version}"
         state = "FMUstate" if fmu.version == 2 else "FMUState"
         self.state_functions = (f"{self.prefix}Get{state}", f"{self.prefix}Set{state}", f"{self.prefix}Free{state}")
@@ -45,7 +50,7 @@ class IsolatedInstance(Participant):
         self.shared = Shared(memory)
         self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
-            self._pointer = int(self._by_name("start", limit=max(timeout, STARTING)))
+            self._pointer = int(self._by_name("start", logging, tolerance, limit=max(timeout, STARTING)))
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None
@@ -87,7 +92,9 @@ class IsolatedInstance(Participant):
         self.child.kill()
 
     def _news(self, found: dict[str, Any]) -> None:
-        self.messages.extend(found.get("log", ()))
+        for message in found.get("log", ()):
+            self.log.add(*message)
+        self._unread = found.get("unread", self._unread)
         if "state" in found:
             self.state = State[found["state"]]
 
@@ -118,7 +125,7 @@ class IsolatedInstance(Participant):
         try:
             answer = json.loads(self._ask(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
         except ProcessLostError:
-            raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
+            raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.reasons()}") from None
         self._news(answer)
         if "error" in answer:
             raise CallError(answer["error"], answer.get("status"))
@@ -161,6 +168,12 @@ class IsolatedInstance(Participant):
 
     def why_discarded(self) -> str:
         return "" if self.dead else str(self._by_name("why_discarded"))
+
+    def logged(self) -> list[str]:
+        if not self.dead:
+            with suppress(FmuError):  # the last count, and what was not yet passed on
+                self._by_name("look")
+        return self.log.lines(self.name, self._unread)
 
     # --- the end ---
 

@@ -23,6 +23,7 @@ from .manifest import manifest
 from .netcdf import write_netcdf
 
 ROWS, TABLE, SUMMARY, MANIFEST, PLAN = "result.nc", "result.csv", "summary.json", "manifest.json", "plan.txt"
+MESSAGES = "messages.log"  # what FMUs logged
 COMPARED = ("label", "unit", "reference", "value", "ratio", "within")  # of a comparison, in summary.json
 
 More = tuple[Sequence[str], Callable[[Run, Path], list[Path]]]  # further files by name, and what writes them
@@ -112,7 +113,8 @@ def write_products(
     folder = written.folder
     figures = run.plan.system.reporting["figures"]
     table = [TABLE] * isinstance(run.recorded, list)
-    files = [ROWS, MANIFEST, PLAN, *table, SUMMARY, *(str(entry["file"]) for entry in figures)]
+    said = [MESSAGES] * bool(run.messages)
+    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, *(str(entry["file"]) for entry in figures)]
     files += [name for names, _ in more for name in names]
 
     def summed() -> list[Path]:
@@ -130,6 +132,11 @@ def write_products(
         return lambda: [write_file(folder / name, write)]
 
     try:
+        if said:
+            written.attempt(MESSAGES, file(MESSAGES, lambda path: write_messages(run.messages, path)))
+        else:
+            with suppress(OSError):
+                (folder / MESSAGES).unlink(missing_ok=True)  # those of an earlier run
         written.attempt(MANIFEST, file(MANIFEST, lambda path: write_json(path, manifest(run, files))))
         written.attempt(PLAN, file(PLAN, lambda path: path.write_text(explain(run.plan) + "\n", encoding="utf-8")))
         if table:
@@ -147,6 +154,11 @@ def write_products(
     except KeyboardInterrupt:
         missing = [name for name in files if not any(path.name == name for path in written.paths)]
         written.failures.append(f"interrupted; not written: {', '.join(missing)}")
+
+
+def write_messages(messages: Sequence[str], path: Path) -> None:
+    """What FMUs logged, one message a line."""
+    path.write_text("".join(f"{message}\n" for message in messages), encoding="utf-8")
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from .report import Balance, Comparison, Figure, Window
-from .values import FigureOfMerit, Number, Time, Value, Values
+from .values import FigureOfMerit, Number, Positive, Time, Value, Values
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
 CONNECTION = r"^\s*\w+\.\S+\s*->\s*\w+\.\S+(\s+\(\S+\))?\s*$"
@@ -44,6 +44,14 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     isolation: Annotated[
         Literal["none", "process"], Meta(description='"process": the FMU runs in a process of its own')
     ] = "none"
+    logging: Annotated[
+        Literal["warnings", "all"],
+        Meta(description='"all": the FMU logs all that it can, which may cost many times its own time'),
+    ] = "warnings"
+    tolerance: Annotated[
+        Positive | None,
+        Meta(description="relative tolerance of its solver; else that of its default experiment, if it states one"),
+    ] = None
     timeout: Annotated[Time, Meta(description="of one call to an FMU in a process of its own, in wall time")] = "60 s"
     units: Annotated[
         dict[str, str] | str,

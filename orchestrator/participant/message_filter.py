@@ -1,0 +1,147 @@
+"""Messages that nobody reads cost nothing: they end in machine code, before they are formatted and reach Python.
+
+Many FMUs log whatever they are told. Their logger is a function made here, once per process, which looks into a table:
+a message that is wanted goes on to the logger behind it with all its arguments, those of printf too (a variadic tail
+call, which no language above the machine has); any other one is counted. An FMU is known by what it was told of its
+environment; one that gives back something else shares the first row.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+# Columns of the table: environment, how many messages may still pass, how many did not, the lowest status that passes.
+ENVIRONMENT, ALLOWANCE, COUNTED, LOWEST, COLUMNS = range(5)
+ROWS = 4096  # instances that log through here at a time
+AT_FIRST = 1000  # messages that pass
+AT_A_TIME = 20  # that may pass after each look; the last ones before an error are among them
+
+_table = np.zeros((ROWS, COLUMNS), dtype=np.int64)
+_size = np.ones(1, dtype=np.int64)
+_lock = threading.Lock()
+
+# Of both versions: FMI 2.0 gives environment, name, status, category, format and what it takes; FMI 3.0 has no name
+# and one text. `status` is an int.
+_TEXT = """
+define void @log{version}({parameters}) {{
+entry:
+  %table = inttoptr i64 {table} to ptr
+  %sizes = inttoptr i64 {size} to ptr
+  %size = load i64, ptr %sizes
+  %told = ptrtoint ptr %environment to i64
+  br label %look
+look:
+  %k = phi i64 [ 1, %entry ], [ %next, %other ]
+  %inside = icmp slt i64 %k, %size
+  br i1 %inside, label %compare, label %found
+compare:
+  %at = mul i64 %k, {columns}
+  %cell = getelementptr i64, ptr %table, i64 %at
+  %known = load i64, ptr %cell
+  %same = icmp eq i64 %known, %told
+  br i1 %same, label %found, label %other
+other:
+  %next = add i64 %k, 1
+  br label %look
+found:
+  %row = phi i64 [ %k, %compare ], [ 0, %look ]
+  %begin = mul i64 %row, {columns}
+  %first = getelementptr i64, ptr %table, i64 %begin
+  %limits = getelementptr i64, ptr %first, i64 {lowest}
+  %limit = load i64, ptr %limits
+  %wide = sext i32 %status to i64
+  %wanted = icmp sge i64 %wide, %limit
+  br i1 %wanted, label %count, label %out
+count:
+  %allowances = getelementptr i64, ptr %first, i64 {allowance}
+  %allowance = load i64, ptr %allowances
+  %may = icmp sgt i64 %allowance, 0
+  br i1 %may, label %pass, label %full
+full:
+  %counts = getelementptr i64, ptr %first, i64 {counted}
+  %counted = load i64, ptr %counts
+  %more = add i64 %counted, 1
+  store i64 %more, ptr %counts
+  br label %out
+out:
+  ret void
+pass:
+  %less = sub i64 %allowance, 1
+  store i64 %less, ptr %allowances
+  %target = inttoptr i64 {target} to ptr
+  musttail call void ({types}) %target({arguments})
+  ret void
+}}
+"""
+_PARAMETERS = {
+    2: ("ptr %environment", "ptr %name", "i32 %status", "ptr %category", "ptr %message", "..."),
+    3: ("ptr %environment", "i32 %status", "ptr %category", "ptr %message"),
+}
+_made: list[Any] = []  # the machine code lives as long as the process
+
+
+@cache
+def filtered(version: int, target: int) -> int:
+    """The address of a logger of an FMI version that passes what is wanted on to another one at `target`."""
+    import llvmlite.binding as llvm
+
+    parameters = _PARAMETERS[version]
+    text = _TEXT.format(
+        version=version, parameters=", ".join(parameters), types=", ".join(p.split()[0] for p in parameters),
+        arguments=", ".join(parameters), table=_table.ctypes.data, size=_size.ctypes.data, columns=COLUMNS,
+        lowest=LOWEST, allowance=ALLOWANCE, counted=COUNTED, target=target,
+    )  # fmt: skip
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    module = llvm.parse_assembly(text)
+    module.verify()
+    engine = llvm.create_mcjit_compiler(module, llvm.Target.from_default_triple().create_target_machine(opt=2))
+    engine.finalize_object()
+    _made.append(engine)
+    return int(engine.get_function_address(f"log{version}"))
+
+
+class Row:
+    """The row of an instance, until it is given back."""
+
+    def __init__(self, environment: int, everything: bool) -> None:
+        self.environment = environment
+        with _lock:
+            _table[0] = 0, max(int(_table[0, ALLOWANCE]), AT_FIRST), _table[0, COUNTED], 1
+            lowest, allowance = (0, 1 << 62) if everything else (1, AT_FIRST)
+            at = self._at() or int(_size[0])  # an earlier instance at the same address may never have been closed
+            if at < ROWS:
+                _table[at] = environment, allowance, 0, lowest
+                _size[0] = max(int(_size[0]), at + 1)
+
+    def _at(self) -> int:
+        """Its number; 0 where the table had no room."""
+        found = np.flatnonzero(_table[1 : _size[0], ENVIRONMENT] == self.environment)
+        return int(found[0]) + 1 if found.size else 0
+
+    def look(self) -> None:
+        """Let some more messages pass."""
+        _table[: _size[0], ALLOWANCE] = np.maximum(_table[: _size[0], ALLOWANCE], AT_A_TIME)
+
+    @property
+    def counted(self) -> int:
+        """Messages that did not pass."""
+        return int(_table[self._at(), COUNTED])
+
+    def give_back(self) -> None:
+        """The instance is no more."""
+        with _lock:
+            at, last = self._at(), int(_size[0]) - 1
+            if at:
+                _table[at] = _table[last]
+                _size[0] = last
+
+
+def address_of(callback: Any) -> int:
+    """The address of a ctypes function."""
+    return ctypes.cast(callback, ctypes.c_void_p).value or 0
