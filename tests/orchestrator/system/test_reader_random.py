@@ -53,6 +53,7 @@ mean_y = "mean g.y"
 label = "mean"
 value = "mean_y"
 reference = 1.0
+unit = "1"
 """
 # What may stand in the place of any word: other words of the file, and what people write by mistake.
 STRANGERS = [
