@@ -24,6 +24,13 @@ class Result:
     def __init__(self, run: Run) -> None:
         self.run = run
 
+    @staticmethod
+    def open(folder: str | Path) -> Result:
+        """What an earlier run left in a folder, complete or not. Raises InputError if that cannot be read."""
+        from .opened import open_result
+
+        return open_result(Path(folder))
+
     def require_good(self) -> Result:
         """The result itself; RunError, which carries it, if the run ended early or its bonds made too much energy."""
         try:
@@ -51,7 +58,7 @@ class Result:
         named = {name: f"time_{name.removeprefix('every_')}" for name in found}
         parts = [table.rename(time=named[name]) for name, table in found.items()]
         variables = {key: variable for part in parts for key, variable in part.data_vars.items()}
-        return xarray.Dataset(variables, attrs={"complete": int(not self.run.failure)})
+        return xarray.Dataset(variables, attrs={"complete": int(all(t.attrs["complete"] for t in found.values()))})
 
     def __getitem__(self, name: str) -> xarray.DataArray:
         """One signal over its own times, `result["motor.i"]`. Raises InputError for a name that is not recorded."""

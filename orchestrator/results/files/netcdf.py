@@ -1,17 +1,19 @@
 """Recorded rows as netCDF: one group per rate; variables carry unit and description.
 
 A name that netCDF forbids, such as `tank.gain/y`, is stored as another one, and the variable's attribute
-`recorded_name` holds what it is called; `open_results` gives every variable its own name back.
+`recorded_name` holds what it is called; `results.opened` gives every variable its own name back.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ...clock import seconds_text
-from ...errors import InputError
 from ...plan.plan import Plan
 from ..signals import Signals
 from ..tables import Run
@@ -23,31 +25,55 @@ if TYPE_CHECKING:
 OWN_NAME = "recorded_name"
 
 
+@dataclass(frozen=True)
+class Column:
+    """One variable of a table: its values, and what is said of them."""
+
+    name: str
+    values: np.ndarray
+    attributes: dict[str, str]
+
+
+@dataclass(frozen=True)
+class RateTable:
+    """What was recorded at one rate; `columns` are made as they are asked for."""
+
+    name: str  # such as `every_500_us`
+    period: str
+    complete: bool
+    time: np.ndarray
+    columns: Iterator[Column]
+
+
+TIME = {"units": "s", "long_name": "time"}
+
+
+def rate_tables(run: Run) -> Iterator[RateTable]:
+    """All tables of a run, the fastest rate first."""
+    signals = Signals(run)
+    for g, group in enumerate(run.plan.groups):
+        period = "varies" if run.plan.adaptive else seconds_text(run.plan.clock.seconds(group.period))
+        columns = (_column(signals, ".".join(key)) for key in group.columns)
+        yield RateTable(group_name(run.plan, g), period, not run.failure, signals.times(g), columns)
+
+
+def _column(signals: Signals, name: str) -> Column:
+    signal = signals[name]
+    units = {"units": signal.unit} if signal.unit else {}
+    return Column(name, signal.values, {**units, "long_name": signal.description})
+
+
 def datasets(run: Run) -> dict[str, xarray.Dataset]:
     """One dataset per rate, by a name such as `every_500_us`."""
     import xarray
 
-    signals = Signals(run)
-    found = {}
-    for g, group in enumerate(run.plan.groups):
-        variables = {}
-        for name in (".".join(key) for key in group.columns):
-            signal = signals[name]
-            units = {"units": signal.unit} if signal.unit else {}
-            variables[name] = ("time", signal.values, {**units, "long_name": signal.description})
-        time = ("time", signals.times(g), {"units": "s", "long_name": "time"})
-        period = "varies" if run.plan.adaptive else seconds_text(run.plan.clock.seconds(group.period))
-        attributes = {"period": period, "complete": int(not run.failure)}
-        found[group_name(run.plan, g)] = xarray.Dataset(variables, {"time": time}, attributes)
-    return found
-
-
-def stored(dataset: xarray.Dataset) -> xarray.Dataset:
-    """A dataset as netCDF can hold it: variables whose names it forbids are called otherwise and say so."""
-    other = {own: name for own, name in stored_names(map(str, dataset.data_vars)).items() if own != name}
-    for own in other:
-        dataset[own].attrs[OWN_NAME] = own
-    return dataset.rename(other) if other else dataset
+    return {
+        table.name: xarray.Dataset(
+            {column.name: ("time", column.values, column.attributes) for column in table.columns},
+            {"time": ("time", table.time, TIME)},
+            {"period": table.period, "complete": int(table.complete)},
+        ) for table in rate_tables(run)
+    }  # fmt: skip
 
 
 def stored_names(names: Iterable[str]) -> dict[str, str]:
@@ -71,33 +97,29 @@ def _allowed(character: str) -> str:
     return character if character.isprintable() else "_"
 
 
-def open_results(path: Path) -> dict[str, xarray.Dataset]:
-    """The tables of a result.nc by the name of their group, every variable by its own name.
-
-    Raises InputError if the file cannot be read.
-    """
-    import xarray
-
-    try:
-        with xarray.open_datatree(path, engine="h5netcdf") as tree:
-            tables = {name: node.to_dataset().load() for name, node in tree.children.items()}
-    except (OSError, RuntimeError, ValueError) as error:
-        raise InputError(f"{path} cannot be read: {error}") from error
-    for name, table in tables.items():
-        own = {key: table[key].attrs[OWN_NAME] for key in table.data_vars if OWN_NAME in table[key].attrs}
-        tables[name] = table.rename(own)
-    return tables
-
-
 def write_netcdf(run: Run, path: Path) -> None:
     """A group per table. Raises OSError if the disk refuses."""
     file = RowsFile(path, new=True)
     try:
-        for group, dataset in datasets(run).items():
-            file.create(group, stored(dataset))
+        write_tables(run, file)
         file.close()
     finally:
         file.give_up()
+
+
+def write_tables(run: Run, file: RowsFile, largest_chunk: int = 0) -> None:
+    """All tables into an empty file; they can grow, in chunks of their first rows but `largest_chunk`, if that is set.
+
+    A variable whose name netCDF forbids is called otherwise and says so.
+    """
+    for table, group in zip(rate_tables(run), run.plan.groups, strict=True):
+        names = stored_names(".".join(key) for key in group.columns)
+        chunk = min(max(len(table.time), 1), largest_chunk) if largest_chunk else 0
+        made = file.create(table.name, table.period, table.complete, chunk)
+        made.add("time", table.time, TIME)
+        for column in table.columns:
+            other = {OWN_NAME: column.name} if names[column.name] != column.name else {}
+            made.add(names[column.name], column.values, {**column.attributes, **other})
 
 
 def group_name(plan: Plan, group: int) -> str:

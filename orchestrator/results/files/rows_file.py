@@ -9,12 +9,14 @@ import errno
 import os
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from .safe_file import SafeFile
 
 if TYPE_CHECKING:
-    import xarray
+    from .hdf5 import Tables
 
 COPIED = 1 << 20  # bytes at once
 METADATA = 1 << 16  # bytes of the file's own books for every piece, and some for each column
@@ -27,10 +29,9 @@ def room_for(before: int, rows: int, columns: int, chunk: int) -> int:
 
 
 class RowsFile:
-    """`tables`: its groups, by name; `length`: bytes that were whole after the last `flush`. Errors are OSErrors."""
+    """`length`: bytes that were whole after the last `flush`. Errors are OSErrors."""
 
     def __init__(self, path: Path, new: bool = False) -> None:
-        import h5netcdf  # type: ignore[import-untyped]
         import h5py  # type: ignore[import-untyped]
 
         self.path, self.length, self.closed = path, 0, False
@@ -38,26 +39,42 @@ class RowsFile:
         try:
             keys = {"track_order": True} if new else {"rdcc_nbytes": 0}  # what is written is not read again
             self.file = h5py.File(self.disk, "w" if new else "r+", **keys)
-            self.tables = h5netcdf.File(self.file, "w" if new else "a")
         except BaseException:
             self.disk.close()
             raise
         if not new:
             self.length = int(self.file.id.get_filesize())
 
-    def create(self, group: str, dataset: xarray.Dataset, chunk: int = 0) -> None:
-        """Another table; one that grows lies in chunks of so many rows."""
-        from xarray.backends import H5NetCDFStore
+    def create(self, group: str, period: str, complete: bool, chunk: int = 0) -> Tables:
+        """Another table, to which variables are added; one that grows lies in chunks of so many rows."""
+        from .hdf5 import Tables, set_text
 
-        grows: dict[str, Any] = {}
-        if chunk:
-            encoding = {name: {"chunksizes": (chunk,)} for name in map(str, dataset.variables)}
-            grows = {"unlimited_dims": ("time",), "encoding": encoding}
-        dataset.dump_to_store(H5NetCDFStore(self.tables, group=group, autoclose=False), **grows)
+        made = self.file.create_group(group, track_order=True)
+        set_text(made.id, "period", period)
+        made.attrs["complete"] = np.array([complete], dtype=np.int64)
+        return Tables(made, chunk)
+
+    def extend(self, group: str, name: str, first: int, values: np.ndarray) -> None:
+        """Values of a variable that grows, from row `first` on; they are the last."""
+        from .hdf5 import raw
+
+        variable = self.file[group][name]
+        variable.resize((first + len(values),))
+        variable[first:] = raw(values)
+
+    def cut(self, group: str, rows: int) -> None:
+        """No more than the first rows of a table."""
+        for variable in self.file[group].values():
+            variable.resize((rows,))
+
+    def values(self, group: str, name: str) -> np.ndarray:
+        """All values of a variable, as they were given."""
+        from .hdf5 import values_of
+
+        return values_of(self.file[group][name])
 
     def flush(self) -> None:
         """Bring everything to the file."""
-        self.tables.flush()
         self.file.flush()
         self.disk.require_good()
         self.length = int(self.file.id.get_filesize())
@@ -108,7 +125,6 @@ class RowsFile:
             return
         try:
             self.flush()
-            self.tables.close()
             self.file.close()
             self.disk.require_good()
             if self.disk.seek(0, os.SEEK_END) > self.length:
@@ -122,8 +138,6 @@ class RowsFile:
         if not self.closed:
             self.closed = True
             self.disk.refuse()
-            with suppress(OSError, RuntimeError, ValueError, KeyError):
-                self.tables.close()
             with suppress(OSError, RuntimeError, ValueError, KeyError):
                 self.file.close()
             self.disk.close()

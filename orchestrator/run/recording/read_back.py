@@ -1,4 +1,4 @@
-"""Rows that are on disk already, read back: columns in the types of their signals, tables in cells of the loop."""
+"""Rows that are on disk already, read back: tables in cells of the loop."""
 
 from __future__ import annotations
 
@@ -15,13 +15,6 @@ def type_of(plan: Plan, key: tuple[str, str]) -> str:
     """The type that an FMU gives a recorded signal; empty for those of the coupling."""
     component = plan.system.components.get(key[0])
     return str(component.fmu.variables[key[1]].type) if component is not None else ""
-
-
-def as_signal(found: np.ndarray, kind: str) -> np.ndarray:
-    """A column as it is stored, in the type of its signal."""
-    if found.dtype.kind == "O":
-        return np.array([t.decode() if isinstance(t, bytes) else t for t in found.tolist()], dtype=object)
-    return found.astype(bool) if found.dtype == np.int8 and kind == "Boolean" else found
 
 
 def as_table(rows: int, columns: int, values: Callable[[int], np.ndarray], texts: Texts) -> np.ndarray:

@@ -18,12 +18,12 @@ from ...errors import RunError
 from ...files import reason
 from ...loop.texts import Texts
 from ...plan.plan import Plan
-from ...results.files.netcdf import datasets, group_name, stored, stored_names
+from ...results.files.netcdf import group_name, stored_names, write_tables
 from ...results.files.rows_file import RowsFile, room_for
 from ...results.signals import instants, typed
 from ...results.tables import Run
 from .observers import NEVER, Piece
-from .read_back import as_signal, as_table, type_of
+from .read_back import as_table, type_of
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
 TEXT = 64  # bytes that a text takes beside its own
@@ -74,12 +74,11 @@ class Stream:
             self._reserve(tables)
 
     def _create(self, tables: list[np.ndarray]) -> None:
-        """The file with the first rows; how it looks is left to xarray."""
+        """The file with the first rows."""
         run = Run(self.plan, tables, failure="being written", texts=self.texts)
         file = RowsFile(self.path, new=True)
         try:
-            for name, dataset in datasets(run).items():
-                file.create(name, stored(dataset), min(max(dataset.sizes["time"], 1), LARGEST_CHUNK))
+            write_tables(run, file, LARGEST_CHUNK)
             file.close()
             self._file = RowsFile(self.path)
         except BaseException:
@@ -91,15 +90,14 @@ class Stream:
     def _extend(self, tables: list[np.ndarray]) -> None:
         file = self._opened()
         for g, table in enumerate(tables):
-            group, first = file.tables[group_name(self.plan, g)], self.rows[g]
-            group.resize_dimension("time", first + len(table))
+            group, first = group_name(self.plan, g), self.rows[g]
             ticks = self.plan.groups[g].period * np.arange(first, first + len(table))
             for k, key in enumerate(self.plan.groups[g].columns):
                 values = typed(self.plan, key, table[:, k], self.texts)
-                group[self._names[g][".".join(key)]][first:] = values
+                file.extend(group, self._names[g][".".join(key)], first, values)
                 if self.plan.adaptive and key == ("coupling", "tick"):
                     ticks = table[:, k].astype(np.int64)
-            group["time"][first:] = instants(self.plan.clock, ticks)
+            file.extend(group, "time", first, instants(self.plan.clock, ticks))
         file.flush()
 
     def _reserve(self, tables: list[np.ndarray]) -> None:
@@ -137,7 +135,7 @@ class Stream:
         before.give_up()
         self.path = path
         for g in range(len(self.plan.groups)):  # a piece may have been cut short
-            self._file.tables[group_name(self.plan, g)].resize_dimension("time", self.rows[g])
+            self._file.cut(group_name(self.plan, g), self.rows[g])
 
     def copy(self, path: Path) -> None:
         """A copy of the file as it is now. Raises OSError."""
@@ -153,17 +151,14 @@ class Stream:
         """All values of one signal, in its own type."""
         key = self.plan.groups[group].columns[column]
         place, name = group_name(self.plan, group), self._names[group][".".join(key)]
-        found: np.ndarray = (
-            self._finished_values(place, name) if self._finished else self._opened().tables[place][name][:]
-        )
-        return as_signal(found, type_of(self.plan, key))
-
-    def _finished_values(self, group: str, name: str) -> np.ndarray:
+        if not self._finished:
+            return self._opened().values(place, name)
         import h5py  # type: ignore[import-untyped]
 
+        from ...results.files.hdf5 import values_of
+
         with h5py.File(self.path, "r") as file:
-            found: np.ndarray = file[group][name][:]
-            return found
+            return values_of(file[place][name])
 
     def table(self, group: int) -> np.ndarray:
         """A whole table in cells of the loop, as precise as each signal's own type."""
