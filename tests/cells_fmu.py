@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
@@ -25,10 +26,13 @@ def cells(target: Path, variables: Iterable[str], experiment: str = "", types: s
     """Real cell 0 is what the sums (cells from 100 on) rest on, cell 1 the time, 2 the stop, 3 the tolerance."""
     known = list(variables)
     outputs = [k + 1 for k, text in enumerate(known) if 'causality="output"' in text]
-    xml = native_fmu.description2(target.stem, known, outputs)
+    identifier = re.sub(r"\W", "_", target.stem)
+    xml = native_fmu.description2(identifier, known, outputs)
     for flag in ("canGetAndSetFMUstate", "canSerializeFMUstate"):
         xml = xml.replace(f'{flag}="true"', f'{flag}="false"')
+    units = sorted({unit for text in known for unit in re.findall(r' unit="([^"]+)"', text)})
+    defined = f"<UnitDefinitions>{''.join(f'<Unit name={quoteattr(u)}/>' for u in units)}</UnitDefinitions>\n"
     types = f"<TypeDefinitions>{types}</TypeDefinitions>\n" if types else ""
     experiment = f"<DefaultExperiment {experiment}/>\n" if experiment else ""
-    xml = xml.replace("<ModelVariables>", f"{types}{experiment}<ModelVariables>")
-    return native_fmu.native_fmu(target, [NATIVE / "cells.c"], xml, 2)
+    xml = xml.replace("<ModelVariables>", f"{defined if units else ''}{types}{experiment}<ModelVariables>")
+    return native_fmu.native_fmu(target.with_stem(identifier), [NATIVE / "cells.c"], xml, 2).replace(target)

@@ -65,7 +65,7 @@ def edited(
 def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop: str = "1 s", **keys: Any) -> str:
     """A system file: `parts` by name, further top-level keys as they are."""
     lines = [f'stop_time = "{stop}"'] + [f"{key} = {_toml(value)}" for key, value in keys.items()]
-    lines += ["connections = [", *(f'  "{c}",' for c in connections), "]"]
+    lines += ["connections = [", *(f"  {_toml(c)}," for c in connections), "]"]
     for name, (fmu, period, *values) in parts.items():
         lines += ["", f"[components.{name}]", f'fmu = "{fmu}"', f'period = "{period}"']
         for table in ("parameters", "inputs"):

@@ -125,10 +125,14 @@ def print_comparison(rows: Sequence[Mapping[str, Any]], steady: bool = True) -> 
 
 
 def print_notes(system: System) -> None:
-    """What the user must know of replaced components before a run."""
+    """What the user must know of components before a run."""
+    from ..system.free_inputs import start_notes
+
     for component in system.components.values():
         for note in component.notes:
             tell(note)
+    for note in start_notes(system):
+        tell(note)
 
 
 def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = None) -> None:

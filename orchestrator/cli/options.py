@@ -34,7 +34,7 @@ def every_command(
     """Options of all commands: `--debug` is taken away before the command line is read."""
 
 
-SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file."
+SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file, or one .fmu."
 SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
 SetOption = Annotated[
     list[str],
@@ -55,7 +55,10 @@ MapOption = Annotated[
     ),
 ]
 PeriodOption = Annotated[
-    list[str], typer.Option("--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms".')
+    list[str],
+    typer.Option(
+        "--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms"; of a bare FMU "1 ms".'
+    ),
 ]
 InputOption = Annotated[
     list[Path],

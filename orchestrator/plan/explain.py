@@ -6,6 +6,7 @@ from math import inf
 
 from ..clock import seconds_text
 from ..errors import counted
+from ..system.free_inputs import start_notes
 from ..system.series import series_in_words
 from .capabilities import remarks
 from .plan import Plan
@@ -35,6 +36,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         )
     for name in plan.order:
         lines += [f"  {note}" for note in system.components[name].notes]
+    lines += [f"  {note}" for note in start_notes(system)]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     for name in plan.leaders:

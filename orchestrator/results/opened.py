@@ -16,7 +16,8 @@ from .result import Result
 if TYPE_CHECKING:
     import xarray
 
-UNREADABLE = (OSError, RuntimeError, ValueError, KeyError)  # what HDF5 raises for a file that is none of ours
+# What HDF5, and what looks into it, raise for a file that is none of ours.
+UNREADABLE = (OSError, RuntimeError, ValueError, LookupError, AttributeError, TypeError)
 
 
 class OpenedResult(Result):

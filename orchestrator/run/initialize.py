@@ -13,6 +13,7 @@ from ..participant.opening import start
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
 from ..results.tables import Started
+from ..system.free_inputs import left_alone
 from ..system.model import Connection
 from .memory.memory import Memory
 
@@ -28,6 +29,8 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     """
     system, z = plan.system, memory.z
     first = {name: component.first_inputs() for name, component in system.components.items()}
+    for name, variables in left_alone(system).items():
+        first[name] |= {variable: system.components[name].fmu.start(variable) for variable in variables}
     for name, component in system.components.items():
         instances[name].set_up(plan.clock.time(plan.clock.stop))
         instances[name].set_all({**component.parameters, **first[name]})

@@ -11,6 +11,7 @@ from ..clock import duration
 from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
 from .model import System
+from .one_fmu import component_name, is_fmu
 from .reader import load_system
 from .recorded import select_recorded
 from .replace.mapping import VariableMapping, load_mapping
@@ -30,7 +31,7 @@ def assemble(
     record: Sequence[str] = (),
     inputs: Sequence[Path] = (),
 ) -> System:
-    """A system by the name of a shipped one or by the path of its file, with what is to be different this time.
+    """A system by the name of a shipped one or by the path of its file (or of an FMU), with what is to be different.
 
     `values`: parameters and free inputs, as of `--set`. `stop`: another stop time. `fmus`: the folder of built FMUs.
     `changes`: FMUs in the place of others, and periods. `boundaries`: components of which every input and output is
@@ -45,14 +46,19 @@ def assemble(
         if component not in system.components:
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
     system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
-    return replace(system, stop=duration(stop, "--stop")) if stop else system
+    return replace(system, stop=duration(stop, "--stop")) if stop and not is_fmu(Path(name)) else system
 
 
 def assemble_request(request: Request) -> System:
     """What the command line asked for. Raises InputError or FmuError."""
+    step, periods = request.step, request.period
+    if is_fmu(Path(request.system)):  # `--period "1 ms"` needs no name
+        named = f"{component_name(Path(request.system))}="
+        step = next((text.removeprefix(named) for text in periods if text.startswith(named) or "=" not in text), step)
+        periods = tuple(text for text in periods if "=" in text and not text.startswith(named))
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
-        changes_of(request.replace, request.map_, request.period), request.record_boundary, request.step,
+        changes_of(request.replace, request.map_, periods), request.record_boundary, step,
         request.record, tuple(map(Path, request.input_)),
     )  # fmt: skip
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..errors import InputError, nearest
@@ -10,7 +11,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.types import mismatch
 from ..toml_file import TomlFile
 from ..units import conversion
-from .model import Component, Connection, start_as_toml
+from .model import Component, Connection
 from .schema.system import TRANSFERS
 
 
@@ -32,7 +33,7 @@ class Link:
 
 
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
-    link = entry if isinstance(entry, Link) else _parsed(file, entry)
+    link = entry if isinstance(entry, Link) else _parsed(file, components, entry)
     source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
     label, where = f"connection {link}", link.where or file.at(str(entry))
     if transfer and transfer not in TRANSFERS:
@@ -66,14 +67,31 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     return found
 
 
-def _parsed(file: TomlFile, entry: object) -> Link:
-    match = re.fullmatch(r"(\w+)\.(\S+)\s*->\s*(\w+)\.(\S+)(?:\s+\((\S+)\))?", str(entry).strip())
+def _parsed(file: TomlFile, components: Mapping[str, Component], entry: object) -> Link:
+    """The ends of a connection: names that the FMUs have, whatever characters are in them."""
+    text = str(entry).strip()
+    match = re.fullmatch(r"(.*\S)\s+\((\w+)\)", text)
+    for whole, transfer in ((text, ""), *([(match[1], match[2])] if match else [])):
+        for arrow in re.finditer("->", whole):
+            ends = [part.strip().partition(".") for part in (whole[: arrow.start()], whole[arrow.end() :])]
+            (source, _, output), (target, _, input_) = ends
+            if _is(components, source, output, "output") and _is(components, target, input_, "input"):
+                return Link(source, output, target, input_, transfer)
+    match = re.fullmatch(r"(\w+)\.(.+?)\s*->\s*(\w+)\.(.+?)(?:\s+\((\w\S*)\))?", text)
     if match is None:
         raise file.fail(
             f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
         )
     source, output, target, input_, transfer = match.groups(default="")
     return Link(source, output, target, input_, transfer)
+
+
+def _is(components: Mapping[str, Component], name: str, variable: str, causality: str) -> bool:
+    """Whether a component has this variable, or array, of a causality."""
+    if name not in components:
+        return False
+    fmu = components[name].fmu
+    return variable in fmu.variables and fmu.variables[variable].causality == causality
 
 
 def _other_causality(fmu: Fmu, name: str, wanted: str) -> str:
@@ -97,7 +115,7 @@ def _check_types(
 
 
 def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:
-    """Every input has exactly one origin: one connection, or a value in the file."""
+    """No input has two origins: a connection and another one, or a value in the file."""
     driver: dict[tuple[str, str], Connection] = {}
     for connection in connections:
         label = ".".join(connection.target)
@@ -114,14 +132,3 @@ def check_drivers(file: TomlFile, components: dict[str, Component], connections:
                 f"components.{connection.target[0]}",
             )
         driver[connection.target] = connection
-    for component in components.values():
-        for name in component.fmu.names("input"):
-            known = component.fmu.type_of(name) is not None  # Binary and Clock inputs keep what the FMU starts with
-            given = (component.name, name) in driver or name in component.inputs or name in component.series
-            if known and not given:
-                base, start = name.split("[")[0], start_as_toml(component.fmu.variables[name])
-                raise file.fail(
-                    f"input {component.name}.{name} has no driver; connect it, or give it a value under "
-                    f"[components.{component.name}.inputs], for instance {base} = {start}",
-                    f"[components.{component.name}]",
-                )

@@ -17,6 +17,7 @@ from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
 from ..fmu.fmu import Fmu
 from ..fmu.types import REALS, Value
+from .quantities import in_own_unit
 from .series import Series
 
 
@@ -135,8 +136,12 @@ class System:
         """
         components, values = self.components, dict[str, dict[str, Value]]()
         tables = {f"{c.name}.{v}": series for c in components.values() for v, series in c.series.items()}
-        for key, value in assignments.items():
+        for given, value in assignments.items():
+            key = self.full_name(given)
             name, _, variable = key.partition(".")
+            if "." not in key:
+                alone = next(iter(components)) if len(components) == 1 else "component"
+                raise InputError(f"{origin} {key}: write {alone}.variable=value{nearest(key, _settable(components))}")
             if name not in components:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
             for scalar, scalar_value in checked_values(components[name], variable, value, origin).items():
@@ -147,6 +152,15 @@ class System:
                 values.setdefault(name, {})[scalar] = scalar_value
         changed = {name: components[name].with_values(found) for name, found in values.items()}
         return replace(self, components={**components, **changed})
+
+    def full_name(self, name: str) -> str:
+        """`component.variable`; where there is one component its variables need no prefix."""
+        if len(self.components) == 1:
+            (component,) = self.components.values()
+            own = name.startswith(f"{component.name}.") and component.fmu.expand(name[len(component.name) + 1 :])
+            if not own and component.fmu.expand(name):
+                return f"{component.name}.{name}"
+        return name
 
     def with_component(self, component: Component) -> System:
         """A copy with a component of the same name in place of another."""
@@ -167,8 +181,13 @@ class System:
         )
 
 
+def _settable(components: Mapping[str, Component]) -> list[str]:
+    """What can be set, each by its full name."""
+    return [f"{c.name}.{v}" for c in components.values() for v in c.fmu.base_names("parameter", "input")]
+
+
 def checked_values(component: Component, name: str, value: object, origin: str) -> dict[str, Value]:
-    """`value` for each scalar behind `name` (a list for an array), in type and range. Raises InputError."""
+    """`value` for each scalar behind `name` (a list for an array), in unit, type and range. Raises InputError."""
     fmu = component.fmu
     scalars = fmu.expand(name)
     if not scalars or fmu.variables[scalars[0]].causality not in ("parameter", "input"):
@@ -179,10 +198,13 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
     values = list(value) if isinstance(value, (list, tuple)) else [value] * len(scalars)
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")
-    return {
-        scalar: parse_value(fmu.variables[scalar], v, f"{origin}: {component.name}.{scalar}", fmu.type_of(scalar))
-        for scalar, v in zip(scalars, values, strict=True)
-    }
+    found = {}
+    for scalar, v in zip(scalars, values, strict=True):
+        label = f"{origin}: {component.name}.{scalar}"
+        found[scalar] = parse_value(
+            fmu.variables[scalar], in_own_unit(fmu, scalar, v, label), label, fmu.type_of(scalar)
+        )
+    return found
 
 
 def start_as_toml(variable: ModelVariable) -> str:

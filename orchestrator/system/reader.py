@@ -13,8 +13,10 @@ from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
 from .figure_kinds import figure_kind, figure_kinds
+from .free_inputs import require_values
 from .model import Component, System, checked_values
-from .recorded import matching
+from .one_fmu import FmuFile, is_fmu
+from .recorded import recorded_names
 from .schema.checked import checked, checked_value
 from .schema.report import Balance, Comparison, Figure, Window
 from .schema.system import KEYS, SystemTable
@@ -30,9 +32,9 @@ def shipped_systems() -> list[str]:
 
 
 def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str = "") -> System:
-    """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp or a .ssd.
+    """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
-    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open.
+    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open, or an FMU alone.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop)
@@ -63,16 +65,12 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
         record=_recorded(file, components, table.record), reporting=_reporting(file),
         settings=further,
     )  # fmt: skip
-    return _with_parameter_file(file, system)
+    return require_values(_with_parameter_file(file, system), file.fail)
 
 
 def _recorded(file: TomlFile, components: dict[str, Component], patterns: list[str]) -> tuple[str, ...]:
     """Raises InputError for a name that nothing has."""
-    names = [f"{c.name}.{v}" for c in components.values() for v in c.fmu.names("input", "output")]
-    for pattern in patterns:
-        if pattern != "*" and not matching(pattern, names):
-            raise file.fail(f"record: no input or output is called '{pattern}'{nearest(pattern, names)}", pattern)
-    return tuple(patterns)
+    return recorded_names(components, patterns, lambda name, why: file.fail(f"record = [{name!r}]: {why}", name))
 
 
 def _reporting(file: TomlFile) -> dict[str, Any]:
@@ -114,11 +112,14 @@ def _opened(name: str, step: str, stop: str) -> TomlFile:
         from .ssp.read import SspFile
 
         return SspFile(path, step, stop)
+    if is_fmu(path):
+        return FmuFile(path, step, stop)
     if path.suffix != ".toml":
         path = SYSTEMS / f"{name}.toml"
         if not path.is_file():
             raise InputError(
-                f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp or .ssd file"
+                f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd or "
+                ".fmu file"
             )
     return TomlFile(path)
 

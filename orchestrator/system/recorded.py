@@ -1,13 +1,19 @@
-"""Which signals are recorded: patterns of names, and a choice of them in place of the system file's."""
+"""Which signals are recorded: patterns of names, and a choice of them in place of the system file's.
+
+`*` and `?` stand for inputs and outputs. A local variable or a parameter is recorded by its own name, or by a pattern
+that no input or output matches; of an FMU without outputs `*` means all of its locals.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import fnmatchcase
 
 from ..errors import InputError, nearest
-from .model import System
+from .model import Component, System
+
+OTHERS = ("local", "parameter", "calculatedParameter")  # what can be recorded beside inputs and outputs
 
 
 def matches(patterns: Iterable[str], name: str) -> bool:
@@ -15,31 +21,93 @@ def matches(patterns: Iterable[str], name: str) -> bool:
     return any(fnmatchcase(name, pattern.replace("[", "[[]")) for pattern in patterns)
 
 
-def matching(pattern: str, names: Sequence[str]) -> bool:
-    """Whether any of the names is, or matches, the pattern."""
-    return pattern in names or any(matches((pattern,), name) for name in names)
+class Recorded:
+    """What a system records, by `component.variable`; quick also for thousands of names."""
+
+    def __init__(self, patterns: Iterable[str]) -> None:
+        self.names = set(patterns)
+        self._patterns = [name for name in self.names if _is_pattern(name)]
+
+    def has(self, name: str) -> bool:
+        """Whether an input or output is recorded."""
+        return name in self.names or "*" in self.names or matches(self._patterns, name)
+
+    def others(self, component: Component) -> list[str]:
+        """The locals and parameters of a component that are recorded, in the order of the description."""
+        wanted = {name for owner, _, name in (n.partition(".") for n in self.names) if owner == component.name}
+        return [name for name in component.fmu.names(*OTHERS) if name in wanted]
+
+
+def recorded_names(
+    components: Mapping[str, Component], patterns: Sequence[str], fail: Callable[[str, str], InputError]
+) -> tuple[str, ...]:
+    """The patterns, with every local and parameter that they mean by its name.
+
+    Raises what `fail` makes of a pattern and the words why: nothing is called so, or it cannot be recorded.
+    """
+    usual = _names(components, "input", "output")
+    found: list[str] = []
+    for pattern in patterns:
+        if pattern == "*":
+            found.append(pattern)
+            silent = {name: c for name, c in components.items() if not c.fmu.names("output")}
+            found += [name for name in _names(silent, "local") if _recordable(silent, name)]
+            continue
+        hits = _matching(pattern, usual)
+        found += [pattern] if _is_pattern(pattern) else hits
+        if not hits:
+            hits = _matching(pattern, _names(components, *OTHERS))
+            found += [name for name in hits if _recordable(components, name)]
+        if not hits:
+            raise fail(pattern, f"no variable is called so{nearest(pattern, [*usual, *_names(components, *OTHERS)])}")
+        if not any(_recordable(components, name) for name in hits):
+            owner, _, variable = hits[0].partition(".")
+            kind = components[owner].fmu.variables[variable].type
+            raise fail(pattern, f"{hits[0]} is of type {kind}, which cannot be recorded")
+    return tuple(dict.fromkeys(found))
+
+
+def _names(components: Mapping[str, Component], *causalities: str) -> list[str]:
+    return [f"{name}.{variable}" for name, c in components.items() for variable in c.fmu.names(*causalities)]
+
+
+def _matching(pattern: str, names: Sequence[str]) -> list[str]:
+    """The name that the pattern is, or all that match it; an array by its own name is all of its elements."""
+    if pattern in names:
+        return [pattern]
+    if _is_pattern(pattern):
+        return [name for name in names if matches((pattern,), name)]
+    return [name for name in names if name.startswith(f"{pattern}[") and name.endswith("]")]
+
+
+def _is_pattern(text: str) -> bool:
+    return "*" in text or "?" in text
+
+
+def _recordable(components: Mapping[str, Component], name: str) -> bool:
+    owner, _, variable = name.partition(".")
+    return components[owner].fmu.type_of(variable) is not None
 
 
 def select_recorded(system: System, patterns: Sequence[str]) -> System:
     """A copy that records what matches `patterns`, and what its figures of merit need.
 
     Figures of which a signal is not recorded are left out; signals of the coupling are always recorded. Raises
-    InputError for a pattern that matches no input or output.
+    InputError for a pattern that no variable matches.
     """
-    names = [
-        f"{name}.{variable}"
-        for name, component in system.components.items()
-        for variable in component.fmu.names("input", "output")
+    alone = next(iter(system.components)) if len(system.components) == 1 else ""
+    full = [
+        f"{alone}.{pattern}" if alone and pattern != "*" and not pattern.startswith(f"{alone}.") else pattern
+        for pattern in map(system.full_name, patterns)
     ]
-    for pattern in patterns:
-        if not matching(pattern, names):
-            raise InputError(f"--record {pattern}: no input or output is called so{nearest(pattern, names)}")
-    record = (*patterns, *_needed(system))
+    record = recorded_names(system.components, full, lambda name, why: InputError(f"--record {name}: {why}"))
+    kept = Recorded((*record, *_needed(system)))
     figures = [
         entry
         for entry in system.reporting.get("figures", ())
-        if all(str(name).startswith("coupling.") or matches(record, str(name)) for name in entry.get("signals", ()))
+        if all(str(name).startswith("coupling.") or kept.has(str(name)) for name in entry.get("signals", ()))
     ]
+    record = (*record, *_needed(system))
     return replace(system, record=record, reporting={**system.reporting, "figures": figures})
 
 

@@ -95,7 +95,7 @@ def assignments(options: Sequence[str]) -> dict[str, object]:
     values: dict[str, object] = {}
     for option in options:
         name, equals, text = option.partition("=")
-        if not equals or "." not in name:
+        if not (equals and name.strip()):
             raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
         text = text.strip()
         if text.startswith("[") != text.endswith("]"):

@@ -103,7 +103,7 @@ def with_inputs(system: System, inputs: Mapping[str, Any], origin: str = "inputs
     """
     for name, given in inputs.items():
         component, scalars = _inputs_of(system, name, origin)
-        variable = name.partition(".")[2]
+        variable = system.full_name(name).partition(".")[2]
         if not isinstance(given, tuple):
             for scalar, value in checked_values(component, variable, given, origin).items():
                 component = component.with_value(scalar, value)
@@ -161,7 +161,7 @@ def _with_table(
 
 def _inputs_of(system: System, name: str, origin: str) -> tuple[Component, list[str]]:
     """The component and the scalars behind `component.input`, which nothing must drive."""
-    owner, _, variable = name.partition(".")
+    owner, _, variable = system.full_name(name).partition(".")
     if owner not in system.components:
         raise InputError(f"{origin}: no component '{owner}' in '{name}'{nearest(owner, system.components)}")
     component = system.components[owner]

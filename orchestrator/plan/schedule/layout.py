@@ -13,7 +13,7 @@ from ...clock import Clock
 from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
 from ...system.model import Bond, Connection, System
-from ...system.recorded import matches
+from ...system.recorded import Recorded
 from ...system.replace.view import crossings_of
 from .formulas import HISTORY, Choice
 
@@ -98,16 +98,19 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
 
     Of an FMI 3 array all elements have a cell where one has: they are set and got together.
     """
-    layout = Layout()
+    layout, recorded = Layout(), Recorded(system.record)
     used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
     driven |= {(name, variable) for name, c in system.components.items() for variable in c.series}
     for name, component in system.components.items():
-        for variable in _by_type(component.fmu, "output"):
-            keys = [(name, element) for element in component.fmu.arrays[variable]]
-            if any(key in used or _recorded(system, key) for key in keys):
+        fmu = component.fmu
+        others = {element for variable in recorded.others(component) for element in fmu.arrays[variable]}
+        read = [v for v, described in fmu.variables.items() if v in others or described.causality == "output"]
+        for variable in _by_type(fmu, read):
+            keys = [(name, element) for element in fmu.arrays[variable]]
+            if variable in others or any(key in used or recorded.has(".".join(key)) for key in keys):
                 layout.add(layout.outputs, (name, variable))
-        for variable in _by_type(component.fmu, "input"):
+        for variable in _by_type(fmu, fmu.names("input")):
             if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
@@ -146,9 +149,9 @@ def by_component(table: Mapping[Key, int]) -> dict[str, dict[Key, int]]:
     return found
 
 
-def _by_type(fmu: Fmu, causality: str) -> list[str]:
+def _by_type(fmu: Fmu, names: list[str]) -> list[str]:
     """Variables that can be exchanged, by type, and otherwise in the order of the description."""
-    typed = [(fmu.type_of(name), name) for name in fmu.names(causality)]
+    typed = [(fmu.type_of(name), name) for name in names]
     return [name for kind, name in sorted(((k, n) for k, n in typed if k), key=lambda entry: GROUPED[entry[0].name])]
 
 
@@ -163,19 +166,15 @@ def _owns(bond: Bond) -> list[Key]:
     return [(name.partition(".")[0], name.partition(".")[2]) for name in dict.fromkeys(names)]
 
 
-def _recorded(system: System, key: Key) -> bool:
-    return matches(system.record, ".".join(key))
-
-
 def make_groups(system: System, clock: Clock, layout: Layout) -> tuple[Group, ...]:
-    groups = []
+    groups, recorded = [], Recorded(system.record)
     tables = [by_component(layout.outputs), by_component(layout.inputs)]
     for period in sorted({*clock.periods.values(), *(extra.period for extra in layout.extras.values())}):
         members = tuple(name for name in system.components if clock.periods[name] == period)
         slots: dict[Key, int] = {}
         columns: list[Key] = []
         for name in members:
-            own = [item for table in tables for item in table.get(name, {}).items() if _recorded(system, item[0])]
+            own = [item for table in tables for item in table.get(name, {}).items() if recorded.has(".".join(item[0]))]
             slots |= own
             columns += [key for key, _ in sorted(own, key=lambda item: item[1])]
         made = {key: extra.slot for key, extra in layout.extras.items() if extra.period == period}

@@ -19,6 +19,7 @@ COMPACT = 8192  # bytes of values that lie in the variable's own header
 LONGEST = 60_000  # bytes of a text that an attribute holds itself
 IN_HEADER = 32  # attributes of a variable that lie in its header
 ORDER = h5p.CRT_ORDER_TRACKED | h5p.CRT_ORDER_INDEXED
+REFERENCES = h5py.vlen_dtype(h5py.ref_dtype)
 BOOLEAN = {"dtype": "bool"}  # how netCDF, which has no truth values, says that bytes are such
 
 
@@ -39,11 +40,10 @@ class Tables:
             made.write(h5s.ALL, h5s.ALL, stored)
         if self._time is None:
             h5ds.set_scale(made, name.encode())
-            self._time = np.empty(1, dtype=h5py.vlen_dtype(h5py.ref_dtype))
+            self._time = np.empty(1, dtype=REFERENCES)
             self._time[0] = np.array([h5r.create(made, b".", h5r.OBJECT)], dtype=h5py.ref_dtype)
         else:
-            kind = _references()
-            h5a.create(made, b"DIMENSION_LIST", kind, h5s.create_simple((1,))).write(self._time, mtype=kind)
+            h5a.create(made, b"DIMENSION_LIST", _references(), h5s.create_simple((1,))).write(self._time)
         for key, text in {**texts, **(BOOLEAN if values.dtype == bool else {})}.items():
             set_text(made, key, text)
 
@@ -65,10 +65,13 @@ def set_text(place: Any, name: str, text: str) -> None:
     """An attribute of a variable or group, by its identifier."""
     encoded = text.encode()
     if len(encoded) > LONGEST:
-        kind, value = h5t.py_create(h5py.string_dtype(), logical=True), np.array(text, dtype=h5py.string_dtype())
-    else:  # a text of one byte would be read as bytes
-        kind, value = _text(max(len(encoded), 2)), np.array(encoded, dtype=f"S{max(len(encoded), 2)}")
-    h5a.create(place, name.encode(), kind, _scalar()).write(value, mtype=kind)
+        kind = h5t.py_create(h5py.string_dtype(), logical=True)
+        h5a.create(place, name.encode(), kind, _scalar()).write(np.array(text, dtype=h5py.string_dtype()))
+        return
+    size = max(len(encoded), 2)  # a text of one byte would be read as bytes
+    h5a.create(place, name.encode(), _text(size), _scalar()).write(
+        np.array(encoded, dtype=f"S{size}"), mtype=_text(size)
+    )
 
 
 def texts_of(place: Any) -> dict[str, str]:
@@ -109,7 +112,7 @@ def _text(size: int) -> Any:
 
 @cache
 def _references() -> Any:
-    return h5t.vlen_create(h5t.STD_REF_OBJ)
+    return h5t.py_create(REFERENCES, logical=True)
 
 
 @cache

@@ -14,7 +14,7 @@ from .report import Balance, Comparison, Figure, Window
 from .values import FigureOfMerit, Number, Positive, Time, Value, Values
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
-CONNECTION = r"^\s*\w+\.\S+\s*->\s*\w+\.\S+(\s+\(\S+\))?\s*$"
+CONNECTION = r"^\s*\w+\..+->\s*\w+\..+$"
 
 
 class Table(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -126,7 +126,11 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     bonds: Annotated[list[BondTable], Meta(description="power bonds, of which the energy is counted")] = []
     require: Annotated[list[RequirementTable], Meta(description="what must hold at time 0")] = []
     record: Annotated[
-        list[str], Meta(description="names of what is recorded, `component.variable`; `*` and `?` stand for others")
+        list[str],
+        Meta(
+            description="names of what is recorded, `component.variable`, locals and parameters too; `*` and `?` stand "
+            "for inputs and outputs"
+        ),
     ] = field(default_factory=lambda: ["*"])
     summary: Annotated[
         dict[str, FigureOfMerit | Window],

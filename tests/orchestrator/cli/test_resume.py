@@ -72,7 +72,7 @@ def test_an_fmu_that_cannot_be_saved_is_named_before_the_run_and_after_ctrl_c(
         (("nominal", "--resume", "nowhere"), "--resume takes system from the checkpoint"),
         (("--set", "a.b=1", "--stop", "1 s", "--resume", "nowhere"), "--resume takes set, stop from the checkpoint"),
         (("nominal", "--checkpoint", "soon"), "--checkpoint = 'soon' is not a time"),
-        (("nominal", "--record", "moter.*"), "--record moter.*: no input or output is called so"),
+        (("nominal", "--record", "moter.*"), "--record moter.*: no variable is called so"),
     ],
 )
 def test_wrong_usage_ends_with_2(

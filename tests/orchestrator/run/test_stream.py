@@ -158,5 +158,5 @@ def test_what_is_recorded_can_be_chosen(tmp_path: Path, fmus: Path) -> None:
     assert {"motor.i", "brush.F_z"} <= names and len(names) < 60
     every = {".".join(key) for group in make_plan(load_system("nominal", fmus)).groups for key in group.columns}
     assert names < every
-    with pytest.raises(InputError, match=r"--record motor\.omeg: no input or output is called so; did you mean"):
+    with pytest.raises(InputError, match=r"--record motor\.omeg: no variable is called so; did you mean"):
         select_recorded(system, ["motor.omeg"])

@@ -20,7 +20,7 @@ from rovbrush.orchestrator.system.model import start_as_toml
         ({"g.kk": 1.0}, ["--set: g.kk is unknown; did you mean 'k'?"]),
         ({"g": 1.0}, ["--set", "g"]),
         ({"g.": 1.0}, ["--set", "unknown"]),
-        ({"g.k": "3 apples"}, ["g.k = 3 apples is not a finite number"]),
+        ({"g.k": "3 apples"}, ["g.k = 3 apples: unit 'apples' is not understood"]),
         ({"g.k": -2e6}, ["-2e+06", "out of range"]),
         ({"g.u": 1.0}, ["--set: g.u is driven by the connection source.y -> g.u"]),
         ({"g.y": 1.0}, ["is of causality output and cannot be set"]),

@@ -1,0 +1,95 @@
+"""A bare FMU as a system: one component, named after its file, run by the FMU's own default experiment."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from ..clock import duration, seconds_text
+from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..toml_file import TomlFile
+
+STOP = Fraction(1)  # s, where neither the FMU nor anybody else says how long
+STEPS = 500  # of a run, where nobody says how often
+ROUNDING = Fraction(1, 10**6)  # relative: by so much a stated step may miss a whole part of the stop
+
+
+def is_fmu(path: Path) -> bool:
+    """Whether a path is that of an FMU, or of the folder of an unpacked one."""
+    return path.suffix.lower() == ".fmu" or (path / "modelDescription.xml").is_file()
+
+
+class FmuFile(TomlFile):
+    """The data of a system file that has one FMU in it; `step` and `stop` come before the FMU's own.
+
+    Raises FmuError for an FMU that cannot be read, InputError for a time that is none.
+    """
+
+    def __init__(self, path: Path, step: str = "", stop: str = "") -> None:
+        self.path, self.text = path, ""
+        fmu = Fmu.open(path)
+        self._experiment = fmu.description.defaultExperiment
+        self._said: list[str] = []
+        end = duration(stop, "--stop") if stop else self._stated("stopTime")
+        if end is None:
+            end = STOP
+            self._said.append(f'{path.name} states no stop time and is run for 1 s; --stop "10 s" gives it another')
+        own = duration(step, "--period") if step else self._own_step(fmu, end)
+        if begin := self._stated("startTime"):
+            self._said.append(f"its experiment begins at {seconds_text(begin)}; the run begins at 0")
+        component = component_name(path)
+        end = end if end % own == 0 else self._whole(end, own)
+        self.notes = {component: tuple(self._said)}
+        self.data: dict[str, Any] = {
+            "description": " ".join((fmu.description.description or "").split()),
+            "stop_time": _text(end),
+            "components": {component: {"fmu": str(path.absolute()), "period": _text(own)}},
+        }
+
+    def at(self, needle: str, table: str = "") -> str:
+        return f"({self.path.name})"
+
+    def _own_step(self, fmu: Fmu, end: Fraction) -> Fraction:
+        """The step of the FMU's experiment, else its fixed internal one, else a 500th of the run."""
+        fixed = getattr(fmu.description.coSimulation, "fixedInternalStepSize", None)
+        own = self._stated("stepSize") or _time(fixed)
+        if own is None or own > end:
+            self._said.append(
+                f"{self.path.name} states no step{' below its stop' if own else ''} and is asked every "
+                f"{seconds_text(end / STEPS)}; --period \"1 ms\" gives it another"
+            )  # fmt: skip
+            return end / STEPS
+        count = round(end / own)
+        return end / count if abs(end / own - count) <= ROUNDING * count else own
+
+    def _whole(self, end: Fraction, own: Fraction) -> Fraction:
+        """The end of the step in which the run would end."""
+        later = -(-end // own) * own
+        self._said.append(f"{seconds_text(end)} is no whole number of steps of {seconds_text(own)}: run to "
+                          f"{seconds_text(later)}")  # fmt: skip
+        return later
+
+    def _stated(self, name: str) -> Fraction | None:
+        """A time of the default experiment; None for none, or for one that is not positive."""
+        return _time(getattr(self._experiment, name, None))
+
+
+def component_name(path: Path) -> str:
+    """What the only component is called: the file's name, in letters, digits and _."""
+    return re.sub(r"\W", "_", path.stem if path.suffix else path.name)
+
+
+def _time(stated: object) -> Fraction | None:
+    if stated is None:
+        return None
+    try:
+        return duration(str(stated).strip(), "a time")
+    except InputError:
+        return None
+
+
+def _text(time: Fraction) -> str:
+    return f"{time} s"

@@ -1,0 +1,95 @@
+"""An FMU alone is a system: its own experiment, its own names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from cells_fmu import cells, scalar
+from native_build import needs_gcc
+from rovbrush.orchestrator import load
+from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.system.assemble import assemble, assemble_request
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.request import Request
+
+pytestmark = needs_gcc
+VARIABLES = [
+    scalar("u", 0, "input", start="0.5", unit="m"), scalar("a.b", 4, "parameter", start="1", unit="mm"),
+    scalar("y", 100), scalar("x", 10, "local"), scalar("stop", 2), scalar("tolerance", 3),
+]  # fmt: skip
+Make = Callable[[str], Path]
+
+
+@pytest.fixture
+def make(tmp_path: Path) -> Make:
+    """An FMU with an experiment."""
+    return lambda experiment: cells(tmp_path / "their pump.fmu", VARIABLES, experiment)
+
+
+def times(system: System) -> tuple[Fraction, Fraction]:
+    """Stop and period [s]."""
+    return system.stop, system.components["their_pump"].period
+
+
+def test_the_default_experiment_says_how_it_is_run(make: Make) -> None:
+    fmu = make('startTime="0" stopTime="0.3" stepSize="0.1" tolerance="1e-5"')
+    system = assemble(str(fmu))
+    assert times(system) == (Fraction(3, 10), Fraction(1, 10)) and not system.components["their_pump"].notes
+    result = load(fmu).run()
+    assert result["their_pump.y"].values.tolist() == [100.5] * 4
+    assert result["their_pump.stop"][0] == 0.3 and result["their_pump.tolerance"][0] == 1e-5
+
+
+@pytest.mark.parametrize(
+    ("experiment", "stop", "step", "words"),
+    [
+        ("", 1, Fraction(1, 500), ["states no stop time", "states no step"]),
+        ('stopTime="10"', 10, Fraction(1, 50), ["states no step"]),
+        ('stopTime="10" stepSize="0.333333333"', 10, Fraction(1, 3), []),
+        ('stopTime="1" stepSize="0.3"', Fraction(6, 5), Fraction(3, 10), ["no whole number of steps"]),
+        ('stopTime="1" stepSize="2"', 1, Fraction(1, 500), ["no step below its stop"]),
+        ('startTime="1" stopTime="2" stepSize="0.5"', 2, Fraction(1, 2), ["begins at 1 s"]),
+        ('startTime="0" stopTime="-1" stepSize="0"', 1, Fraction(1, 500), ["no stop time", "no step"]),
+    ],
+)
+def test_what_an_experiment_leaves_open_is_chosen_and_told(
+    experiment: str, stop: Fraction, step: Fraction, words: list[str], make: Make
+) -> None:
+    system = assemble(str(make(experiment)))
+    assert times(system) == (stop, step)
+    notes = " ".join(system.components["their_pump"].notes)
+    assert all(word in notes for word in words) and bool(notes) == bool(words)
+
+
+def test_options_come_before_the_experiment(make: Make) -> None:
+    fmu = make('stopTime="10" stepSize="0.5"')
+    for period in ("1 ms", "their_pump=1 ms"):
+        system = assemble_request(Request(str(fmu), period=(period,), stop="20 ms"))
+        assert times(system) == (Fraction(1, 50), Fraction(1, 1000)) and not system.components["their_pump"].notes
+
+
+def test_its_variables_need_no_prefix(make: Make, tmp_path: Path) -> None:
+    fmu, table = make('stopTime="1" stepSize="0.5"'), tmp_path / "in.csv"
+    table.write_text("time,u [mm]\n0,1000\n1,1000\n")
+    request = Request(str(fmu), set_=("a.b=2 cm",), record=("y", "x"), input_=(str(table),))
+    system = assemble_request(request)
+    component = system.components["their_pump"]
+    assert component.parameters == {"a.b": 20.0} and list(component.series) == ["u"]
+    assert set(system.record) == {"their_pump.y", "their_pump.x"}
+    assert load(fmu).set("u", 2).run()["their_pump.y"][-1] == 102.0
+    with pytest.raises(
+        InputError, match=r"u2: write their_pump\.variable=value; there are their_pump\.a\.b, their_pump\.u"
+    ):
+        assemble(str(fmu), {"u2": 1.0})
+
+
+def test_of_an_fmu_without_outputs_all_locals_are_recorded(tmp_path: Path) -> None:
+    fmu = cells(tmp_path / "mute.fmu", [scalar("u", 0, "input", start="1"), *(
+        scalar(f"v[{k}].x y", 100 + k, "local") for k in range(3))])  # fmt: skip
+    result = load(fmu, stop="4 ms").run()
+    assert {name: result[name].values[-1] for name in result.dataset.data_vars} == {
+        f"mute.v[{k}].x y": 101.0 + k for k in range(3)
+    }
