@@ -11,6 +11,7 @@ from ..exchange.recordings.write import boundary_files, write_boundary
 from ..plan.plan import Plan
 from ..results.energy import require_energy
 from ..results.figures_of_merit import figure_units
+from ..results.files.csv import rate_files, rate_names
 from ..results.files.netcdf import group_name
 from ..results.files.writing import ROWS, More
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
@@ -65,6 +66,8 @@ def _run(
     first = "" if is_compiled() else "; the first run compiles the loop, which takes about half a minute"
     tell(f"loading the FMUs{first}")
     more = [_boundary(plan, component) for component in request.record_boundary]
+    if request.csv:
+        more.append((rate_names(plan), rate_files))
     reached = int(begin.at.time) if begin else 0
     with progress(float(plan.system.stop), f"running {plan.system.name}", begin=reached) as report:
         finished = carry_out(plan, out, request, older, begin, force, report, more)

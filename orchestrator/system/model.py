@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -213,4 +214,7 @@ def start_as_toml(variable: ModelVariable) -> str:
         return json.dumps(variable.start or "", ensure_ascii=False)
     if variable.type == "Boolean":
         return "true" if str(variable.start).lower() in ("true", "1") else "false"
-    return str(variable.start or (0.0 if variable.type in REALS else 0))
+    if variable.type in REALS:
+        with suppress(ValueError):  # `.5` and `1.` are no numbers there
+            return repr(float(variable.start or 0.0))
+    return str(variable.start or 0)

@@ -27,6 +27,7 @@ class Request:
     fmus: str = ""
     checkpoint: str = ""
     input_: tuple[str, ...] = ()
+    csv: str = ""  # "rates": a CSV file for each rate too
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""

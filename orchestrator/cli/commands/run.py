@@ -131,6 +131,9 @@ def run(
     ] = [],  # noqa: B006
     step: StepOption = "",
     fmus: FmusOption = None,
+    csv_per_rate: Annotated[
+        bool, typer.Option("--csv-per-rate", help="Write a CSV file for each rate too, every_1_ms.csv: no empty cells.")
+    ] = False,
     checkpoint: Annotated[
         str,
         typer.Option(
@@ -157,7 +160,7 @@ def run(
 
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
-        step, str(fmus or ""), checkpoint, tuple(map(str, input_)),
+        step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

@@ -2,21 +2,47 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
+from ...errors import RunError
+from ...files import write_file
+from ...plan.plan import Plan
 from ..signals import Signals
 from ..tables import Run
+from .netcdf import group_name
 
 CSV_ROWS = 10_000  # that are text in memory at once
 
 
 def write_csv(run: Run, path: Path) -> None:
     """A row per instant at which anything is recorded; cells of signals that are not recorded then are empty."""
-    signals, ticks = Signals(run), run.ticks
+    _write(run, path, range(len(run.plan.groups)))
+
+
+def rate_files(run: Run, folder: Path) -> list[Path]:
+    """A table for each rate, `every_1_ms.csv`: no cell is empty. Raises RunError for rows that are not in memory."""
+    if not isinstance(run.recorded, list):
+        raise RunError("no CSV for each rate: the tables are too large; result.nc holds all rows")
+    return [
+        write_file(folder / name, lambda path, g=g: _write(run, path, [g]))  # type: ignore[misc]
+        for g, name in enumerate(rate_names(run.plan))
+    ]
+
+
+def rate_names(plan: Plan) -> list[str]:
+    """What the files of `rate_files` are called."""
+    return [f"{group_name(plan, g)}.csv" for g in range(len(plan.groups))]
+
+
+def _write(run: Run, path: Path, chosen: Sequence[int]) -> None:
+    """The tables of these rates in one."""
+    groups = [run.plan.groups[g] for g in chosen]
+    signals, ticks = Signals(run), [run.ticks_of(g) for g in chosen]
     instants = np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *ticks]))
-    found = [[signals[".".join(key)] for key in group.columns] for group in run.plan.groups]
+    found = [[signals[".".join(key)] for key in group.columns] for group in groups]
     labels = [csv_text(signal.label) for group in found for signal in group]
     with path.open("w", encoding="utf-8") as file:
         file.write(",".join(["time [s]", *labels]) + "\n")

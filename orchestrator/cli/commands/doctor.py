@@ -1,0 +1,98 @@
+"""The command that shows what an installation has, for whoever has to help with it."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from importlib.metadata import PackageNotFoundError, version
+from typing import Annotated
+
+import typer
+
+from ..options import app
+
+NEEDED = ("rovbrush", "numpy", "numba", "llvmlite", "scipy", "fmpy", "pythonfmu", "h5py", "h5netcdf", "xarray",
+          "pint", "msgspec", "lxml", "matplotlib", "typer", "rich")  # fmt: skip
+EXTRAS = {"dask": "sweeps on a cluster", "plotly": "the report", "pyccel": "native FMUs from kernels"}
+TOOLS = {
+    "C compiler": (("gcc", "cc", "clang"), "native FMUs of this platform cannot be built"),
+    "for Windows": (("x86_64-w64-mingw32-gcc",), "native FMUs for win64 cannot be built"),
+    "wine": (("wine64", "wine"), "FMUs for Windows cannot be tried here"),
+}
+PATIENCE = 10  # s that a tool may take to tell its version
+
+Line = tuple[str, str, str]  # a heading, what was found, and what is wrong with it
+
+
+@app.command()
+def doctor(
+    json_: Annotated[bool, typer.Option("--json", help="As JSON.")] = False,
+) -> None:
+    """Show versions, compilers, wine, the cache, the FMU folder and the platform; exit with 1 if a run would fail."""
+    import json
+
+    lines = [*_platform(), *_packages(), *_tools(), *_folders()]
+    if json_:
+        print(json.dumps({heading: {"found": found, "wrong": wrong} for heading, found, wrong in lines}, indent=1))
+    else:
+        for heading, found, wrong in lines:
+            print(f"{heading:<14} {found}{f'  <- {wrong}' if wrong else ''}")
+    if any(wrong for heading, _, wrong in lines if heading in (*NEEDED, "cache", "FMUs", "result files")):
+        raise typer.Exit(1)
+
+
+def _platform() -> Iterator[Line]:
+    import fmpy
+
+    yield "Python", f"{platform.python_version()} ({sys.executable})", ""
+    yield "system", f"{platform.platform()}, {os.cpu_count()} processors", ""
+    yield "FMI platform", f"{fmpy.platform} (2.0), {fmpy.platform_tuple} (3.0)", ""
+
+
+def _packages() -> Iterator[Line]:
+    for name in NEEDED:
+        found = _version(name)
+        yield name, found or "not installed", "" if found else f"python -m pip install {name}"
+    for name, use in EXTRAS.items():
+        yield name, _version(name) or f"not installed (needed for {use} only)", ""
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return ""
+
+
+def _tools() -> Iterator[Line]:
+    for heading, (names, without) in TOOLS.items():
+        path = next((found for name in names if (found := shutil.which(name))), None)
+        if path is None:
+            yield heading, f"none ({without})", ""
+            continue
+        try:
+            done = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=PATIENCE, check=False)
+            told = next(iter((done.stdout or done.stderr).splitlines()), "")
+        except (OSError, subprocess.TimeoutExpired) as error:
+            told = f"does not tell its version: {error}"
+        yield heading, f"{told} ({path})", ""
+
+
+def _folders() -> Iterator[Line]:
+    from ...cache import cache_folder, entries, limit
+    from ...loop.compiled import is_compiled
+    from ...system.components import fmu_folder
+
+    folder, wrong = cache_folder(), ""
+    size = sum(entry.size for entry in entries())
+    if not os.access(folder, os.W_OK):
+        wrong = "it cannot be written; ROVBRUSH_CACHE names another folder"
+    yield "cache", f"{folder}, {size / 1e6:.1f} of {limit() / 1e6:.0f} MB", wrong
+    yield "the loop", "compiled" if is_compiled() else "not compiled yet; the first run does that in half a minute", ""
+    place = fmu_folder()
+    built = len(list(place.glob("*.fmu"))) if place.is_dir() else 0
+    yield "FMUs", f"{built} in {place}", "" if built else "rovbrush build"

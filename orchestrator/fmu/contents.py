@@ -1,0 +1,75 @@
+"""What is in an FMU, as data for a person or a program: variables, capabilities, platforms, experiment."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from fmpy.model_description import ModelVariable
+
+from .fmu import Fmu
+
+FLAGS = (
+    "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",
+    "canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative", "hasEventMode",
+    "canReturnEarlyAfterIntermediateUpdate", "fixedInternalStepSize", "needsExecutionTool",
+    "canBeInstantiatedOnlyOncePerProcess", "canNotUseMemoryManagementFunctions",
+)  # fmt: skip
+TIMES = {"startTime": "start", "stopTime": "stop", "stepSize": "step", "tolerance": "tolerance"}
+KINDS = ("coSimulation", "modelExchange", "scheduledExecution")
+
+
+def contents_of(fmu: Fmu) -> dict[str, Any]:
+    """Ready for JSON; what the description leaves open is None, or not there."""
+    d = fmu.description
+    experiment = {
+        name: float(stated)
+        for key, name in TIMES.items()
+        if (stated := getattr(d.defaultExperiment, key, None)) is not None
+    }
+    return {
+        "file": fmu.path.name, "sha256": fmu.digest, "model": d.modelName, "fmi": d.fmiVersion,
+        "description": d.description, "version": d.version, "author": d.author, "tool": d.generationTool,
+        "identity": d.guid,
+        "interfaces": [kind for kind in KINDS if getattr(d, kind, None) is not None],
+        "platforms": sorted(path.name for path in (fmu.folder / "binaries").glob("*") if path.is_dir()),
+        "sources": any((fmu.folder / "sources").glob("**/*.c*")),
+        "capabilities": {
+            key: value for key in FLAGS if (value := getattr(fmu.interface, key, None)) not in (None, False, 0, "0")
+        },
+        "experiment": experiment,
+        "variables": [_variable(v) for v in d.modelVariables],
+    }  # fmt: skip
+
+
+def _variable(v: ModelVariable) -> dict[str, Any]:
+    found = {
+        "name": v.name, "type": v.type, "causality": v.causality or "local", "variability": v.variability,
+        "initial": v.initial, "unit": _resolved(v, "unit"), "min": _number(v, "min"), "max": _number(v, "max"),
+        "start": v.start, "description": v.description,
+    }  # fmt: skip
+    if v.shape:
+        found["shape"] = list(v.shape)
+    if v.type == "Enumeration" and v.declaredType is not None:
+        found["items"] = {item.name: int(item.value) for item in v.declaredType.items}
+    return found
+
+
+def _resolved(v: ModelVariable, key: str) -> Any:
+    """An attribute of a variable, or of its declared type."""
+    own = getattr(v, key, None)
+    return getattr(v.declaredType, key, None) if own is None and v.declaredType is not None else own
+
+
+def _number(v: ModelVariable, key: str) -> float | None:
+    bound = _resolved(v, key)
+    return None if bound is None else float(bound)
+
+
+def in_order(variables: Iterable[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    """By causality: what can be connected or set first."""
+    order = ("input", "output", "parameter", "structuralParameter", "calculatedParameter", "local", "independent")
+    found: dict[str, list[dict[str, Any]]] = {causality: [] for causality in order}
+    for variable in variables:
+        found.setdefault(variable["causality"], []).append(variable)
+    return {causality: members for causality, members in found.items() if members}
