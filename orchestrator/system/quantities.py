@@ -18,7 +18,7 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
     """
     if not isinstance(value, str) or not fmu.is_real(scalar):
         return value
-    match = QUANTITY.fullmatch(value)
+    match = None if _is_number(value) else QUANTITY.fullmatch(value)
     if match is None:
         return value
     number, unit = float(match[1]), match[2].strip()
@@ -30,3 +30,11 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
         )
     gain, offset = conversion(unit, own, f"{label} = {value}")
     return gain * number + offset
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

@@ -7,10 +7,10 @@ that drives something, is an error.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ...errors import InputError, nearest
+from ...errors import nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
 from ..figure_kinds import figure_kind, figure_kinds
@@ -28,6 +28,7 @@ class Missing:
     mapping: VariableMapping
     variables: list[str]
     fmu: Fmu
+    problems: list[str] = field(default_factory=list)  # what may not be left out, all of it
 
     def has(self, signal: str) -> bool:
         """Is `component.variable` one of them?"""
@@ -35,13 +36,13 @@ class Missing:
         return owner == self.name and variable in self.variables
 
     def need(self, variable: str, what: str, causality: str, can_go: bool = True) -> None:
-        """Raise InputError unless `variable` may be left out: `what` says what the system needs it for."""
+        """A problem more, unless `variable` may be left out: `what` says what the system needs it for."""
         if can_go and self.mapping.states(variable):
             return
         base = variable.partition("[")[0]
         where = f"{self.mapping.file}, [variables]" if self.mapping.path else "a mapping file (--map), [variables]"
         remedy = f'{base} = "their name"' + (f', or {base} = "" to do without' if can_go else "")
-        raise InputError(
+        self.problems.append(
             f"{self.label} has no {causality} '{variable}', {what}{nearest(variable, self.fmu.names(causality))}; "
             f"write in {where}: {remedy}"
         )
@@ -59,7 +60,7 @@ class Left:
 
 
 def leave_out(system: System, before: Component, missing: Missing) -> Left:
-    """Take away what needs the missing variables. Raises InputError for what the mapping does not declare missing."""
+    """Take away what needs the missing variables; what the mapping does not declare missing is among the problems."""
     name, notes = missing.name, []
     kept = {}
     for table, causality in (("parameters", "parameter"), ("inputs", "input"), ("series", "input")):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import copy
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from fmpy.model_description import ModelVariable
@@ -30,34 +30,47 @@ OWN = "theirs."  # what stands in front of the names of their variables that we 
 def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapping) -> System:
     """A copy of the system with `fmu` in place of the component `name`, at the same period.
 
-    Raises InputError where the FMU lacks what the system needs, for units that do not fit, another causality or type,
-    and for inputs of theirs that nothing drives.
+    Raises InputError that names all at once: what the FMU lacks of what the system needs, units that do not fit, other
+    causalities or types, and inputs of theirs that nothing drives and that have no start value.
     """
     before, label = system.components[name], fmu.path.name
     ours = [v for v in before.fmu.variables.values() if v.causality in ROLES]
     mapping.check([v.name for v in ours], fmu.variables, name, label)
     presented, crossings, lacking = [], {}, []
+    problems: list[str] = []
     for variable in ours:
         theirs = fmu.variables.get(mapping.entry(variable.name).name)
         if theirs is None:
             lacking.append(variable)
-        else:
+            continue
+        try:
             crossings[variable.name] = crossing_between(name, variable, theirs, mapping, label)
-            presented.append(_presented(variable, theirs, crossings[variable.name]))
+        except InputError as error:
+            problems.append(str(error))
+            continue
+        presented.append(_presented(variable, theirs, crossings[variable.name]))
     unmapped = [v.name for v in lacking if v.causality == "input" and not mapping.states(v.name)]
-    own = own_values(fmu.variables, mapping, {c.name for c in crossings.values()}, label, unmapped)
+    taken = {mapping.entry(v.name).name for v in ours}
+    own: dict[str, Value] = {}
+    try:
+        own = own_values(fmu.variables, mapping, taken, label, unmapped)
+    except InputError as error:
+        problems.append(str(error))
     for key in own:
         theirs = fmu.variables[key]
         crossings[OWN + key] = Crossing(key, theirs.unit)
         presented.append(_renamed(theirs, OWN + key))
-    missing = Missing(name, label, mapping, [v.name for v in lacking], fmu)
+    missing = Missing(name, label, mapping, [v.name for v in lacking], fmu, problems)
     component = Component(
         name, View.of(fmu, tuple(presented), crossings), before.period,
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
-               *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings)),
+               *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings),
+               *_kept(name, fmu, {*taken, *own})),
         isolation=before.isolation, timeout=before.timeout,
     )  # fmt: skip
     left = leave_out(system, before, missing)
+    if problems:
+        raise InputError("\n".join(dict.fromkeys(problems)))
     component = replace(component, notes=(*component.notes, *left.notes))
     origin = f"--replace {name}={label}"
     for variable_name, value in {**left.parameters, **left.inputs, **{OWN + k: v for k, v in own.items()}}.items():
@@ -135,30 +148,43 @@ def own_values(
     label: str,
     unmapped: Sequence[str] = (),
 ) -> dict[str, Value]:
-    """Values for variables of theirs that stand for none of ours; every input of theirs needs one.
+    """Values for variables of theirs that stand for none of ours.
 
-    `unmapped`: inputs of ours that none of theirs stands for, to be offered where an input of theirs has no value.
+    An input of theirs without one keeps its start value, unless it has none, or there are `unmapped` inputs of ours
+    that it could stand for. Raises InputError for all that is wrong.
     """
+    problems = []
     for name, variable in variables.items():
-        if variable.causality == "input" and name not in mapped and name not in mapping.inputs:
+        free = variable.causality == "input" and name not in mapped and name not in mapping.inputs
+        if free and (unmapped or variable.start is None):
             close = difflib.get_close_matches(name, unmapped, 1, 0.0)
             offer = f' ({close[0]} = "{name}")' if close else ""
-            raise InputError(
+            problems.append(
                 f"{label} has an input '{name}' that nothing drives; map one of ours to it{offer} under [variables] in "
                 f'a mapping file, or give it a value there: [inputs] "{name}" = {start_as_toml(variable)}'
             )
     for table, causality in (("inputs", "input"), ("parameters", "parameter")):
         for name in getattr(mapping, table):
             if name not in variables:
-                raise InputError(f"[{table}]: name each element of '{name}', or give a list ({mapping.file})")
-            if not _can_be(causality, variables[name]):
-                raise InputError(
+                problems.append(f"[{table}]: name each element of '{name}', or give a list ({mapping.file})")
+            elif not _can_be(causality, variables[name]):
+                problems.append(
                     f"[{table}]: '{name}' of {label} is of causality {variables[name].causality}, "
                     f"no {causality} ({mapping.file})"
                 )
-            if name in mapped:
-                raise InputError(f"[{table}]: '{name}' stands for one of our variables; remove it ({mapping.file})")
+            elif name in mapped:
+                problems.append(f"[{table}]: '{name}' stands for one of our variables; remove it ({mapping.file})")
+    if problems:
+        raise InputError("\n".join(problems))
     return {**mapping.inputs, **mapping.parameters}
+
+
+def _kept(name: str, fmu: Fmu, known: Collection[str]) -> Iterable[str]:
+    """Inputs of theirs that keep their start values."""
+    left = [v for v in fmu.names("input") if v not in known and fmu.type_of(v) is not None]
+    if left:
+        values = ", ".join(f"{v} = {start_as_toml(fmu.variables[v])}" for v in left)
+        yield f"{name}: nothing drives {values} of {fmu.path.name}: the start values are kept"
 
 
 def _tool(fmu: Fmu) -> Iterable[str]:

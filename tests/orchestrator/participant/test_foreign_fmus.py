@@ -44,7 +44,6 @@ BAD = {
     # what, changes of the description, mapping file, words of the message
     "an input is missing": (RENAMED, "", ["their.fmu has an input 'force' that nothing drives", "map one of ours to it (u = \"force\")"]),
     "an input that is driven is missing": ({'name="u"': 'name="force"'}, "[inputs]\nforce = 0.0", ["their.fmu has no input 'u'", "which w.y drives", "there are force", 'u = ""']),
-    "a surplus input": ({'name="u"': 'name="force"'}, "[variables]\nu = ''", ["their.fmu has an input 'force' that nothing drives", "[inputs]", '"force" = 0.0']),
     "an output that drives is missing": ({'name="y"': 'name="thrust"'}, "", ["their.fmu has no output 'y'", "drives x.u", 'y = "their name"']),
     "an output that drives is said to be missing": ({'name="y"': 'name="thrust"'}, "[variables]\ny = ''", ["their.fmu has no output 'y'", "drives x.u"]),
     "a parameter that is set is missing": ({'name="k"': 'name="factor"'}, "", ["their.fmu has no parameter 'k'", "the system sets to 2.0", 'k = ""']),

@@ -48,7 +48,17 @@ def test_connections_and_record_take_every_name(name: str, transfer: str, fmus: 
 
 @pytest.mark.parametrize(
     ("given", "value"),
-    [("5 mm", 5.0), ("0.5cm", 5.0), ("5e-3 m", 5.0), (".5 cm", 5.0), ("7", 7.0), (7, 7.0), ("5.mm", 5.0)],
+    [
+        ("5 mm", 5.0),
+        ("0.5cm", 5.0),
+        ("5e-3 m", 5.0),
+        (".5 cm", 5.0),
+        ("7", 7.0),
+        (7, 7.0),
+        ("5.mm", 5.0),
+        ("1e1", 10.0),
+        ("1e-300", 1e-300),
+    ],
 )
 def test_a_value_may_have_its_unit(given: object, value: float, fmus: Path) -> None:
     system = read_system(fmus, fmus, {"a": ("plain", "1 ms", {"k": given})})

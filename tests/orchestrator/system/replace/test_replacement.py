@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import edited, read_system
+from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.energy import ledger
@@ -139,3 +140,18 @@ def test_a_bond_sees_the_same_power(tmp_path: Path, fmus: Path) -> None:
     # The chassis is linear and starts at rest: mirrored twice it is the same.
     assert energies[0].flow_side == pytest.approx(energies[1].flow_side, rel=1e-12)
     assert abs(energies[0].flow_side) > 0
+
+
+def test_all_that_is_missing_is_named_at_once(tmp_path: Path, fmus: Path) -> None:
+    xml = {'name="u"': 'name="force"', 'name="y"': 'name="thrust"', 'name="k"': 'name="factor"'}
+    with pytest.raises(InputError) as error:
+        swapped(tmp_path, fmus, xml, "")
+    lines = str(error.value).splitlines()
+    for words in ("input 'force' that nothing drives", "no input 'u'", "no output 'y'", "no parameter 'k'"):
+        assert sum(words in line for line in lines) == 1, words
+
+
+def test_an_input_of_theirs_that_none_of_ours_stands_for_keeps_its_start_value(tmp_path: Path, fmus: Path) -> None:
+    plan = swapped(tmp_path, fmus, {'name="u"': 'name="force"'}, "[variables]\nu = ''")
+    notes = plan.system.components["g"].notes
+    assert "g: nothing drives force = 0.0 of their.fmu: the start values are kept" in notes
