@@ -85,6 +85,8 @@ def show(finished: Finished) -> None:
     print_comparison(written.comparison, written.summary.get("steady", True))
     print_summary(written.summary, figure_units(run.plan.system))
     wrote(written.paths, written.folder)
+    if run.ended:
+        tell(f"ended: {run.ended}")
     for note in run.notes:
         tell(f"note: {note}")
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED = range(5)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED = range(6)
 
-# `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on.
-STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, CONTROL_CELLS = range(7)
+# `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
+# the stop that the FMUs were promised, and an instant behind which a component does not want to go on [ticks].
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, CONTROL_CELLS = range(9)
+NEVER = 1 << 62  # ticks
 
 # `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before
 # it, and where in the macro step its second half begins while that is done.

@@ -20,6 +20,8 @@ from .cells import (
     COUNT,
     DO_STEP,
     DONE,
+    ENDED,
+    ENDS_AT,
     FINAL,
     FIRST_IN,
     FIRST_OUT,
@@ -38,6 +40,7 @@ from .cells import (
     NOT_FINITE,
     NOW,
     OFFSET,
+    PROMISED,
     REFERENCES,
     RESUME_AT,
     SET_STATE,
@@ -51,6 +54,7 @@ from .cells import (
 )
 from .exchange import pack, unpack
 from .iteration import AGAIN, CONVERGED, iterate
+from .last_step import length_to
 from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
@@ -85,6 +89,8 @@ from .step_control import gauge
 from .step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
 from .versions import NO_ROOM, exchange, good, step
 
+FOREVER = 1e300  # s
+
 
 def run(
     operations: np.ndarray, coefficients: np.ndarray, components: np.ndarray, blocks: np.ndarray,
@@ -94,17 +100,19 @@ def run(
     clock: np.ndarray, work: np.ndarray, saved: np.ndarray, states: np.ndarray, state_calls: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
-    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE or NOT_CONVERGED.
+    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE or
+    NOT_CONVERGED.
 
     operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (6): a stop request from outside, where and why the run ended, and the operation with which the first cycle
-    goes on; clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
+    control (8): see cells.STOP_REQUEST...;
+    clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; states (n): FMU
     states; state_calls (n, 3): addresses of the functions that get, set and free one.
     """
+    stop = (control[PROMISED] * numerator) / denominator if control[PROMISED] > 0 else FOREVER
     begin = control[RESUME_AT]
     control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
@@ -122,10 +130,15 @@ def run(
                 if control[STOP_REQUEST] != 0:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return INTERRUPTED
+                if base + tick > control[ENDS_AT]:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return ENDED
             if code == STEP:
                 start = base + b
                 time = (start * numerator) / denominator
                 length = ((a + clock[STEP_TICKS]) * numerator) / denominator
+                if time + length > stop:
+                    length = length_to(time, stop)
                 status = step(
                     components[c, FMI], components[c, DO_STEP], components[c, INSTANCE], time, length,
                     components[c, FINAL], components[c, FLAGS],
@@ -249,6 +262,6 @@ def run(
                 else:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return NOT_CONVERGED
-        if cycle_ticks == 0 and clock[NOW] >= clock[UNTIL]:
+        if cycle_ticks == 0 and clock[NOW] >= min(clock[UNTIL], control[ENDS_AT]):
             return DONE
     return DONE

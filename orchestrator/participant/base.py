@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -10,10 +11,14 @@ from typing import Any
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.types import Value
+from ..loop.last_step import length_to
 from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
 from .messages import Logging, Messages
 
 __all__ = ["STATUS", "CallError", "Participant", "State", "refused"]
+
+
+ROUNDING = 1e-9  # of a step, by which its end may lie behind the stop without being meant to
 
 
 class CallError(FmuError):
@@ -22,6 +27,10 @@ class CallError(FmuError):
     def __init__(self, text: str, status: int | None = None) -> None:
         super().__init__(text)
         self.status = status
+
+
+class AskedToEndError(CallError):
+    """A step behind which the FMU asks to end the simulation, which is its right."""
 
 
 class Participant(ABC):
@@ -38,6 +47,7 @@ class Participant(ABC):
         self.fmu, self.name = fmu, name
         self.log = Messages(logging)
         self._tolerance = tolerance
+        self.promised = math.inf  # s, the stop that it was told
         self.state = State.INSTANTIATED
         self.guarded = True
         self.fault = ""  # what befell its process, where it has one of its own
@@ -56,6 +66,12 @@ class Participant(ABC):
     @abstractmethod
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         """Say that it will run from `start` to `stop` [s], if that is known, and with which tolerance; first of all."""
+
+    def within(self, time: float, length: float) -> float:
+        """The length of a step from `time` [s] that does not end behind the stop that was promised, by rounding."""
+        if time + length > self.promised >= time + length * (1.0 - ROUNDING):
+            return length_to(time, self.promised)
+        return length
 
     @abstractmethod
     def set_own(self, values: Mapping[str, Value]) -> None:
@@ -202,7 +218,16 @@ class Participant(ABC):
 
     def why_discarded(self) -> str:
         """What the FMU says about a step that it discarded; empty if it says nothing."""
-        return ""
+        reached = self.reached()
+        return f"; it reached t = {reached:.9g} s" if math.isfinite(reached) else ""
+
+    def terminated(self) -> bool:
+        """Whether it asks to end, behind a step that it discarded."""
+        return False
+
+    def reached(self) -> float:
+        """The time [s] that it reached in a step that it discarded; -inf where it does not say."""
+        return -math.inf
 
     def require_state(self) -> None:
         """Raise FmuError if the FMU cannot save its state."""

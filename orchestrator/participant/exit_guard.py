@@ -11,18 +11,6 @@ import ctypes
 import sys
 from functools import cache
 
-from ..fmu.fmu import Fmu
-
-
-def made_by_pythonfmu(fmu: Fmu) -> bool:
-    """Whether an FMU is one of pythonfmu's: Python runs in it, and may compile for half a minute before time 0."""
-    return (fmu.folder / "resources" / "slavemodule.txt").is_file()
-
-
-def made_here(fmu: Fmu) -> bool:
-    """Whether an FMU is one of the project's own, which keep nothing outside of their instances."""
-    return str(fmu.description.generationTool or "").startswith("rovbrush ")
-
 
 @cache
 def end_before_library_destructors() -> None:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from typing import Any
 from weakref import WeakValueDictionary
 
 import fmpy
 from fmpy import fmi2
 
-from .base import refused
-from .exit_guard import end_before_library_destructors, made_by_pythonfmu
-from .lifecycle import allowed
+from ..fmu.sharing import made_by_pythonfmu, made_here
+from .apart.library import fresh_library
+from .apart.modules import own_modules
+from .base import AskedToEndError, CallError, refused
+from .exit_guard import end_before_library_destructors
+from .lifecycle import DISCARD, allowed
 from .loaded import Judged, LoadedInstance
 from .message_filter import Row, address_of, filtered
 
@@ -46,13 +50,16 @@ class Fmi2Instance(LoadedInstance):
             end_before_library_destructors()
         self._callbacks = self._make_callbacks()
         try:
-            self.slave = FMU2Instance(
-                guid=self.fmu.description.guid,
-                modelIdentifier=self.fmu.interface.modelIdentifier,
-                unzipDirectory=str(self.fmu.folder),
-                instanceName=self.name,
-            )
-            self.slave.instantiate(callbacks=self._callbacks, loggingOn=self.asked_for_all)
+            with fresh_library(self.fmu) as library:
+                self.slave = FMU2Instance(
+                    guid=self.fmu.description.guid,
+                    modelIdentifier=self.fmu.interface.modelIdentifier,
+                    unzipDirectory=str(self.fmu.folder),
+                    instanceName=self.name,
+                    libraryPath=str(library),
+                )
+            with own_modules(self.fmu):
+                self.slave.instantiate(callbacks=self._callbacks, loggingOn=self.asked_for_all)
         except Exception as error:
             raise refused(self.fmu, self.name, error, self.reasons()) from error
 
@@ -78,19 +85,33 @@ class Fmi2Instance(LoadedInstance):
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self.call("set up", "set up the experiment", self.slave.setupExperiment, self.tolerance, start, stop)
+        self.promised = math.inf if stop is None else stop
 
     def enter_initialization(self) -> None:
         self.call("enter", "enter initialization", self.slave.enterInitializationMode)
 
     def step(self, time: float, length: float) -> None:
-        self.call("step", f"step from t = {time:.9g} s", self.slave.doStep, time, length, False)
-
-    def why_discarded(self) -> str:
-        if not allowed(2, "ask", self.state):
-            return ""
         try:
-            if self.slave.getBooleanStatus(fmi2.fmi2Terminated):
-                return "; it asks to end the simulation"
-            return f"; it reached t = {self.slave.getRealStatus(fmi2.fmi2LastSuccessfulTime):.9g} s"
+            self.call("step", f"step from t = {time:.9g} s", self.slave.doStep, time, self.within(time, length), False)
+        except CallError as error:
+            if error.status == DISCARD and self.terminated():
+                raise AskedToEndError(
+                    f"component {self.name} asked to end at {self.reached():.9g} s", DISCARD
+                ) from error
+            raise
+
+    def terminated(self) -> bool:
+        if not allowed(2, "ask", self.state) or made_here(self.fmu):  # ours discard a step after an error only
+            return False
+        try:
+            return bool(self.slave.getBooleanStatus(fmi2.fmi2Terminated))
         except Exception:
-            return ""  # many FMUs do not answer
+            return False  # many FMUs do not answer
+
+    def reached(self) -> float:
+        if not allowed(2, "ask", self.state):
+            return -math.inf
+        try:
+            return float(self.slave.getRealStatus(fmi2.fmi2LastSuccessfulTime))
+        except Exception:
+            return -math.inf

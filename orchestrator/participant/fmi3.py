@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any
 from weakref import WeakValueDictionary
@@ -9,7 +10,9 @@ from weakref import WeakValueDictionary
 from fmpy import fmi3
 
 from ..errors import FmuError
-from .base import CallError, refused
+from .apart.library import fresh_library
+from .base import AskedToEndError, CallError, refused
+from .lifecycle import DISCARD
 from .loaded import Judged, LoadedInstance
 from .message_filter import Row, address_of, filtered
 
@@ -39,12 +42,14 @@ class Fmi3Instance(LoadedInstance):
 
     def instantiate(self) -> None:
         try:
-            self.slave = FMU3Instance(
-                guid=self.fmu.description.instantiationToken,
-                modelIdentifier=self.fmu.interface.modelIdentifier,
-                unzipDirectory=str(self.fmu.folder),
-                instanceName=self.name,
-            )
+            with fresh_library(self.fmu) as library:
+                self.slave = FMU3Instance(
+                    guid=self.fmu.description.instantiationToken,
+                    modelIdentifier=self.fmu.interface.modelIdentifier,
+                    unzipDirectory=str(self.fmu.folder),
+                    instanceName=self.name,
+                    libraryPath=str(library),
+                )
             self._instantiate()
         except Exception as error:
             raise refused(self.fmu, self.name, error, self.reasons()) from error
@@ -70,6 +75,7 @@ class Fmi3Instance(LoadedInstance):
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self.require("set up", "set up the experiment")
+        self.promised = math.inf if stop is None else stop
         self.span = start, stop  # FMI 3.0 is told when it enters initialization mode
 
     def enter_initialization(self) -> None:
@@ -80,6 +86,10 @@ class Fmi3Instance(LoadedInstance):
 
     def step(self, time: float, length: float) -> None:
         what = f"step from t = {time:.9g} s"
+        length = self.within(time, length)
         _, terminates, early, reached = self.call("step", what, self.slave.doStep, time, length, False)
-        if terminates or (early and reached < time + length):
+        if terminates:
+            end = reached if early else time + length
+            raise AskedToEndError(f"component {self.name} asked to end at {end:.9g} s", DISCARD)
+        if early and reached < time + length:
             raise FmuError(f"component {self.name}: it ended the {what} early, at {reached:.9g} s{self.log_text()}")

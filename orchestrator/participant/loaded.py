@@ -11,9 +11,10 @@ from fmpy.fmi1 import FMICallException
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
+from ..fmu.sharing import made_by_pythonfmu, made_here
 from ..fmu.types import Value, function_type
+from .apart.library import unload
 from .base import CallError, Participant, State
-from .exit_guard import made_by_pythonfmu, made_here
 from .lifecycle import allowed, good
 from .message_filter import Row
 from .messages import Logging
@@ -152,9 +153,10 @@ class LoadedInstance(Participant):
         self.call("reset", "reset", self.slave.reset)
 
     def free(self) -> None:
-        """Free the instance; the library stays loaded: unloading one with Python inside is not safe."""
+        """Free the instance. Its library stays loaded where Python is inside, which is not safe to unload."""
         free = getattr(self.slave, f"{self.prefix}FreeInstance")
         self.call("free", "free it", free, self.slave.component)
+        unload(self.fmu, self.slave.dll)
 
     def close(self) -> str:
         said = []

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
+
 from ..fmu.fmu import Fmu
+from ..fmu.sharing import why_alone
 from ..system.model import Component
+from .apart.library import used_before
 from .base import Participant
 from .fmi2 import Fmi2Instance
 from .fmi3 import Fmi3Instance
@@ -18,10 +22,19 @@ def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None 
     return kind(fmu, name, logging, tolerance)
 
 
+def why_not_here(component: Component) -> str:
+    """Why a component that was to run in this process cannot; empty if it can."""
+    fmu = component.fmu
+    if isinstance(fmu, MockFmu) or component.isolation == "process" or not hasattr(os, "fork"):
+        return ""
+    return why_alone(fmu.own) if used_before(fmu.own) else ""
+
+
 def start(component: Component) -> Participant:
-    """The instance of a component, in a process of its own where the system file says so."""
+    """The instance of a component, in a process of its own where the system says so, or where it must not meet what
+    was in this one before."""
     wanted = component.logging, component.tolerance
-    if component.isolation == "process":
+    if component.isolation == "process" or why_not_here(component):
         from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted)

@@ -9,17 +9,7 @@ from ..system.model import Component, System
 
 def check_capabilities(system: System) -> None:
     """Raise InputError for a component that cannot run as the system wants it."""
-    once: dict[str, str] = {}
-    for name, component in system.components.items():
-        fmu = component.fmu
-        if fmu.interface.canBeInstantiatedOnlyOncePerProcess and component.isolation != "process":
-            if fmu.digest in once:
-                raise InputError(
-                    f"components {once[fmu.digest]} and {name}: {fmu.path.name} allows one instance per process "
-                    f"(canBeInstantiatedOnlyOncePerProcess); give one of them a process of its own: "
-                    f'isolation = "process" under [components.{name}] ({system.path.name})'
-                )
-            once[fmu.digest] = name
+    for component in system.components.values():
         _check_step(system, component)
 
 
@@ -64,7 +54,7 @@ def remarks(component: Component) -> str:
     """What is worth knowing of an FMU in the plan, as the tail of its line."""
     fmu, found = component.fmu, []
     if component.isolation:
-        found.append("in a process of its own")
+        found.append(f"in a process of its own{f': {component.apart}' if component.apart else ''}")
     if not fmu.can_vary_step:
         found.append("fixed step")
     if not fmu.can_save_state:

@@ -12,6 +12,7 @@ from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities
 from .design import Design
 from .order import check_leaders, leaders_of, order_of
+from .processes import with_processes
 from .schedule.bond_energy import bond_energies, check_names
 from .schedule.layout import make_groups, make_layout
 from .start import start_order
@@ -38,6 +39,7 @@ class Plan(Design):
 
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
+    system = with_processes(system)
     algorithm = algorithm_of(system)
     algorithm.check(system)
     check_capabilities(system)

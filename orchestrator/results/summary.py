@@ -22,6 +22,8 @@ def summarize(run: Run) -> dict[str, Any]:
     result: dict[str, Any] = {"complete": not run.failure}
     if run.failure:
         result["failure"] = run.failure
+    if run.ended:
+        result["ended"] = run.ended
     if run.notes:
         result["notes"] = list(run.notes)
     for key, text in specification.items():

@@ -34,6 +34,7 @@ class Started:
 
     sweeps: int = 0
     loops: dict[str, float] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)  # what a person must know of it
 
 
 @dataclass
@@ -51,6 +52,7 @@ class Run:
     calculated: dict[str, Any] = field(default_factory=dict)  # calculated parameters, "component.variable"
     notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
     messages: list[str] = field(default_factory=list)  # what FMUs logged
+    ended: str = ""  # who asked to end the run before its stop, and when
 
     @cached_property
     def tables(self) -> list[np.ndarray]:

@@ -22,7 +22,7 @@ from ..results.tables import Run
 from ..system.request import Request
 from .checkpoint.checkpoint import Checkpoint, unserializable, write_checkpoint
 from .checkpoint.files import found_in
-from .interrupt import ENDING, StopRequests
+from .ends.interrupt import ENDING, StopRequests
 from .recording.observers import Every, Progress
 from .session import Session
 
@@ -107,7 +107,8 @@ def _advance(session: Session, out: Path, request: Request, progress: Callable[[
     """To the stop, or until something ends the run: `failure` says what."""
 
     def keep(_time: float) -> None:
-        session.failure = _kept(session, out, request)
+        if not session.over:
+            session.failure = _kept(session, out, request)
 
     due = (tick for tick in checkpoint_ticks(session.plan, request.checkpoint) if tick > session.tick)
     session.observers.append(Every(keep, due))

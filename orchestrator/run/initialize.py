@@ -16,6 +16,7 @@ from ..results.tables import Started
 from ..system.free_inputs import left_alone
 from ..system.model import Connection
 from .memory.memory import Memory
+from .read_back import read_back
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 
@@ -36,13 +37,15 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         instances[name].set_all({**component.parameters, **first[name]})
         instances[name].enter_initialization()
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
-        value = first[name].get(variable, system.components[name].fmu.start(variable))
+        component = system.components[name]
+        value = {**component.parameters, **first[name]}.get(variable, component.fmu.start(variable))
         memory.put((name, variable), slot, value)
     propagation = _Propagation(plan, instances, memory)
     started = propagation.settle()
     for instance in instances.values():
         instance.exit_initialization()
     propagation.read_outputs()
+    started.notes = [note for name, c in system.components.items() for note in read_back(instances[name], c)]
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])
         if not r.minimum <= value <= r.maximum:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..participant.base import Participant
-from ..participant.opening import start
+from ..participant.opening import start, why_not_here
 from ..participant.surroundings import Surroundings
 from ..system.model import System
 
@@ -23,6 +23,11 @@ class Participants:
         self._surroundings = Surroundings()
         try:
             for name, component in system.components.items():
+                if why := why_not_here(component):
+                    self.notes.append(
+                        f"component {name} runs in a process of its own: {component.fmu.path.name} was used in this "
+                        f"process before, and {why}"
+                    )
                 self.by_name[name] = start(component)
                 self.look_around(f"while {name} was loaded")
         except BaseException:

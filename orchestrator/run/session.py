@@ -14,9 +14,10 @@ from ..loop.run import run
 from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
-from .failure import failure_of
+from .ends.asked import asked_to_end
+from .ends.failure import failure_of
+from .ends.interrupt import StopRequests
 from .initialize import initialize
-from .interrupt import StopRequests
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
 from .memory.memory import Memory
@@ -47,8 +48,11 @@ class Session:
     ) -> None:
         self.plan = plan
         self.failure = ""
+        self.ended = ""  # who asked to end the run before its stop, and when; that is no failure
+        self._over = False
         self.stop_requests = stop_requests or StopRequests()
         self.control = self.stop_requests.control
+        self.control[cells.PROMISED] = plan.clock.stop
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
         self.at = Position()
@@ -62,6 +66,7 @@ class Session:
             try:
                 self.memory = Memory(plan)
                 self._started = initialize(plan, self.instances, self.memory)
+                self.participants.notes += self._started.notes
                 self.participants.look_around("in the initialization")
                 self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
@@ -104,7 +109,7 @@ class Session:
         last = last if cycles is None else min(last, self.at.cycle + cycles)
         watching = [*self.observers, *([Progress(progress)] if progress else [])]
         with self.stop_requests.heard():
-            while self.at.cycle < last and self.tick < until and not self.failure:
+            while self.at.cycle < last and self.tick < until and not self.over:
                 due = min((observer.due(self.tick) for observer in watching), default=NEVER)
                 self.space.clock[cells.UNTIL] = min(until, due)
                 whole = last if self.plan.adaptive else min(last, -(-due // self.plan.cycle_ticks))
@@ -132,17 +137,47 @@ class Session:
         if due:
             self.participants.look()
         self.at.operation = 0
+        if code == cells.BAD_STATUS and self._asked_to_end():
+            return
+        self._over = code == cells.ENDED
         if code != cells.DONE:
             self.at.cycle = int(self.control[cells.AT_CYCLE])
             self._interrupted = code == cells.INTERRUPTED
             if self._interrupted:
                 self.at.operation = int(self.control[cells.AT_OPERATION])
-            self.at.time, self.failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
+            self.at.time, failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
+            self.failure = "" if self._over else failure
             if self._interrupted:
                 self.failure = f"{self.stop_requests.reason} at t = {self.at.time:.9g} s"
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
             self.at.time = clock.time(self.tick)
+            self._over = self.tick >= self.control[cells.ENDS_AT]
+
+    def _asked_to_end(self) -> bool:
+        """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
+        the run is over at once where that was not done to its end, or may be taken back."""
+        plan, control = self.plan, self.control
+        asked = asked_to_end(plan, self.instances, control, self.space, self._blocks.components)
+        if asked is None:
+            return False
+        self.ended = "\n".join(filter(None, [self.ended, asked.text]))
+        self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
+        if asked.whole and not plan.algorithm.saves_states:
+            control[cells.ENDS_AT] = min(asked.tick, int(control[cells.ENDS_AT]))
+            if self.at.operation == len(plan.cycle):
+                self.at.cycle, self.at.operation = self.at.cycle + 1, 0
+                self._over = not plan.adaptive or self.tick >= control[cells.ENDS_AT]
+        else:
+            self._over = True
+        if self._over:
+            self.at.time, _ = failure_of(plan, self.instances, cells.INTERRUPTED, control, self.memory.z, self.space)
+        return True
+
+    @property
+    def over(self) -> bool:
+        """Whether it goes no further: it has failed, or a component has ended it."""
+        return bool(self.failure) or self._over
 
     def fail(self, why: str) -> None:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
@@ -155,7 +190,7 @@ class Session:
     @property
     def resumable(self) -> bool:
         """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
-        return not self._closed and (not self.failure or self._interrupted)
+        return not self._closed and not self.ended and (not self.failure or self._interrupted)
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
@@ -190,7 +225,7 @@ class Session:
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated, self.participants.notes,
-            self.participants.messages(),
+            self.participants.messages(), self.ended,
         )  # fmt: skip
 
     def close(self) -> None:
@@ -208,8 +243,8 @@ class Session:
 
     def _require_alive(self) -> None:
         self._require_open()
-        if self.failure:
-            raise RunError(f"the session has ended: {self.failure}")
+        if self.over:
+            raise RunError(f"the session has ended: {self.failure or self.ended}")
 
     def __enter__(self) -> Session:
         return self

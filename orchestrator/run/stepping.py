@@ -21,7 +21,7 @@ from .session import Session
 Time = str | float | Fraction
 
 
-PUBLIC = ("failure", "finish", "get", "names", "period", "plan", "result", "set", "step", "stop", "time")
+PUBLIC = ("ended", "failure", "finish", "get", "names", "period", "plan", "result", "set", "step", "stop", "time")
 
 
 class Stepping(Session):
@@ -83,7 +83,7 @@ class Stepping(Session):
             self.advance(until_tick=until)
         elif self._guarded:  # without what `advance` does around its blocks
             end = self.at.cycle + count
-            while self.at.cycle < end and not self.failure:
+            while self.at.cycle < end and not self.over:
                 self._run_block(end - self.at.cycle)
         else:
             self.advance(cycles=count)
@@ -145,7 +145,7 @@ class Stepping(Session):
         Raises InputError for an unknown name, a driven input, a parameter, a wrong type or a value out of range.
         """
         writer = self._writers.get(name)
-        if writer is not None and isinstance(value, float) and not self.failure and writer(value):
+        if writer is not None and isinstance(value, float) and not self.over and writer(value):
             return
         super().set(name, value)
         if writer is None:

@@ -63,7 +63,7 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
 
 def _with_values(file: TomlFile, component: Component, table: ComponentTable, heading: str) -> Component:
     name = component.name
-    for kind, causality, values in (("parameters", "parameter", table.parameters), ("inputs", "input", table.inputs)):
+    for kind, values in (("parameters", table.parameters), ("inputs", table.inputs)):
         found: dict[str, Value] = {}
         for key, value in values.items():
             origin = f"{kind} of {name} {file.at(key, heading)}"
@@ -74,8 +74,9 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
                 if not isinstance(one, STATED) and component.fmu.expand(key):
                     raise InputError(f"{origin}: {name}.{key} = {one} is not a finite number, text, true or false")
             scalars = checked_values(component, key, value, origin)
-            if component.fmu.variables[next(iter(scalars))].causality != causality:
-                raise InputError(f"{origin}: {name}.{key} is no {causality}")
+            is_input = component.fmu.variables[next(iter(scalars))].causality == "input"
+            if is_input != (kind == "inputs"):
+                raise InputError(f"{origin}: {name}.{key} is {'an input' if is_input else 'no input'}")
             found |= scalars
         component = component.with_values(found)
     return component

@@ -29,11 +29,12 @@ class Component:
     name: str
     fmu: Fmu
     period: Fraction
-    parameters: Mapping[str, Value] = field(default_factory=dict)
+    parameters: Mapping[str, Value] = field(default_factory=dict)  # and start values of other variables
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
-    series: Mapping[str, Series] = field(default_factory=dict)  # inputs that follow a table
+    series: Mapping[str, Series] = field(default_factory=dict)  # inputs and tunable parameters that follow a table
     notes: tuple[str, ...] = ()  # what the user must know of it: see `replace/`
     isolation: str = ""  # "process": the FMU runs in a process of its own
+    apart: str = ""  # why it is there, where the system does not say so
     logging: Literal["warnings", "all"] = "warnings"  # what the FMU is asked to log
     tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
@@ -187,15 +188,28 @@ def _settable(components: Mapping[str, Component]) -> list[str]:
     return [f"{c.name}.{v}" for c in components.values() for v in c.fmu.base_names("parameter", "input")]
 
 
+def settable(variable: ModelVariable) -> bool:
+    """Whether a variable takes a value before time 0: a parameter, an input, a start value that the FMU calls exact."""
+    if variable.causality in ("parameter", "input"):
+        return True
+    return bool(variable.initial == "exact" and variable.variability != "constant" and variable.start is not None)
+
+
+def follows_tables(variable: ModelVariable) -> bool:
+    """Whether a variable can be set while the run goes: an input, a tunable parameter."""
+    tunable = variable.causality == "parameter" and variable.variability == "tunable"
+    return bool(variable.causality == "input" or tunable)
+
+
 def checked_values(component: Component, name: str, value: object, origin: str) -> dict[str, Value]:
     """`value` for each scalar behind `name` (a list for an array), in unit, type and range. Raises InputError."""
     fmu = component.fmu
     scalars = fmu.expand(name)
-    if not scalars or fmu.variables[scalars[0]].causality not in ("parameter", "input"):
+    if not scalars or not settable(fmu.variables[scalars[0]]):
         kind = fmu.variables[scalars[0]].causality if scalars else "variable"
         what = f"is of causality {kind} and cannot be set" if scalars else "is unknown"
-        settable = [s for s in fmu.base_names("parameter", "input") if s != name]
-        raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, settable)}")
+        others = [s for s in fmu.base_names("parameter", "input") if s != name]
+        raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, others)}")
     values = list(value) if isinstance(value, (list, tuple)) else [value] * len(scalars)
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")

@@ -87,7 +87,7 @@ def series_of(fmu: Fmu, name: str, times: Any, values: Any, unit: str | None, or
     v = v if (gain, offset) == (1.0, 0.0) else gain * v + offset
     for extreme in (np.min(v), np.max(v)):
         parse_value(variable, float(extreme), label, kind)
-    return Series(t, v, variable.variability == "discrete", origin)
+    return Series(t, v, variable.variability in ("discrete", "tunable"), origin)
 
 
 def _plain(values: Any) -> list[Any]:

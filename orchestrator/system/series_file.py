@@ -17,7 +17,7 @@ import numpy as np
 from ..errors import InputError, nearest
 from ..files import csv_rows
 from ..units import conversion
-from .model import Component, System, checked_values
+from .model import Component, System, checked_values, follows_tables
 from .schema.checked import checked
 from .schema.system import Table
 from .series import Series, series_of
@@ -122,7 +122,7 @@ def stated_series(component: Component, name: str, entry: Mapping[str, Any], fol
     values = [0, 5], unit = "mm" }`. Paths are relative to `folder`.
     """
     checked(Table, dict(entry), label)
-    scalars = [s for s in component.fmu.expand(name) if component.fmu.variables[s].causality == "input"]
+    scalars = [s for s in component.fmu.expand(name) if follows_tables(component.fmu.variables[s])]
     if not scalars:
         raise InputError(
             f"{label}: {component.name}.{name} is no input{nearest(name, component.fmu.base_names('input'))}"
@@ -165,7 +165,7 @@ def _inputs_of(system: System, name: str, origin: str) -> tuple[Component, list[
     if owner not in system.components:
         raise InputError(f"{origin}: no component '{owner}' in '{name}'{nearest(owner, system.components)}")
     component = system.components[owner]
-    scalars = [s for s in component.fmu.expand(variable) if component.fmu.variables[s].causality == "input"]
+    scalars = [s for s in component.fmu.expand(variable) if follows_tables(component.fmu.variables[s])]
     if not scalars:
         raise InputError(f"{origin}: {name} is no input{nearest(variable, component.fmu.base_names('input'))}")
     for scalar in scalars:

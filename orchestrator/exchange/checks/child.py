@@ -14,8 +14,8 @@ from pathlib import Path
 
 from . import good_manners, misuse
 from .rows import Row
-from .subject import open_subject
-from .tried import RefusedError, Tried
+from .subject import Subject, open_subject
+from .tried import EndedError, RefusedError, Tried
 
 MODULE = "rovbrush.orchestrator.exchange.checks.child"
 RULES = {**good_manners.RULES, **misuse.RULES}
@@ -31,9 +31,25 @@ def again(path: Path, name: str) -> str:
 
 def broken_off(name: str, found: str, mend: str) -> Row:
     """The row of a rule that did not reach its end."""
+    return Row(stage_of(name), name.replace("_", " "), "error", found, mend)
+
+
+def stage_of(name: str) -> str:
+    """Of a rule by its name here."""
     order = misuse.RANGE if name in misuse.OUT_OF_RANGE else misuse.ORDER
-    stage = good_manners.STAGE if name in good_manners.RULES else order
-    return Row(stage, name.replace("_", " "), "error", found, mend)
+    return good_manners.STAGE if name in good_manners.RULES else order
+
+
+def ended(name: str, subject: Subject, found: str) -> Row:
+    """The row of a rule in which the FMU asked to end the simulation: its right, if it does so when it merely runs."""
+    said = f"it asks to end the simulation: {found}"
+    if name == "runs":
+        return Row(stage_of(name), "runs with its start values", "pass", said)
+    try:
+        good_manners.runs(subject)
+    except EndedError:
+        return Row(stage_of(name), name.replace("_", " "), "not applicable", said)
+    return broken_off(name, found, again(subject.path, name))
 
 
 def main() -> None:
@@ -43,6 +59,8 @@ def main() -> None:
         for name in sys.argv[3:]:
             try:
                 row = RULES[name](subject)
+            except EndedError as error:
+                row = ended(name, subject, str(error))
             except RefusedError as error:
                 row = broken_off(name, str(error), again(subject.path, name))
             except Exception as error:  # fmpy's, when the library lacks functions or does not load

@@ -14,7 +14,7 @@ from fmpy.model_description import ModelVariable
 
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, function_type
-from ...participant.base import CallError
+from ...participant.base import AskedToEndError, CallError
 from ...participant.lifecycle import FATAL, STATUS, status_text
 from ...participant.opening import load
 from .subject import Subject, bounds, numbers, size
@@ -22,6 +22,10 @@ from .subject import Subject, bounds, numbers, size
 
 class RefusedError(Exception):
     """A call that should have succeeded did not; the text says which, the status and the FMU's own words."""
+
+
+class EndedError(RefusedError):
+    """The FMU asked to end the simulation in that call, which may be its right."""
 
 
 class Tried:
@@ -35,6 +39,7 @@ class Tried:
     def __init__(self, subject: Subject, name: str = "tried") -> None:
         self.subject = subject
         self.instance = load(Fmu(subject.path, subject.folder, "", subject.description, {}), name)
+        self.ended = False  # whether it asked to end the simulation in the call that was refused last
         self.unguarded = self.instance.unguarded
         self.outputs = [v for v in subject.of("output") if v.type != "Binary"]
 
@@ -48,6 +53,7 @@ class Tried:
         try:
             function(*arguments)
         except CallError as error:
+            self.ended = isinstance(error, AskedToEndError)
             if error.status is None:
                 raise
             if error.status == FATAL or error.status not in STATUS:
@@ -60,7 +66,8 @@ class Tried:
         if status:
             words = f": {self.messages[-1].splitlines()[-1]}" if self.messages else ""
             name = STATUS.get(status) or status_text("", status)
-            raise RefusedError(f"{what} returned {name}{words}")
+            kind = EndedError if self.ended else RefusedError
+            raise kind(f"{what} returned {name}{words}")
 
     # --- variables ---
 

@@ -25,7 +25,7 @@ from .channel import CALL, STATUS, Channel, ChannelClosedError, Shared, aside, p
 from .functions import Function, functions
 
 BY_NAME = ("set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save", "restore",
-           "forget", "serialize", "deserialize", "why_discarded", "look", "close")  # fmt: skip
+           "forget", "serialize", "deserialize", "terminated", "reached", "look", "close")  # fmt: skip
 
 LOOK = 0.1  # s between two looks at what the FMU may log
 

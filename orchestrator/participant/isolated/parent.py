@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import json
+import math
 import os
 import tempfile
 from collections.abc import Mapping
@@ -16,10 +17,10 @@ from typing import Any
 
 from ...errors import FmuError
 from ...fmu.fmu import Fmu
+from ...fmu.sharing import made_by_pythonfmu
 from ...fmu.types import Value
 from ...processes import how_ended
 from ..base import CallError, Participant, State
-from ..exit_guard import made_by_pythonfmu
 from ..lifecycle import FATAL
 from ..messages import Logging
 from .callbacks import Callbacks
@@ -166,8 +167,11 @@ class IsolatedInstance(Participant):
     def deserialize(self, content: bytes) -> int:
         return int(self._by_name("deserialize", base64.b64encode(content).decode()))
 
-    def why_discarded(self) -> str:
-        return "" if self.dead else str(self._by_name("why_discarded"))
+    def terminated(self) -> bool:
+        return not self.dead and bool(self._by_name("terminated"))
+
+    def reached(self) -> float:
+        return -math.inf if self.dead else float(self._by_name("reached"))
 
     def logged(self) -> list[str]:
         if not self.dead:

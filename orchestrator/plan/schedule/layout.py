@@ -105,12 +105,15 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     for name, component in system.components.items():
         fmu = component.fmu
         others = {element for variable in recorded.others(component) for element in fmu.arrays[variable]}
+        series = component.series.keys()
+        tuned = [v for v in fmu.names("parameter") if series and not series.isdisjoint(fmu.arrays[v])]
+        others -= set(tuned)  # they are recorded as what they are given
         read = [v for v, described in fmu.variables.items() if v in others or described.causality == "output"]
         for variable in _by_type(fmu, read):
             keys = [(name, element) for element in fmu.arrays[variable]]
             if variable in others or any(key in used or recorded.has(".".join(key)) for key in keys):
                 layout.add(layout.outputs, (name, variable))
-        for variable in _by_type(fmu, fmu.names("input")):
+        for variable in _by_type(fmu, [*fmu.names("input"), *tuned]):
             if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]

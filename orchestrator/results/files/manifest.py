@@ -32,6 +32,7 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
     return {
         "system": system.name, "description": system.description,
         "stop_s": float(system.stop), "complete": not run.failure,
+        **({"ended": run.ended} if run.ended else {}),
         "components": components, "calculated": run.calculated,
         "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],
         "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},

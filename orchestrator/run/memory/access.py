@@ -1,4 +1,4 @@
-"""Values of a run that goes on, by name: any can be read, inputs that nothing drives can be set."""
+"""Values of a run that goes on, by name: any can be read, free inputs and tunable parameters can be set."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...errors import InputError, nearest
 from ...fmu.types import Value
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ...system.model import checked_values
+from ...system.model import checked_values, follows_tables
 from .memory import Memory
 
 
@@ -57,8 +57,11 @@ class Access:
         plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
         values = checked_values(self.plan.system.components[component], variable, plain, "set")
         for scalar in values:
-            if instance.fmu.variables[scalar].causality != "input":
-                raise InputError(f"set {name}: a parameter is set before the run; only inputs can be set while it goes")
+            if not follows_tables(instance.fmu.variables[scalar]):
+                raise InputError(
+                    f"set {name}: a parameter is set before the run; only inputs and tunable parameters can be set "
+                    f"while it goes"
+                )
             if (component, scalar) in self.driven:
                 raise InputError(
                     f"set {name}: {component}.{scalar} is driven by the connection {self.driven[component, scalar]}; "

@@ -11,7 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
-NEVER = 1 << 62  # ticks
+from ...loop.cells import NEVER as NEVER
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ def system_keys(system: System) -> dict[str, Any]:
 
 def component_keys(component: Component) -> dict[str, Any]:
     units = {"units": dict(component.fmu.units)} if component.fmu.units else {}
-    return _stated(component, ("name", "fmu", "parameters", "inputs", "notes")) | units
+    return _stated(component, ("name", "fmu", "parameters", "inputs", "notes", "apart")) | units
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:

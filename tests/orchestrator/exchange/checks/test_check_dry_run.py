@@ -137,6 +137,13 @@ def test_a_status_that_fmi_does_not_know_is_an_error_of_its_rule(status: int, tm
 
 
 @needs_gcc
+def test_an_fmu_that_asks_to_end_does_what_it_may(tmp_path: Path) -> None:
+    path = moody(tmp_path / "moody.fmu", ON_STEP="if (m->steps > 3) return fmi2Discard", TERMINATED="1")
+    rows = run_rules(path, tuple(good_manners.RULES))
+    assert rows[0].verdict == "pass" and "asks to end the simulation: doStep at t = 0.003 s" in rows[0].found
+    assert {row.verdict for row in rows} == {"pass", "not applicable"}, rows
+
+
 def test_an_fmu_that_gives_nothing_when_instantiated_is_a_row_with_its_words(tmp_path: Path) -> None:
     (row,) = run_rules(feedthrough2(tmp_path / "tool.fmu", REFUSES=1), ["runs"])
     assert row.verdict == "error" and "cannot be instantiated" in row.found and "no licence for the tool" in row.found

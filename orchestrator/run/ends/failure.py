@@ -6,15 +6,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..loop import cells, versions
-from ..loop.operations import STEP
-from ..participant.base import Participant
-from ..participant.lifecycle import DISCARD, FATAL, status_text
-from ..plan.plan import Plan
-from .memory.algorithm_state import AlgorithmState
+from ...loop import cells, versions
+from ...loop.operations import STEP
+from ...participant.base import Participant
+from ...participant.lifecycle import DISCARD, FATAL, status_text
+from ...plan.plan import Plan
+from ..memory.algorithm_state import AlgorithmState
 
 REPORTED = {
-    versions.TERMINATE: " asks to end the simulation (terminateSimulation)",
     versions.EARLY: " returned early (earlyReturn), which it was not allowed to,",
     versions.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
 }

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..loop import cells
+from ...loop import cells
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 REASONS = {
@@ -31,6 +31,7 @@ class StopRequests:
     def __init__(self, signals: Sequence[signal.Signals] = (signal.SIGINT,)) -> None:
         self.signals = signals
         self.control = np.zeros(cells.CONTROL_CELLS, dtype=np.int64)
+        self.control[cells.ENDS_AT] = cells.NEVER
         self.came: int = signal.SIGINT
         self._listening = False
 
