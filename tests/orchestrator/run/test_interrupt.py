@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from helpers import Part, plan_of, system_text
-from rovbrush.orchestrator.run.interrupt import ENDING, StopRequests
+from rovbrush.orchestrator.run.ends.interrupt import ENDING, StopRequests
 from rovbrush.orchestrator.run.simulation import simulate
 
 CODE = """
