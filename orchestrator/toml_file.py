@@ -121,7 +121,9 @@ _NUL = "the character NUL is not allowed in a text"
 def _text(path: Path) -> str:
     try:
         if path.stat().st_size > LARGEST:
-            raise InputError(f"system file {path} has more than {LARGEST >> 20} MB; refused")
+            raise InputError(
+                f"system file {path} has more than {LARGEST >> 20} MB; split it, or keep tables in CSV files"
+            )
         if path.exists() and not path.is_file():
             raise InputError(f"system file {path} is no file")
         return path.read_text(encoding="utf-8")

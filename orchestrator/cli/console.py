@@ -15,6 +15,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from ..errors import counted
+
 if TYPE_CHECKING:
     from ..system.model import System
 
@@ -125,9 +127,15 @@ def print_comparison(rows: Sequence[Mapping[str, Any]], steady: bool = True) -> 
 
 
 def print_notes(system: System) -> None:
-    """What the user must know of components before a run."""
+    """What the user must know before a run: of replaced components, and of FMUs that break the standard."""
     from ..system.free_inputs import start_notes
 
+    for fmu in {component.fmu.digest: component.fmu for component in system.components.values()}.values():
+        if fmu.notes:
+            tell(
+                f"{fmu.path.name} breaks the standard in {counted(len(fmu.notes), 'point')} that a run can do without: "
+                f"`rovbrush check {fmu.path}` lists them, --strict makes them errors"
+            )
     for component in system.components.values():
         for note in component.notes:
             tell(note)

@@ -19,15 +19,19 @@ from ..run.checkpoint.checkpoint import Checkpoint, read_checkpoint
 from ..run.checkpoint.fingerprint import require_unchanged
 from ..run.planned import planned
 from ..run.recording.recorder import IN_MEMORY
-from ..system.assemble import assemble_request
+from ..system.assemble import assemble_request, strictly
 from ..system.request import Request
 from .console import print_comparison, print_notes, print_summary, tell, wrote
 from .progress import progress
 
 
-def run_system(request: Request, out: Path, check: bool, force: bool = False) -> None:
-    """Run, write and print. Raises RunError after an early end (what was computed is written) or a failed check."""
-    plan = planned(assemble_request(request), request.record_boundary)
+def run_system(request: Request, out: Path, check: bool, force: bool = False, strict: bool = False) -> None:
+    """Run, write and print. Raises RunError after an early end (what was computed is written) or a failed check.
+
+    `strict`: only if all FMUs keep to the standard, else FmuError.
+    """
+    system = assemble_request(request)
+    plan = planned(strictly(system) if strict else system, request.record_boundary)
     checkpoint_ticks(plan, request.checkpoint)
     folder, older = claim(out, plan.system.name, force)
     print_notes(plan.system)

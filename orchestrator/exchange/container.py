@@ -127,7 +127,7 @@ def _levels(system: System, name: str, node_type: Any) -> list[Level]:
         node = node_type(file, float(period), auto_link=False, auto_input=False, auto_output=False)
         for component in system.components.values():
             if component.period == period:
-                node.add_fmu(_inner(component.name), str(component.fmu.path.absolute()))
+                node.add_fmu(_inner(component.name), str(component.fmu.archive.absolute()))
         if levels:
             node.add_sub_node(levels[-1].node)
         levels.append(Level(period, node, set()))

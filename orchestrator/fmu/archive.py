@@ -15,6 +15,7 @@ from os import utime
 from pathlib import Path
 
 from ..errors import FmuError
+from .tolerant.rules import BACKSLASH, TWICE, Notes
 
 LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
 MOST = 50_000  # entries
@@ -28,15 +29,15 @@ Contents = dict[str, zipfile.ZipInfo]  # entries by their path; that of a folder
 
 
 @contextmanager
-def opened(path: Path, kind: str = "FMU") -> Iterator[tuple[zipfile.ZipFile, Contents]]:
-    """An archive with its entries, checked. `kind` is what messages call it.
+def opened(path: Path, kind: str = "FMU", notes: Notes | None = None) -> Iterator[tuple[zipfile.ZipFile, Contents]]:
+    """An archive with its entries, checked. `kind` is what messages call it; `notes`: where it breaks the standard.
 
     Raises FmuError for a missing or corrupt file, here and while it is read; for entries that leave the folder, links,
-    two entries for one file, and for more than may be unpacked.
+    two different entries for one file, and for more than may be unpacked.
     """
     try:
         with zipfile.ZipFile(path) as archive:
-            yield archive, _contents(f"{kind} {path}", archive)
+            yield archive, _contents(f"{kind} {path}", archive, notes or Notes())
     except (
         zipfile.BadZipFile,
         zipfile.LargeZipFile,
@@ -84,27 +85,42 @@ def date_of(entry: zipfile.ZipInfo) -> int:
         return 0
 
 
-def _contents(archive: str, opened: zipfile.ZipFile) -> Contents:
+def _contents(archive: str, opened: zipfile.ZipFile, notes: Notes) -> Contents:
     entries = opened.infolist()
     if len(entries) > MOST:
-        raise FmuError(f"{archive} has {len(entries)} entries, more than {MOST}; refused")
+        raise FmuError(f"{archive} has {len(entries)} entries, more than {MOST}; pack it with fewer files")
     if sum(entry.file_size for entry in entries) > LARGEST:
-        raise FmuError(f"{archive} would unpack to more than {LARGEST >> 30} GiB; refused")
+        raise FmuError(f"{archive} would unpack to more than {LARGEST >> 30} GiB; leave out what is not needed to run")
     found: Contents = {}
     for entry in entries:
         path = _checked(archive, entry)
+        if "\\" in entry.filename:
+            notes.add(BACKSLASH, entry.filename)
         if path and found.setdefault(path, entry) is not entry and not path.endswith("/"):
-            raise FmuError(f"{archive}: entry '{path}' is there twice; refused")
+            if not _alike(opened, found[path], entry):
+                raise FmuError(f"{archive}: entry '{path}' is there twice with different contents; pack one of them")
+            notes.add(TWICE, path)
     files = {_key(path) for path in found if not path.endswith("/")}
     if len(files) < sum(not path.endswith("/") for path in found):
-        raise FmuError(f"{archive} has entries whose names differ in upper and lower case only; refused")
+        raise FmuError(f"{archive} has entries whose names differ in upper and lower case only; rename one of them")
     for path in map(_key, found):
         parts = path.rstrip("/").split("/")
         above = ("/".join(parts[:n]) for n in range(1, len(parts) + path.endswith("/")))
         inside = next((name for name in above if name in files), None)
         if inside:
-            raise FmuError(f"{archive}: entry '{inside}' is a file and a folder; refused")
+            raise FmuError(f"{archive}: entry '{inside}' is a file and a folder; rename one of them")
     return found
+
+
+def _alike(archive: zipfile.ZipFile, a: zipfile.ZipInfo, b: zipfile.ZipInfo) -> bool:
+    """Whether two entries have the same content."""
+    if (a.file_size, a.CRC) != (b.file_size, b.CRC):
+        return False
+    with archive.open(a) as one, archive.open(b) as two:
+        while block := one.read(BLOCK):
+            if two.read(len(block)) != block:
+                return False
+    return True
 
 
 def _key(path: str) -> str:
@@ -113,22 +129,23 @@ def _key(path: str) -> str:
 
 def _checked(archive: str, entry: zipfile.ZipInfo) -> str:
     """The path of an entry without `.` and empty parts; empty for the folder of the archive itself."""
-    name = entry.filename
+    name = entry.filename.replace("\\", "/")
     shown = f"{archive}: entry '{name if len(name) < 100 else name[:100] + '...'}'"
     parts = [part for part in name.split("/") if part not in ("", ".")]
-    if name.startswith("/") or ".." in parts or "\\" in name or ":" in name:
-        raise FmuError(f"{shown} would leave the unpack folder; refused")
-    nameless = not name or (not parts and not entry.is_dir())
+    if name.startswith("/") or ".." in parts or ":" in name:
+        raise FmuError(f"{shown} would leave the unpack folder; pack it with paths inside the archive")
+    folder = name.endswith("/")
+    nameless = not name or (not parts and not folder)
     if nameless or parts[:1] == [OURS] or any(ord(letter) < 32 or letter == "\x7f" for letter in name):
-        raise FmuError(f"{shown} has a name that no file may have; refused")
+        raise FmuError(f"{shown} has a name that no file may have; rename it")
     size = len(name.encode("utf-8", "surrogatepass"))
     if size > LONGEST or any(len(part.encode("utf-8", "surrogatepass")) > LONGEST_PART for part in parts):
-        raise FmuError(f"{shown} has too long a name; refused")
+        raise FmuError(f"{shown} has too long a name; rename it")
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):
-        raise FmuError(f"{shown} is a symbolic link; refused")
+        raise FmuError(f"{shown} is a symbolic link, which can lead anywhere; pack the file itself")
     if stat.S_IFMT(mode) not in (0, stat.S_IFREG, stat.S_IFDIR):
-        raise FmuError(f"{shown} is no file and no folder; refused")
+        raise FmuError(f"{shown} is no file and no folder; leave it out")
     if entry.compress_type not in METHODS:
-        raise FmuError(f"{shown} is compressed by a method that FMI does not allow (only deflate); refused")
-    return "/".join(parts) + ("/" if entry.is_dir() and parts else "")
+        raise FmuError(f"{shown} is compressed by a method that FMI does not allow; pack it with deflate")
+    return "/".join(parts) + ("/" if folder and parts else "")

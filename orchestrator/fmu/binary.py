@@ -8,7 +8,8 @@ from pathlib import Path
 import fmpy
 from fmpy.model_description import ModelDescription
 
-from ..errors import FmuError
+from ..errors import FmuError, listed
+from .tolerant.rules import LIBRARY, PLATFORM, Notes
 
 IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"  # a name in C
 LONGEST = 200  # characters of an identifier: it becomes a file name
@@ -22,7 +23,8 @@ def check_identifiers(path: Path, description: ModelDescription) -> None:
         if not is_identifier(identifier):
             shown = identifier if len(str(identifier)) < 100 else f"{identifier[:100]}..."
             raise FmuError(
-                f"FMU {path}: its modelIdentifier '{shown}' is no C identifier of at most {LONGEST} characters; refused"
+                f"FMU {path}: its modelIdentifier '{shown}' is no C identifier of at most {LONGEST} characters, and "
+                f"libraries are found by it; name it, and the libraries in binaries/, with letters, digits and _"
             )
 
 
@@ -38,24 +40,55 @@ def platform_folder(version: int) -> str:
     return "" if fmpy.platform_tuple in ("aarch64-linux", "aarch64-windows") else str(fmpy.platform)
 
 
-def check_binary(path: Path, folder: Path, description: ModelDescription) -> None:
-    """Raises FmuError if an unpacked FMU has no library for this machine; the text says what it has."""
+def find_library(path: Path, folder: Path, description: ModelDescription, notes: Notes | None = None) -> Path:
+    """The library of an unpacked FMU for this machine, always inside its `binaries`.
+
+    One in the folder of another FMI version's name, or of another name where it is the only one, is taken and noted.
+    Raises FmuError if there is none; the text says what there is.
+    """
     assert description.coSimulation is not None
-    version = int(description.fmiMajorVersion)
-    platform = platform_folder(version)
-    if not platform:
+    notes, version = notes or Notes(), int(description.fmiMajorVersion)
+    identifier, suffix = str(description.coSimulation.modelIdentifier), fmpy.sharedLibraryExtension
+    own, ambiguous = platform_folder(version), ""
+    for platform in dict.fromkeys(filter(None, (own, str(fmpy.platform_tuple), platform_folder(2)))):
+        place = folder / "binaries" / platform
+        libraries = sorted(p for p in place.glob("*") if p.suffix == suffix and p.name[0] != "." and p.is_file())
+        found = _called(identifier, libraries)
+        if found is None and len(libraries) > 1:
+            ambiguous = f"; of {listed(p.name for p in libraries)} in binaries/{platform} call one {identifier}{suffix}"
+        if found is None:
+            continue
+        if found.stem != identifier:
+            notes.add(LIBRARY, f"binaries/{platform}/{found.name} instead of {identifier}{suffix}")
+        if platform != own:
+            notes.add(PLATFORM, f"{platform} instead of {own}" if own else platform)
+        return found
+    if not own:
         raise FmuError(
             f"FMU {path}: FMI 2.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "
             f"export it as FMI 3.0"
         )
-    library = f"{description.coSimulation.modelIdentifier}{fmpy.sharedLibraryExtension}"
-    if (folder / "binaries" / platform / library).is_file():
-        return
+    raise FmuError(f"FMU {path} has no binary for {own}; it has {_there(path, folder, ambiguous)}")
+
+
+def _called(identifier: str, libraries: list[Path]) -> Path | None:
+    """The library of that name, or nearly so, or the only one."""
+    for wanted in (identifier, identifier.casefold(), f"lib{identifier}".casefold()):
+        for library in libraries:
+            if wanted in (library.stem, library.stem.casefold()):
+                return library
+    return libraries[0] if len(libraries) == 1 else None
+
+
+def _there(path: Path, folder: Path, ambiguous: str) -> str:
+    """What binaries there are, and what can be done."""
     there = sorted(p.name for p in (folder / "binaries").glob("*")) or ["none"]
+    if ambiguous:
+        return ", ".join(there) + ambiguous
     sources = any((folder / "sources").glob("**/*.c*"))
     remedy = (
-        f"; it carries its sources, which can be compiled: `fmpy compile {path}`"
+        f"it carries its sources, which can be compiled: `fmpy compile {path}`"
         if sources
-        else "; ask for a binary of this platform, or for the sources"
+        else "ask for a binary of this platform, or for the sources"
     )
-    raise FmuError(f"FMU {path} has no binary for {platform}; it has {', '.join(there)}{remedy}")
+    return f"{', '.join(there)}; {remedy}"

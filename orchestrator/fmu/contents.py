@@ -7,6 +7,7 @@ from typing import Any
 
 from fmpy.model_description import ModelVariable
 
+from .attributes import items_of
 from .fmu import Fmu
 
 FLAGS = (
@@ -45,24 +46,18 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
 def _variable(v: ModelVariable) -> dict[str, Any]:
     found = {
         "name": v.name, "type": v.type, "causality": v.causality or "local", "variability": v.variability,
-        "initial": v.initial, "unit": _resolved(v, "unit"), "min": _number(v, "min"), "max": _number(v, "max"),
+        "initial": v.initial, "unit": v.unit, "min": _number(v, "min"), "max": _number(v, "max"),
         "start": v.start, "description": v.description,
     }  # fmt: skip
     if v.shape:
         found["shape"] = list(v.shape)
-    if v.type == "Enumeration" and v.declaredType is not None:
-        found["items"] = {item.name: int(item.value) for item in v.declaredType.items}
+    if items := items_of(v):
+        found["items"] = items
     return found
 
 
-def _resolved(v: ModelVariable, key: str) -> Any:
-    """An attribute of a variable, or of its declared type."""
-    own = getattr(v, key, None)
-    return getattr(v.declaredType, key, None) if own is None and v.declaredType is not None else own
-
-
 def _number(v: ModelVariable, key: str) -> float | None:
-    bound = _resolved(v, key)
+    bound = getattr(v, key)
     return None if bound is None else float(bound)
 
 

@@ -13,12 +13,15 @@ from fmpy.model_description import ModelDescription, ModelVariable
 
 from ..cache import cache_folder
 from ..errors import FmuError
-from .attributes import parse_value
-from .binary import platform_folder
+from ..units import Definition, Unit
+from .archive import opened
+from .attributes import start_value
+from .binary import find_library
 from .capabilities import Capabilities
 from .description import read_description
-from .types import TYPES, FmiType, Value
-from .unpacked import unpack
+from .tolerant.rules import Note, Notes
+from .types import REALS, TYPES, FmiType, Value
+from .unpacked import archive_of, unpack
 from .variables import Elements, Place, elements_of
 
 SETTLED = 0.1  # s; a file that was written later could be written again without a later date
@@ -33,6 +36,8 @@ class Fmu(Capabilities):
     digest: str
     description: ModelDescription
     texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
+    definitions: Mapping[str, Definition] = field(default_factory=dict)  # of its units, by name
+    notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
 
     @classmethod
@@ -43,20 +48,25 @@ class Fmu(Capabilities):
         except (OSError, ValueError):
             raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`") from None
         unchanged = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
-        if time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
+        if path.is_dir() or time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
             return _read(path)
         fmu = _read_once(path, cache_folder(), unchanged)
-        return fmu if fmu.library.is_dir() else _read(path)  # the cache was emptied by hand
+        return fmu if fmu.library.is_file() else _read(path)  # the cache was emptied by hand
+
+    @property
+    def archive(self) -> Path:
+        """Its archive: the file, or what was made of an unpacked folder."""
+        return archive_of(self.path, self.folder)
 
     @property
     def version(self) -> int:
         """2 or 3."""
         return int(self.description.fmiMajorVersion)
 
-    @property
+    @cached_property
     def library(self) -> Path:
-        """Folder of the binary for this machine."""
-        return self.folder / "binaries" / platform_folder(self.version)
+        """The binary for this machine, a file in the folder `binaries`."""
+        return find_library(self.path, self.folder, self.description)
 
     @cached_property
     def _elements(self) -> Elements:
@@ -104,6 +114,15 @@ class Fmu(Capabilities):
         """The type of a scalar; None for one that cannot be exchanged (Binary, Clock)."""
         return TYPES[self.version].get(self.variables[name].type)
 
+    def unit(self, name: str) -> Unit | None:
+        """The unit of a scalar, as this FMU means it; None where it has none."""
+        v = self.variables[name]
+        return self.unit_called(v.unit, name) if v.unit and v.type in REALS else None
+
+    def unit_called(self, unit: str, name: str) -> Unit:
+        """What a unit means beside this FMU, for values of a scalar: by the FMU's own definition where it has one."""
+        return Unit(unit, self.definitions.get(unit), bool(self.variables[name].relativeQuantity))
+
     def is_real(self, name: str) -> bool:
         """Whether a scalar is floating point; every other signal is held."""
         kind = self.type_of(name)
@@ -125,10 +144,7 @@ class Fmu(Capabilities):
 
     def start(self, name: str) -> Value:
         """The start value of a scalar; zero, false or empty where the description gives none."""
-        v, kind = self.variables[name], self.type_of(name)
-        empty = "" if kind is None or kind.dtype.kind == "O" else "0"
-        value = v.start if v.start is not None else empty
-        return parse_value(v, value, f"{self.path.name}: start value of {name}", kind)
+        return start_value(self.variables[name], f"{self.path.name}: start value of {name}")
 
     def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
         """For each output the inputs on which it depends at once; all of them where the description does not say.
@@ -152,7 +168,11 @@ class Fmu(Capabilities):
 
 def _read(path: Path) -> Fmu:
     folder, digest = unpack(path)
-    fmu = Fmu(path, folder, digest, *read_description(path, folder))
+    notes = Notes()
+    with opened(archive_of(path, folder), notes=notes):  # what is wrong with it was lost when it was unpacked
+        found = read_description(path, folder)
+    fmu = Fmu(path, folder, digest, *found._replace(notes=(*notes.all(), *found.notes)))
+    _ = fmu.library  # looked for while it is known to be there
     _ = fmu.places  # an array that cannot be laid out is refused now
     return fmu
 

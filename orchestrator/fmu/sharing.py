@@ -12,7 +12,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import fmpy
 import numpy as np
 
 from .fmu import Fmu
@@ -39,11 +38,6 @@ def made_here(fmu: Fmu) -> bool:
     return str(fmu.description.generationTool or "").startswith("rovbrush ")
 
 
-def library_of(fmu: Fmu) -> Path:
-    """The library for this machine."""
-    return fmu.library / f"{fmu.interface.modelIdentifier}{fmpy.sharedLibraryExtension}"
-
-
 def imports_late(fmu: Fmu) -> str:
     """Why the Python modules of an FMU from elsewhere must stay where others find them; empty if they need not."""
     if made_here(fmu) or not made_by_pythonfmu(fmu):
@@ -57,7 +51,7 @@ def why_alone(fmu: Fmu) -> str:
         return "it allows one instance per process (canBeInstantiatedOnlyOncePerProcess)"
     if made_here(fmu) or made_by_pythonfmu(fmu):
         return imports_late(fmu)
-    return _shared_data(library_of(fmu))
+    return _shared_data(fmu.library)
 
 
 @cache

@@ -21,6 +21,7 @@ from typing import Any
 from .. import cache
 from ..errors import FmuError
 from .archive import OURS, content_hash, date_of, extract, opened
+from .folder import pack_folder
 
 KEPT = 24  # hexadecimal digits of the hash in the name of the folder
 MANIFEST = f"{OURS}/manifest.json"
@@ -31,10 +32,36 @@ Manifest = dict[str, Any]  # "archive": name, "sha256": hash, "files": {path: [s
 def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
     """Unpack an archive unless its content is in the cache already; returns (folder, content hash).
 
-    `kind` is what messages call the archive: an SSP is unpacked in the same way.
+    `kind` is what messages call the archive: an SSP is unpacked in the same way. The folder of an FMU that is unpacked
+    already is packed first, and its archive kept beside what was unpacked: see `archive_of`.
 
     Raises FmuError for what `archive.opened` refuses, and for a cache folder that cannot be used.
     """
+    if not path.is_dir():
+        return _unpacked(path, kind)
+    if not (path / "modelDescription.xml").is_file():
+        raise FmuError(
+            f"{kind} {path} is a folder without modelDescription.xml; give the .fmu file, or the folder that it was "
+            f"unpacked to"
+        )
+    with cache.workspace() as work:
+        packed = pack_folder(path, work / f"{path.name}.fmu")
+        try:
+            entry, digest = _unpacked(packed, kind)
+        except FmuError as error:
+            raise FmuError(str(error).replace(str(packed), str(path))) from error
+        kept = archive_of(path, entry)
+        if not kept.is_file() or kept.stat().st_size != packed.stat().st_size:
+            packed.replace(kept)
+    return entry, digest
+
+
+def archive_of(path: Path, entry: Path) -> Path:
+    """The archive of an FMU that is unpacked in `entry`: itself, or the one that was made of its folder."""
+    return entry / OURS / "packed.fmu" if path.is_dir() else path
+
+
+def _unpacked(path: Path, kind: str) -> tuple[Path, str]:
     digest = content_hash(path, kind)
     entry = cache.place("fmus", digest[:KEPT])
     try:

@@ -33,7 +33,8 @@ def elements_of(path: Path, variables: list[ModelVariable], texts: dict[str, lis
         total += prod(variable.shape) if variable.shape else 0
         if total > MOST_ELEMENTS:
             raise FmuError(
-                f"FMU {path}: with array {variable.name} its arrays have more than {MOST_ELEMENTS} elements; refused"
+                f"FMU {path}: with array {variable.name} its arrays have more than {MOST_ELEMENTS} elements; "
+                f"export smaller ones"
             )
         found[variable.name] = scalars_of(path, variable, texts)
         for name in found[variable.name]:

@@ -50,6 +50,7 @@ class Participant(ABC):
         self.promised = math.inf  # s, the stop that it was told
         self.state = State.INSTANTIATED
         self.guarded = True
+        self.missing: tuple[str, ...] = ()  # functions of FMI that its library lacks
         self.fault = ""  # what befell its process, where it has one of its own
 
     # --- what every kind of participant does in its own way ---

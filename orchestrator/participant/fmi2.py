@@ -15,8 +15,9 @@ from .apart.library import fresh_library
 from .apart.modules import own_modules
 from .base import AskedToEndError, CallError, refused
 from .exit_guard import end_before_library_destructors
+from .library import Judged
 from .lifecycle import DISCARD, allowed
-from .loaded import Judged, LoadedInstance
+from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 
 # The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all

@@ -12,8 +12,9 @@ from fmpy import fmi3
 from ..errors import FmuError
 from .apart.library import fresh_library
 from .base import AskedToEndError, CallError, refused
+from .library import Judged
 from .lifecycle import DISCARD
-from .loaded import Judged, LoadedInstance
+from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 
 _LOGGING: WeakValueDictionary[int, Fmi3Instance] = WeakValueDictionary()  # by what the FMU is told of its environment
@@ -45,10 +46,9 @@ class Fmi3Instance(LoadedInstance):
             with fresh_library(self.fmu) as library:
                 self.slave = FMU3Instance(
                     guid=self.fmu.description.instantiationToken,
-                    modelIdentifier=self.fmu.interface.modelIdentifier,
+                    modelIdentifier=str(library.with_suffix("")),  # of which fmpy makes the path of the library
                     unzipDirectory=str(self.fmu.folder),
                     instanceName=self.name,
-                    libraryPath=str(library),
                 )
             self._instantiate()
         except Exception as error:

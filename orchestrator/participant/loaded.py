@@ -7,30 +7,18 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from fmpy.fmi1 import FMICallException
-
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..fmu.sharing import made_by_pythonfmu, made_here
 from ..fmu.types import Value, function_type
 from .apart.library import unload
 from .base import CallError, Participant, State
-from .lifecycle import allowed, good
+from .lifecycle import allowed
 from .message_filter import Row
 from .messages import Logging
 from .surroundings import Surroundings
 
 CATEGORIES = tuple(f"logStatus{name}" for name in ("Warning", "Discard", "Error", "Fatal"))
-
-
-class Judged:
-    """Beside fmpy's classes: it takes a negative status for a good one."""
-
-    def _call(self, name: str, *arguments: Any) -> Any:
-        result = super()._call(name, *arguments)  # type: ignore[misc]
-        if self._functions[name].restype is ctypes.c_int and not good(result):  # type: ignore[attr-defined]
-            raise FMICallException(name, result)
-        return result
 
 
 class LoadedInstance(Participant):
@@ -48,6 +36,7 @@ class LoadedInstance(Participant):
         try:
             self.instantiate()
             self._choose_messages()
+            self.missing = self.slave.missing
         finally:
             before.restore()  # fmpy stays in the folder of a library that it cannot load
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..errors import FmuError
+from ..fmu.tolerant.rules import FUNCTIONS, Note
 from ..participant.base import Participant
 from ..participant.opening import start, why_not_here
 from ..participant.surroundings import Surroundings
@@ -29,10 +31,21 @@ class Participants:
                         f"process before, and {why}"
                     )
                 self.by_name[name] = start(component)
+                self.look_for_functions(name)
                 self.look_around(f"while {name} was loaded")
         except BaseException:
             self.abandon()
             raise
+
+    def look_for_functions(self, name: str) -> None:
+        """Note what functions a library lacks. Raises FmuError where the system is to be strict."""
+        instance = self.by_name[name]
+        note = Note(FUNCTIONS, instance.missing)
+        text = f"{instance.fmu.path.name}: {note.found}"
+        if instance.missing and self.system.strict:
+            raise FmuError(f"component {name}: {text}; {note.rule.mend}")
+        if instance.missing and text not in self.notes:
+            self.notes.append(text)
 
     def look_around(self, when: str, folder: bool = True) -> None:
         """Restore what one of them has changed for the whole process, and note it once; `folder`: look at that too."""

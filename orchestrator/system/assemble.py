@@ -8,7 +8,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from ..clock import duration
-from ..errors import InputError, nearest
+from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
 from .model import System
 from .one_fmu import component_name, is_fmu
@@ -84,3 +84,15 @@ def _with_periods(system: System, periods: Mapping[str, Fraction]) -> System:
     components = {name: replace(c, period=periods.get(name, c.period)) for name, c in system.components.items()}
     order = tuple(sorted(system.order, key=lambda name: components[name].period))
     return replace(system, components=components, order=order if periods else system.order)
+
+
+def strictly(system: System) -> System:
+    """The system, to be run only if none of its FMUs breaks the standard. Raises FmuError naming where they do."""
+    lines = {
+        f"FMU {component.fmu.path}: {note.found}; {note.rule.mend}"
+        for component in system.components.values()
+        for note in component.fmu.notes
+    }
+    if lines:
+        raise FmuError("\n".join(sorted(lines)))
+    return replace(system, strict=True)

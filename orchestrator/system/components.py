@@ -13,7 +13,7 @@ from ..errors import InputError, nearest
 from ..fmu.fmu import Fmu
 from ..fmu.types import REALS, Value
 from ..toml_file import TomlFile
-from ..units import parse_unit
+from ..units import left_open, parse_unit
 from .model import Component, checked_values
 from .schema.checked import checked, checked_value
 from .schema.system import ComponentTable
@@ -43,12 +43,7 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
     for key in ("parameters", "inputs"):
         file.entry(dict, key, entry, heading)
     table = checked(ComponentTable, entry, f"component {name}", file, heading)
-    path = Path(table.fmu)
-    if path.suffix == ".fmu":
-        path = path if path.is_absolute() else file.path.parent / path
-    else:
-        path = (fmus or fmu_folder()) / f"{path}.fmu"
-    fmu = Fmu.open(path)
+    fmu = Fmu.open(_path_of(table.fmu, file.path.parent, fmus))
     if table.units:
         fmu = replace(fmu, units=stated_units(file, name, table.units, fmu, heading))
     try:
@@ -59,6 +54,16 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
     component = Component(name, fmu, period, notes=file.notes.get(name, ()), **own_process)
     component = replace(component, logging=table.logging, tolerance=table.tolerance)
     return _with_values(file, component, table, heading)
+
+
+def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:
+    """The file, or the folder of an unpacked FMU, that is stated: its path, or the name of a built one."""
+    path = beside / stated
+    named = (
+        path.suffix.lower() == ".fmu" or "/" in stated or "\\" in stated or (path / "modelDescription.xml").is_file()
+    )
+    built = (fmus or fmu_folder()) / f"{stated}.fmu"
+    return path if named and not built.is_file() else built
 
 
 def _with_values(file: TomlFile, component: Component, table: ComponentTable, heading: str) -> Component:
@@ -124,10 +129,12 @@ def _checked_unit(file: TomlFile, label: str, name: str, unit: Any, fmu: Fmu, sc
     variable = fmu.variables[scalar]
     if variable.type not in REALS:
         raise file.fail(f"{label}: it is of type {variable.type}, which has no unit", name, heading)
-    if variable.unit and variable.unit != unit:
-        raise file.fail(f"{label}: {fmu.path.name} states {variable.unit} itself; remove {unit!r}", name, heading)
+    own, said = fmu.unit(scalar), fmu.unit_called(str(unit), scalar)
     try:
-        parse_unit(str(unit))
+        if said.definition is None:
+            parse_unit(said.name)
+        if own is not None and own.name != said.name and not left_open(own, said):
+            raise InputError(f"{fmu.path.name} states {own} itself; remove {unit!r}")
     except InputError as error:
         raise file.fail(f"{label}: {error}", name, heading) from None
     return str(unit)

@@ -58,9 +58,9 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     found = []
     for a, b in zip(*ends, strict=True):
         _check_types(components, (source, a), (target, b), label, where)
-        units = [components[source].fmu.variables[a].unit, components[target].fmu.variables[b].unit]
+        units = components[source].fmu.unit(a), components[target].fmu.unit(b)
         try:
-            gain, offset = conversion(units[0], units[1], label) if link.factor is None else (link.factor, link.offset)
+            gain, offset = conversion(*units, label) if link.factor is None else (link.factor, link.offset)
         except InputError as error:
             raise InputError(f"{error} {where}") from None
         found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))

@@ -125,6 +125,7 @@ class System:
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
+    strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
 
     @cached_property
     def drivers(self) -> dict[tuple[str, str], Connection]:

@@ -22,13 +22,13 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
     if match is None:
         return value
     number, unit = float(match[1]), match[2].strip()
-    own = fmu.variables[scalar].unit
-    if not own:
+    own = fmu.unit(scalar)
+    if own is None:
         raise InputError(
             f"{label} = {value}: {fmu.path.name} states no unit for it; give the number alone, or state its unit with "
             f'units = {{ "{scalar}" = "{unit}" }} under [components.NAME]'
         )
-    gain, offset = conversion(unit, own, f"{label} = {value}")
+    gain, offset = conversion(fmu.unit_called(unit, scalar), own, f"{label} = {value}")
     return gain * number + offset
 
 

@@ -83,7 +83,7 @@ def series_of(fmu: Fmu, name: str, times: Any, values: Any, unit: str | None, or
         cells = np.array([known[value] for value in _plain(values)])
         return Series(t, cells, True, origin)
     v = _numbers(values, f"{label}: values")
-    gain, offset = conversion(unit, variable.unit, label)
+    gain, offset = conversion(None if unit is None else fmu.unit_called(unit, name), fmu.unit(name), label)
     v = v if (gain, offset) == (1.0, 0.0) else gain * v + offset
     for extreme in (np.min(v), np.max(v)):
         parse_value(variable, float(extreme), label, kind)

@@ -74,7 +74,7 @@ def _read(path: Path) -> str:
             except RovbrushError:
                 continue
         _ = fmu.places, fmu.arrays, fmu.feedthrough(), fmu.feedthrough(True), fmu.recommended_step, fmu.internal_step
-        if not (fmu.library / f"{fmu.interface.modelIdentifier}.so").resolve().is_relative_to(fmu.folder):
+        if not fmu.library.resolve().is_relative_to(fmu.folder):
             return "the library is outside the archive"
     except RovbrushError as error:
         if not str(error).strip() or str(path) not in str(error):

@@ -153,6 +153,10 @@ def run(
         bool,
         typer.Option("--force", help="Replace results of others in the folder; resume with another version or CPU."),
     ] = False,
+    strict: Annotated[
+        bool,
+        typer.Option("--strict", help="An FMU that breaks the standard is an error, also where a run can do without."),
+    ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
     from ...system.request import Request
@@ -167,4 +171,4 @@ def run(
     elif not system:
         raise InputError("which system? `rovbrush systems` lists the shipped ones; or go on with --resume DIR")
     else:
-        run_system(request, out, check, force)
+        run_system(request, out, check, force, strict)

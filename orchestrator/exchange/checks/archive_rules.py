@@ -7,9 +7,9 @@ import posixpath
 import zipfile
 from collections.abc import Iterator
 
-from ...errors import counted
+from ...errors import counted, listed
 from ...fmu.binary import LONGEST, is_identifier
-from .rows import Row, judged, listed
+from .rows import Row, judged
 from .subject import PLATFORMS, Subject, suffix
 
 STAGE = "archive"
@@ -17,7 +17,7 @@ STAGE = "archive"
 
 def archive_rows(subject: Subject) -> Iterator[Row]:
     """One row per rule on entries, dates, documentation, sources and binaries."""
-    with zipfile.ZipFile(subject.path) as archive:
+    with zipfile.ZipFile(subject.archive) as archive:
         entries = archive.infolist()
     yield from _reproducible(subject, entries)
     documented = (subject.folder / "documentation" / "index.html").is_file()
@@ -56,7 +56,7 @@ def _sources(subject: Subject) -> Row:
         missing = ["a list of the source files"]
     where = "SourceFiles of modelDescription.xml" if subject.version == 2 else "sources/buildDescription.xml"
     mend = f"let {where} and sources/ agree"
-    return judged(STAGE, rule, missing, f"{counted(len(named), 'file')} to compile", "missing", mend, "error")
+    return judged(STAGE, rule, missing, f"{counted(len(named), 'file')} to compile", "missing", mend, "finding")
 
 
 def _binaries(subject: Subject) -> Iterator[Row]:
@@ -73,7 +73,7 @@ def _binaries(subject: Subject) -> Iterator[Row]:
     lacking = [f"binaries/{name}/{identifier}{suffix(name)}" for name in known
                if f"{identifier}{suffix(name)}" not in there[name]]  # fmt: skip
     mend = "name each library after modelIdentifier"
-    yield judged(STAGE, "binaries bear the identifier", lacking, good, "missing", mend, "error")
+    yield judged(STAGE, "binaries bear the identifier", lacking, good, "missing", mend, "finding")
 
 
 def loadable_row(subject: Subject) -> Row:

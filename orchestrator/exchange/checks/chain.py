@@ -14,6 +14,7 @@ from .archive_rules import archive_rows, loadable_row
 from .description_rules import capability_rows, description_rows
 from .dry_run import dry_run_rows
 from .external import fmpy_row, fmutool_row
+from .note_rows import note_rows
 from .rows import Report, Row
 from .subject import Subject, open_subject
 from .unit_rules import unit_rows
@@ -24,12 +25,7 @@ def check_fmu(path: Path) -> Report:
     try:
         subject = open_subject(path)
     except FmuError as error:
-        found, _, mend = str(error).removeprefix(f"FMU {path} ").rpartition("; ")
-        if mend == "refused":
-            found, mend = (
-                f"{found}; such files are refused: they can harm who reads them",
-                "export it again without that",
-            )
+        found, _, mend = str(error).removeprefix(f"FMU {path}").lstrip(": ").rpartition("; ")
         return Report(path, "", [Row("archive", "can be read", "error", found or mend, mend if found else "")])
     described = subject.description
     kind = f"FMI {described.fmiVersion}, {described.modelName}"
@@ -41,6 +37,7 @@ def check_fmu(path: Path) -> Report:
 def _rows(subject: Subject) -> Iterator[Row]:
     groups: tuple[Callable[[Subject], Iterator[Row]], ...] = (
         archive_rows,
+        note_rows,
         description_rows,
         unit_rows,
         capability_rows,

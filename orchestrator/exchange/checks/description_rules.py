@@ -54,11 +54,11 @@ def _ranges(subject: Subject) -> Iterator[Row]:
         if len(starts) not in (0, 1, size(v)):
             wrong_size.append(v.name)
     mend = "correct min, max or start"
-    yield judged(STAGE, "min is not above max", crossed, "everywhere", "min above max", mend, "error")
-    yield judged(STAGE, "start is within min and max", outside, "everywhere", "outside", mend, "error")
+    yield judged(STAGE, "min is not above max", crossed, "everywhere", "min above max", mend, "finding")
+    yield judged(STAGE, "start is within min and max", outside, "everywhere", "outside", mend, "finding")
     if subject.version == 3:
         mend = "give one start value, or one per element"
-        yield judged(STAGE, "arrays have enough starts", wrong_size, "everywhere", "wrong number of", mend, "error")
+        yield judged(STAGE, "arrays have enough starts", wrong_size, "everywhere", "wrong number of", mend, "finding")
 
 
 def _structure(subject: Subject) -> Iterator[Row]:
@@ -67,7 +67,7 @@ def _structure(subject: Subject) -> Iterator[Row]:
     listed_outputs = {u.variable.name for u in described.outputs if u.variable}
     yield judged(
         STAGE, "Outputs is complete", sorted({v.name for v in outputs} ^ listed_outputs), f"{len(outputs)} outputs",
-        "missing or surplus", "list every output once in ModelStructure", "error",
+        "missing or surplus", "list every output once in ModelStructure", "finding",
     )  # fmt: skip
     start = [v for v in outputs if v.initial in ("approx", "calculated") and not v.clocks]
     expected = {v.name for v in (*start, *subject.of("calculatedParameter"))}
@@ -76,7 +76,7 @@ def _structure(subject: Subject) -> Iterator[Row]:
     unknowns = {u.variable.name for u in described.initialUnknowns if u.variable}
     yield judged(
         STAGE, "InitialUnknowns is complete", sorted(expected ^ unknowns), f"{len(unknowns)} unknowns",
-        "missing or surplus", "list what is calculated at the start, in the order of the variables", "error",
+        "missing or surplus", "list what is calculated at the start, in the order of the variables", "finding",
     )  # fmt: skip
     silent = [
         f"{u.variable.name} ({part})"

@@ -17,9 +17,9 @@ INSTALL = 'pip install "rovbrush[check]"'
 
 def fmpy_row(subject: Subject) -> Row:
     """fmpy's validation: XML schema, names, model structure, start values, causality and variability, units."""
-    problems = [str(problem).strip() for problem in validate_fmu(str(subject.path))]
+    problems = [str(problem).strip() for problem in validate_fmu(str(subject.archive))]
     mend = "correct modelDescription.xml as it says"
-    return judged(STAGE, f"fmpy {installed_version('fmpy')}", problems, "no problems found", "", mend, "error")
+    return judged(STAGE, f"fmpy {installed_version('fmpy')}", problems, "no problems found", "", mend, "finding")
 
 
 def fmutool_row(subject: Subject) -> Row:
@@ -35,12 +35,14 @@ def fmutool_row(subject: Subject) -> Row:
         return Row(STAGE, name, "not applicable", f"{name} cannot read FMI {fmi}; not counted")
     with _Collected() as complaints:
         try:
-            with FMU(str(subject.path)) as fmu:
+            with FMU(str(subject.archive)) as fmu:
                 for checker in get_checkers():
                     fmu.apply_operation(checker())
         except Exception as error:
             complaints.append(str(error) or type(error).__name__)
-    return judged(STAGE, name, complaints, "no problems found", "", "correct modelDescription.xml as it says", "error")
+    return judged(
+        STAGE, name, complaints, "no problems found", "", "correct modelDescription.xml as it says", "finding"
+    )
 
 
 class _Collected(logging.Handler):

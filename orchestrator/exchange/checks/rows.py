@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from ...errors import counted
+from ...errors import counted, listed
 
 Verdict = Literal["pass", "finding", "error", "not applicable", "skipped"]
-SHOWN = 4  # names in a row
 
 
 @dataclass(frozen=True)
 class Row:
-    """One check. `error`: breaks the standard or crashes; `finding`: a partner will stumble over it.
+    """One check. `error`: no run can do with it; `finding`: it breaks the standard, or a partner will stumble over it.
 
     `not applicable`: the FMU says that it cannot, or has nothing to check; `skipped`: a tool is missing. Only errors
     and findings count.
@@ -52,13 +51,6 @@ class Report:
         parts.append(counted(self.count("finding"), "finding"))
         others: tuple[Verdict, ...] = ("not applicable", "skipped")
         return ", ".join([*parts, *(f"{self.count(kind)} {kind}" for kind in others if self.count(kind))])
-
-
-def listed(names: Iterable[str]) -> str:
-    """The first names, and how many more there are."""
-    every = list(names)
-    more = f" and {len(every) - SHOWN} more" if len(every) > SHOWN else ""
-    return ", ".join(every[:SHOWN]) + more
 
 
 def judged(stage: str, rule: str, bad: Sequence[str], good: str, found: str, mend: str, verdict: Verdict) -> Row:

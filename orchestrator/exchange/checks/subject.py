@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
@@ -12,9 +13,11 @@ import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ...errors import FmuError
-from ...fmu.binary import platform_folder
-from ...fmu.unpacked import unpack
-from ...fmu.xml import safe_xml
+from ...fmu.archive import opened
+from ...fmu.binary import find_library, is_identifier, platform_folder
+from ...fmu.description import described
+from ...fmu.tolerant.rules import Note, Notes
+from ...fmu.unpacked import archive_of, unpack
 
 STEP = 1e-3  # s, where the FMU suggests none
 # folder names of binaries, by FMI version: the one of this machine's and all that the standards name
@@ -34,6 +37,12 @@ class Subject:
     folder: Path
     version: int
     description: ModelDescription
+    notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
+
+    @property
+    def archive(self) -> Path:
+        """The archive as a file."""
+        return archive_of(self.path, self.folder)
 
     @cached_property
     def variables(self) -> list[ModelVariable]:
@@ -90,47 +99,19 @@ def numbers(text: str | None) -> list[float]:
 
 
 def bounds(variable: ModelVariable) -> tuple[float | None, float | None]:
-    """min and max, the variable's own or those of its declared type."""
-    own = (variable.min, variable.max)
-    declared = (variable.declaredType.min, variable.declaredType.max) if variable.declaredType else (None, None)
-    low, high = (a if a is not None else b for a, b in zip(own, declared, strict=True))
+    """min and max."""
+    low, high = variable.min, variable.max
     return (None if low is None else float(low)), (None if high is None else float(high))
 
 
 def open_subject(path: Path) -> Subject:
     """Unpack and read. Raises FmuError: not readable, FMI 1.0, no co-simulation; the text says how to go on."""
     folder, _ = unpack(path)
-    xml = folder / "modelDescription.xml"
-    if not xml.is_file():
-        raise FmuError("it has no modelDescription.xml; it is not an FMU, or not a complete one")
-    build = folder / "sources" / "buildDescription.xml"
-    if build.is_file():
-        safe_xml(path, build)  # refuses document types, which fmpy would follow
-    version = safe_xml(path, xml).get("fmiVersion") or ""
-    if not version.startswith(("2.0", "3.0")):
-        raise FmuError(f"it is of FMI version {version}; export it again for FMI 2.0 or 3.0")
-    try:
-        description = fmpy.read_model_description(str(folder), validate=False)
-    except Exception as error:
-        raise FmuError(f"its modelDescription.xml cannot be understood: {error}") from error
-    if description.coSimulation is None:
-        kinds = {"model exchange": description.modelExchange, "scheduled execution": description.scheduledExecution}
-        there = " and ".join(kind for kind, found in kinds.items() if found is not None)
-        what = f"it is for {there} only" if there else "it has no interface at all"
-        raise FmuError(f"{what}; export it for co-simulation")
-    subject = Subject(path, folder, int(version[0]), description)
-    _check_numbers(subject)
-    return subject
-
-
-def _check_numbers(subject: Subject) -> None:
-    """Raises FmuError where a number of the description is none: the description was not validated."""
-    what = "the default experiment"
-    try:
-        _ = subject.step, subject.start_time
-        for variable in subject.variables:
-            what = f"variable {variable.name}"
-            if variable.type not in ("String", "Binary"):
-                _ = numbers(variable.start), bounds(variable)
-    except ValueError as error:
-        raise FmuError(f"its modelDescription.xml cannot be understood: {what}: {str(error)[:200]}") from error
+    notes = Notes()
+    with opened(archive_of(path, folder), notes=notes):
+        found = described(path, folder)
+    with suppress(FmuError):  # none for this machine is a row of its own
+        if is_identifier(found.description.coSimulation.modelIdentifier):
+            find_library(path, folder, found.description, notes)
+    version = int(found.description.fmiMajorVersion)
+    return Subject(path, folder, version, found.description, (*found.notes, *notes.all()))

@@ -26,7 +26,7 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
     """One row per rule; the radian counts as a pure number, as pint has it."""
     units = {unit.name: unit for unit in subject.description.unitDefinitions}
     reals = [v for v in subject.variables if v.type in REALS]
-    used = {v.name: v.unit or (v.declaredType.unit if v.declaredType else None) for v in reals}
+    used = {v.name: v.unit for v in reals}
     yield judged(
         STAGE, "every number has a unit", [name for name, unit in used.items() if not unit],
         f"{len(used)} variables, {len(units)} units", "without a unit",
@@ -34,7 +34,7 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
     )  # fmt: skip
     yield judged(
         STAGE, "units are defined", sorted({u for u in used.values() if u and u not in units}),
-        "all in UnitDefinitions", "not in UnitDefinitions", "add a Unit element for each", "error",
+        "all in UnitDefinitions", "not in UnitDefinitions", "add a Unit element for each", "finding",
     )  # fmt: skip
     known, unknown = {}, []
     for name, unit in units.items():

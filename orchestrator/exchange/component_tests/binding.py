@@ -15,6 +15,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
 from ...system.replace.crossing import Crossing, crossing
 from ...system.replace.mapping import VariableMapping
+from ...units import Unit, left_open
 from .opened import whole_variables
 from .suites import Declared
 
@@ -75,11 +76,6 @@ def elements_of(v: ModelVariable) -> int:
     return math.prod(v.shape) if v.shape else 1
 
 
-def unit_of(v: ModelVariable) -> str | None:
-    """The unit, its own or its declared type's."""
-    return v.unit or getattr(v.declaredType, "unit", None) or None
-
-
 def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
     """Their variable for one of ours; None if they have none. Raises InputError if sizes or units do not fit."""
     found, known = [], whole_variables(fmu)
@@ -98,8 +94,11 @@ def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
     crossings = []
     for v, entry in found:
         # FMI 2.0 writes units on numbers with decimals only.
-        own_unit = unit_of(v) or (None if v.type in REALS else ours.unit)
-        if entry.unit and own_unit and entry.unit != own_unit:
-            raise InputError(f"the mapping says {entry.unit}, their FMU says {own_unit} {entry.where}")
-        crossings += [crossing(v.name, ours.unit, own_unit or entry.unit, entry.sign, ours.name)] * elements_of(v)
+        own = v.unit or (None if v.type in REALS else ours.unit)
+        theirs = Unit(own, fmu.definitions.get(own), bool(v.relativeQuantity)) if own else None
+        said = Unit(entry.unit, None, bool(v.relativeQuantity)) if entry.unit else None
+        if said and theirs and said.name != theirs.name and not left_open(theirs, said):
+            raise InputError(f"the mapping says {said}, their FMU says {theirs} {entry.where}")
+        meant = theirs if said is None or (theirs and theirs.name == said.name) else said
+        crossings += [crossing(v.name, ours.unit, meant, entry.sign, ours.name)] * elements_of(v)
     return Binding(ours, tuple(v for v, _ in found), tuple(crossings))

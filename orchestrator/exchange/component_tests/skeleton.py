@@ -16,7 +16,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
 from ...system.model import start_as_toml
 from ...units import conversion
-from .binding import elements_of, unit_of
+from .binding import elements_of
 from .compare import ALLOWED
 from .opened import whole_variables
 from .suites import Declared, Suite
@@ -90,7 +90,7 @@ def _score(ours: Declared, theirs: Theirs) -> float:
         return 0.0
     if v.type in ("String", "Binary", "Clock") or (ours.kind == "Real" and v.type not in REALS):
         return 0.0
-    unit = unit_of(v)
+    unit = v.unit
     try:
         conversion(ours.unit, unit, "")
     except InputError:
@@ -121,7 +121,7 @@ def _remark(ours: Declared, found: dict[str, Theirs], suite: Suite, theirs: list
         there = ", ".join(free[:OFFERED]) or f"no {ours.causality}"
         return f"{said}: nothing there is like it, and a system needs it; there: {there}"
     v = found[ours.name].variable
-    unit = unit_of(v)
+    unit = v.unit
     words = f"theirs: {v.causality}, {f'[{unit}]' if unit else 'no unit stated'}"
     return f"{said}; {words}{f', {chr(39)}{v.description}{chr(39)}' if v.description else ''}".replace("\n", " ")
 

@@ -49,7 +49,9 @@ def crossings_for(fmu: Fmu, recording: Recording, mapping: VariableMapping) -> t
         if theirs is not None:
             unit = recording.starts[ours].unit if ours in recording.starts else None
             known = ModelVariable(name=ours, causality=role, unit=unit, type=theirs.type)
-            crossings[ours] = crossing_between(recording.name, known, theirs, mapping, label)
+            crossings[ours] = crossing_between(
+                recording.name, known, theirs, mapping, label, (unit, fmu.unit(theirs.name))
+            )
         elif mapping.states(ours):
             notes.append(f"{label} has no {role} for {ours}, as {mapping.file} says; left out")
         else:

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...files import write_file
 from ...results.tables import Run
-from ...system.replace.replacement import OWN
+from ...system.replace.view import OWN
 
 HEAD = ("name", "causality", "value", "unit")
 TOLERANCE = 1e-6  # RelTol of a recording: between solvers of ordinary accuracy, not between bits

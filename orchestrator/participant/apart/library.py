@@ -19,7 +19,7 @@ from typing import Any
 from fmpy import freeLibrary
 
 from ...fmu.fmu import Fmu
-from ...fmu.sharing import library_of, made_by_pythonfmu, made_here
+from ...fmu.sharing import made_by_pythonfmu, made_here
 
 _used: set[Path] = set()  # libraries that this process has loaded
 _numbers = itertools.count(1)
@@ -28,7 +28,7 @@ _lock = threading.Lock()
 
 def used_before(fmu: Fmu) -> bool:
     """Whether this process has loaded an FMU's library, whatever became of it."""
-    return library_of(fmu) in _used
+    return fmu.library in _used
 
 
 def keeps_nothing(fmu: Fmu) -> bool:
@@ -39,7 +39,7 @@ def keeps_nothing(fmu: Fmu) -> bool:
 @contextmanager
 def fresh_library(fmu: Fmu) -> Iterator[Path]:
     """The path from which to load the library of one more instance."""
-    original = library_of(fmu)
+    original = fmu.library
     with _lock:
         copied = original in _used and not keeps_nothing(fmu)
         _used.add(original)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...errors import InputError
-from ...units import conversion
+from ...units import Unit, conversion
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Crossing:
         return f"{self.name}{unit}" + ("" if self.exact else f", times {self.gain:.9g}{shift}")
 
 
-def crossing(name: str, ours: str | None, theirs: str | None, sign: float, label: str) -> Crossing:
+def crossing(name: str, ours: Unit | str | None, theirs: Unit | str | None, sign: float, label: str) -> Crossing:
     """The crossing to their variable `name`, between two units. Raises InputError where the units do not fit."""
     try:
         gain, offset = conversion(ours, theirs, label)
@@ -51,4 +51,6 @@ def crossing(name: str, ours: str | None, theirs: str | None, sign: float, label
             f"{error}; if their FMU is wrong about it, correct it there: a mapping file adds units and signs, "
             "it overrules none"
         ) from None
-    return Crossing(name, theirs, sign * gain, offset, sign * back_gain, sign * back_offset)
+    return Crossing(
+        name, None if theirs is None else str(theirs), sign * gain, offset, sign * back_gain, sign * back_offset
+    )

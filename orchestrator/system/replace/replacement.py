@@ -17,14 +17,14 @@ from ...errors import InputError
 from ...fmu.attributes import parse_value
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, Value
+from ...units import Unit, left_open
 from ..model import Component, System, start_as_toml
 from .crossing import Crossing, crossing
 from .mapping import VariableMapping
 from .missing import Missing, leave_out
-from .view import View
+from .view import OWN, View
 
 ROLES = ("input", "output", "parameter", "calculatedParameter")
-OWN = "theirs."  # what stands in front of the names of their variables that we do not know
 
 
 def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapping) -> System:
@@ -44,7 +44,8 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
             lacking.append(variable)
             continue
         try:
-            crossings[variable.name] = crossing_between(name, variable, theirs, mapping, label)
+            units = before.fmu.unit(variable.name), fmu.unit(theirs.name)
+            crossings[variable.name] = crossing_between(name, variable, theirs, mapping, label, units)
         except InputError as error:
             problems.append(str(error))
             continue
@@ -62,7 +63,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         presented.append(_renamed(theirs, OWN + key))
     missing = Missing(name, label, mapping, [v.name for v in lacking], fmu, problems)
     component = Component(
-        name, View.of(fmu, tuple(presented), crossings), before.period,
+        name, View.of(fmu, tuple(presented), crossings, before.fmu), before.period,
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
                *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings),
                *_kept(name, fmu, {*taken, *own})),
@@ -82,9 +83,14 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
 
 
 def crossing_between(
-    name: str, ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping, fmu: str
+    name: str,
+    ours: ModelVariable,
+    theirs: ModelVariable,
+    mapping: VariableMapping,
+    fmu: str,
+    units: tuple[Unit | str | None, Unit | None],
 ) -> Crossing:
-    """Between one of our variables and theirs; causality, type and unit must fit."""
+    """Between one of our variables and theirs, in `units`; causality, type and unit must fit."""
     entry = mapping.entry(ours.name)
     label = f"{name}.{ours.name} as '{theirs.name}' of {fmu}"
     if not _can_be(ours.causality, theirs):
@@ -98,7 +104,8 @@ def crossing_between(
     loose = ours.causality == "parameter" and "String" not in kinds  # a whole number may be given as a real one
     if kinds[0] != kinds[1] and not loose:
         raise InputError(f"{label}: theirs is of type {theirs.type}, {ours.type} is needed {entry.where}".rstrip())
-    if entry.unit and theirs.unit and entry.unit != theirs.unit:
+    own, said = units[1], Unit(entry.unit, None, bool(theirs.relativeQuantity)) if entry.unit else None
+    if said and own and said.name != own.name and not left_open(own, said):
         raise InputError(
             f"{label}: the mapping says that it is in {entry.unit}, their FMU that it is in {theirs.unit}; "
             f"leave the unit out of the mapping {entry.where}"
@@ -107,7 +114,8 @@ def crossing_between(
         if entry.sign != 1.0:
             raise InputError(f"{label}: a {theirs.type} has no sign {entry.where}")
         return Crossing(theirs.name)
-    return crossing(theirs.name, ours.unit, entry.unit or theirs.unit, entry.sign, label)
+    meant = own if said is None or (own and own.name == said.name) else said
+    return crossing(theirs.name, units[0], meant, entry.sign, label)
 
 
 def _can_be(ours: str, theirs: ModelVariable) -> bool:
@@ -124,6 +132,7 @@ def _presented(ours: ModelVariable, theirs: ModelVariable, cross: Crossing) -> M
     """Their variable as the system sees it: our name, unit and role, their reference, type, start and range."""
     seen = _renamed(theirs, ours.name)
     seen.description, seen.causality, seen.unit = ours.description, ours.causality, ours.unit
+    seen.relativeQuantity = ours.relativeQuantity
     if ours.variability == "discrete":  # the component keeps its role: what samples goes on sampling
         seen.variability = "discrete"
     if cross.exact:

@@ -15,7 +15,10 @@ from ...errors import InputError
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
 from ...fmu.variables import Place
+from ...units import Definition, Unit
 from .crossing import Crossing
+
+OWN = "theirs."  # what stands in front of the names of their variables that we do not know
 
 
 @dataclass(frozen=True)
@@ -24,12 +27,13 @@ class View(Fmu):
 
     presented: tuple[ModelVariable, ...] = ()
     crossings: Mapping[str, Crossing] = field(default_factory=dict)
+    ours: Mapping[str, Definition] = field(default_factory=dict)  # what the units of our variables mean
 
     @classmethod
-    def of(cls, fmu: Fmu, presented: tuple[ModelVariable, ...], crossings: Mapping[str, Crossing]) -> View:
-        """`fmu` under the names of `presented`; each of them has a crossing."""
+    def of(cls, fmu: Fmu, presented: tuple[ModelVariable, ...], crossings: Mapping[str, Crossing], ours: Fmu) -> View:
+        """`fmu` in the place of `ours`, under the names of `presented`; each of them has a crossing."""
         same = {f.name: getattr(fmu.own, f.name) for f in fields(Fmu)}
-        return cls(**same, presented=presented, crossings=crossings)
+        return cls(**same, presented=presented, crossings=crossings, ours=ours.definitions)
 
     @cached_property
     def own(self) -> Fmu:
@@ -43,6 +47,10 @@ class View(Fmu):
 
     def from_own(self, name: str, value: Value) -> Value:
         return self.crossings[name].back(value) if isinstance(value, float) else value
+
+    def unit_called(self, unit: str, name: str) -> Unit:
+        known = self.definitions if name.startswith(OWN) else self.ours
+        return Unit(unit, known.get(unit), bool(self.variables[name].relativeQuantity))
 
     @cached_property
     def variables(self) -> dict[str, ModelVariable]:

@@ -59,7 +59,7 @@ class Archive:
         except (OSError, ValueError, RuntimeError) as error:  # NUL, a name too long, links in a circle
             raise InputError(f"{label}: source '{shown(source)}' is no file: {error}") from None
         if not file.is_relative_to(folder.resolve()):
-            raise InputError(f"{label}: source '{source}' leaves the folder of the SSP; refused")
+            raise InputError(f"{label}: source '{source}' leaves the folder of the SSP; put the file inside it")
         if not os.path.isfile(file):  # False for a name too long as well
             raise InputError(f"{label}: there is no file '{shown(source)}' in {self.path.name}")
         return folder / file.relative_to(folder.resolve())

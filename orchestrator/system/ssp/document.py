@@ -80,7 +80,7 @@ class Document:
         except etree.XMLSyntaxError as error:
             raise InputError(f"{shown} is not well-formed XML: {error}") from error
         if tree.docinfo.doctype:
-            raise InputError(f"{shown} has a document type declaration, which can open files; refused")
+            raise InputError(f"{shown} has a document type declaration, which can open files; remove it")
         self.root = tree.getroot()
         self.version = str(self.root.get("version"))
         if local(self.root) != kind:

@@ -14,10 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import InputError
+from ...fmu.attributes import items_of
+from ...units import Definition, Unit, conversion
 from .archive import Archive
 from .document import MAPPINGS, Document, find, local, typed_child
 from .structure import Element
-from .units import IDENTITY, Definition, Linear, convert, definitions, stated_linear
+from .units import IDENTITY, Linear, definitions, stated_linear
 from .wires import End, Wire
 
 
@@ -36,12 +38,14 @@ class Stated:
     def value(self, element: Element, variable: str) -> Any:
         """As the FMU takes it: text (the reader checks it), a number where one was computed, or a list."""
         assert element.fmu
-        v = element.fmu.variables[element.fmu.expand(variable)[0]]
+        scalar = element.fmu.expand(variable)[0]
+        v = element.fmu.variables[scalar]
         label = f"{element.name}.{variable} {self.where}"
-        unit = Linear(*convert(self.unit, v.unit, self.known, label)) if self.convert else IDENTITY
+        stated = Unit(self.unit, self.known.get(self.unit), bool(v.relativeQuantity)) if self.unit else None
+        unit = Linear(*conversion(stated, element.fmu.unit(scalar), label)) if self.convert else IDENTITY
         linear = unit.then(self.linear)
-        items = {item.name: item.value for item in getattr(v.declaredType, "items", None) or ()}
-        texts = [items.get(text, text) for text in self.texts]
+        items = items_of(v)
+        texts: list[Any] = [items.get(text, text) for text in self.texts]
         if linear != IDENTITY:
             try:
                 texts = [linear.factor * float(text) + linear.offset for text in texts]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ...errors import InputError
+from ...units import Definition, Unit, conversion
 from ..connections import Link
 from .annotations import annotated
 from .document import Document, find
 from .structure import GIVING, Connector, Element
-from .units import Definition, Linear, convert, stated_linear
+from .units import Linear, stated_linear
 
 End = tuple[Element, str]  # an element and the name of one of its connectors
 
@@ -96,28 +97,31 @@ def links_of(wires: Mapping[End, Wire], known: Mapping[str, Definition]) -> Iter
         linear, unit = Linear(), unit_of(giver, output, known, path[0])
         for wire in path:
             there = unit_of(*wire.target, known, wire)
+            if there and unit and not wire.target[0].fmu:  # a connector of a system says nothing of differences
+                there = replace(there, relative=unit.relative)
             if wire.convert:
-                linear = linear.then(Linear(*_converted(unit, there, known, wire)))
+                linear = linear.then(Linear(*_converted(unit, there, wire)))
             linear = linear.then(wire.linear)
             unit = there or unit
         transfer = next((wire.transfer for wire in reversed(path) if wire.transfer), "")
         yield Link(giver.name, output, element.name, name, transfer, linear.factor, linear.offset, last.where)
 
 
-def unit_of(element: Element, name: str, known: Mapping[str, Definition], wire: Wire) -> str | None:
+def unit_of(element: Element, name: str, known: Mapping[str, Definition], wire: Wire) -> Unit | None:
     """The unit of a connector: stated there or by the FMU. Raises InputError where the two are not the same."""
     stated = element.connector(name, wire.label).unit
     scalars = element.fmu.expand(name) if element.fmu else []
-    own = element.fmu.variables[scalars[0]].unit if element.fmu and scalars else None
-    if stated and own and convert(stated, own, known, wire.label) != (1.0, 0.0):
+    own = element.fmu.unit(scalars[0]) if element.fmu and scalars else None
+    if not stated:
+        return own
+    unit = Unit(stated, known.get(stated), bool(own and own.relative))
+    if own and _converted(unit, own, wire) != (1.0, 0.0):
         raise InputError(f"{wire.label}: connector {name} is in {stated}, the FMU's variable in {own} {wire.where}")
-    return stated or own
+    return unit
 
 
-def _converted(
-    source: str | None, target: str | None, known: Mapping[str, Definition], wire: Wire
-) -> tuple[float, float]:
+def _converted(source: Unit | None, target: Unit | None, wire: Wire) -> tuple[float, float]:
     try:
-        return convert(source, target, known, wire.label)
+        return conversion(source, target, wire.label)
     except InputError as error:
         raise InputError(f"{error} {wire.where}") from None

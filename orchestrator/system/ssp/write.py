@@ -44,7 +44,7 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
     for name, component in system.components.items():
         values = parameter_set(component, system.name, ssp_version)
         entries[f"resources/{name}.ssv"] = _text(values)
-        entries[files[name]] = component.fmu.path
+        entries[files[name]] = component.fmu.archive
     if ssp_version == "1.0":
         for shown, content in entries.items():
             if isinstance(content, bytes):
@@ -58,7 +58,7 @@ def resource_names(system: System) -> dict[str, str]:
     digests: dict[str, str] = {}
     for name, component in system.components.items():
         fmu = component.fmu
-        place = f"resources/{fmu.path.name}"
+        place = f"resources/{fmu.path.name}" if fmu.path.suffix == ".fmu" else f"resources/{fmu.path.stem}.fmu"
         if digests.setdefault(place, fmu.digest) != fmu.digest:  # another FMU of the same name
             place = f"resources/{fmu.path.stem}_{fmu.digest[:8]}.fmu"
             digests[place] = fmu.digest

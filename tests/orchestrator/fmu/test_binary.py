@@ -49,7 +49,7 @@ def test_so_is_one_of_a_build_description(tmp_path: Path) -> None:
     with pytest.raises(FmuError, match=r"its modelIdentifier '.*' is no C identifier of at most 200|not valid"):
         Fmu.open(path)
     missing = next(row for row in archive_rows(open_subject(path)) if row.rule == "sources are complete")
-    assert missing.verdict == "error" and "passwd" in missing.found
+    assert missing.verdict == "finding" and "passwd" in missing.found
 
 
 @pytest.mark.parametrize("machine", ["aarch64-linux", "aarch64-windows"])

@@ -55,7 +55,7 @@ def test_a_cache_that_was_removed_meanwhile_is_filled_again(
     path = settled(edited(fmus / "gain.fmu", tmp_path / "gain.fmu", {}))
     first = Fmu.open(path)
     (tmp_path / "cache").rename(tmp_path / "gone")
-    assert Fmu.open(path).library == first.library and first.library.is_dir()
+    assert Fmu.open(path).library == first.library and first.library.is_file()
 
 
 def test_another_cache_folder_is_another_place(fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

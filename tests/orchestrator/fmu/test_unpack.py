@@ -42,7 +42,7 @@ def refused(path: Path, *words: str) -> None:
 
 def test_a_missing_file_is_named_with_the_mend(tmp_path: Path) -> None:
     refused(tmp_path / "none.fmu", "does not exist", "rovbrush build")
-    refused(tmp_path, "does not exist")
+    refused(tmp_path, "is a folder without modelDescription.xml")
 
 
 @pytest.mark.parametrize("how", ["empty", "no zip", "cut off", "flipped bytes", "bad header"])
@@ -115,10 +115,8 @@ def test_a_missing_description_is_refused(fmus: Path, tmp_path: Path) -> None:
             ["is of FMI version 1.0; version 2.0 or 3.0 is needed", "export it again"],
         ),
         ('fmiVersion="2.0"', 'fmiVersion="4.0"', ["is of FMI version 4.0; version 2.0 or 3.0 is needed"]),
-        ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["is not valid"]),
+        ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["none of its 9 variables can be understood as FMI 3.0 writes them"]),
         ("</fmiModelDescription>", "", ["not well-formed"]),
-        ('causality="output"', 'causality="outpt"', ["is not valid", "outpt"]),
-        ('valueReference="0"', 'valueReference="minus one"', ["is not valid"]),
     ],
 )
 def test_a_wrong_description_is_refused(old: str, new: str, words: list[str], fmus: Path, tmp_path: Path) -> None:
@@ -197,9 +195,9 @@ def test_an_unreadable_file_is_named(fmus: Path, tmp_path: Path) -> None:
 
 
 def test_an_archive_that_holds_an_entry_twice_is_refused(fmus: Path, tmp_path: Path) -> None:
-    """Two tools could read two different model descriptions from it."""
+    """Two tools could read two different model descriptions from it; the same content twice is taken and noted."""
     path = tmp_path / "twice.fmu"
     shutil.copy(fmus / "gain.fmu", path)
     with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate name"):
         archive.writestr("modelDescription.xml", "<fmiModelDescription/>")
-    refused(path, "entry 'modelDescription.xml' is there twice; refused")
+    refused(path, "entry 'modelDescription.xml' is there twice with different contents; pack one of them")

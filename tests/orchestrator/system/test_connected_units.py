@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -10,8 +12,14 @@ from rovbrush.orchestrator.errors import InputError
 
 
 def fmu_with_units(fmus: Path, folder: Path, name: str, renamed: dict[str, str]) -> str:
+    """A copy with other units, of which it says nothing but their names."""
+    with zipfile.ZipFile(fmus / f"{name}.fmu") as archive:
+        text = archive.read("modelDescription.xml").decode()
     changes = {f'unit="{old}"': f'unit="{new}"' for old, new in renamed.items()}
-    changes |= {f'<Unit name="{old}"': f'<Unit name="{new}"' for old, new in renamed.items()}
+    for old, new in renamed.items():
+        defined = re.search(f'<Unit name="{re.escape(old)}">.*?</Unit>', text, re.DOTALL)
+        assert defined
+        changes[defined[0]] = f'<Unit name="{new}"/>'
     return str(edited(fmus / f"{name}.fmu", folder / f"{name}_{len(list(folder.iterdir()))}.fmu", {}, changes))
 
 

@@ -1,0 +1,1 @@
+"""Descriptions as strangers write them: what a run can do without is mended and noted, never refused."""
