@@ -105,9 +105,11 @@ def _imported(node: ast.AST) -> list[str]:
 @cache
 def _shared_data(library: Path) -> str:
     """What all copies of a library in a process would share."""
+    if not library.is_file():
+        return ""
     beside = sorted(p.name for p in library.parent.iterdir() if p != library and p.suffix in EXTENSIONS)
     beside = [name for name in beside if not name.startswith(".")]
-    content = np.fromfile(library, dtype=np.uint8) if library.is_file() else np.zeros(0, dtype=np.uint8)
+    content = np.fromfile(library, dtype=np.uint8)
     needed = [name for name in beside if name.encode() in content.tobytes()] if beside else []
     if needed:
         return f"its library needs another one beside it ({needed[0]}), which a process loads once"

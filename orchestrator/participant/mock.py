@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,11 @@ class MockFmu(Fmu):
 
     model: Callable[[Mapping[str, float]], Model] = Model
     made: list[Model] = field(default_factory=list)  # the models of its instances, to look at what they were told
+
+    @cached_property
+    def library(self) -> Path:
+        """A file that there is not: a mock has none."""
+        return self.path
 
 
 def mock_fmu(
