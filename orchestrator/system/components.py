@@ -81,7 +81,7 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
             scalars = checked_values(component, key, value, origin)
             is_input = component.fmu.variables[next(iter(scalars))].causality == "input"
             if is_input != (kind == "inputs"):
-                raise InputError(f"{origin}: {name}.{key} is {'an input' if is_input else 'no input'}")
+                raise InputError(f"{origin}: {name}.{key} is no {'parameter' if is_input else 'input'}")
             found |= scalars
         component = component.with_values(found)
     return component

@@ -24,7 +24,6 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("fault", "words"),
     [
-        ("terminate", "asks to end the simulation (terminateSimulation)"),
         ("early", "returned early (earlyReturn)"),
         ("event", "needs event handling (eventHandlingNeeded)"),
         ("discard", "returned fmi3Discard"),
