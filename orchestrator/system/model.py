@@ -144,7 +144,9 @@ class System:
             name, _, variable = key.partition(".")
             if "." not in key:
                 alone = next(iter(components)) if len(components) == 1 else "component"
-                raise InputError(f"{origin} {key}: write {alone}.variable=value{nearest(key, _settable(components))}")
+                raise InputError(
+                    f"{origin} {key}: write {alone}.variable=value{nearest(key, _names_to_set(components))}"
+                )
             if name not in components:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
             for scalar, scalar_value in checked_values(components[name], variable, value, origin).items():
@@ -184,7 +186,7 @@ class System:
         )
 
 
-def _settable(components: Mapping[str, Component]) -> list[str]:
+def _names_to_set(components: Mapping[str, Component]) -> list[str]:
     """What can be set, each by its full name."""
     return [f"{c.name}.{v}" for c in components.values() for v in c.fmu.base_names("parameter", "input")]
 

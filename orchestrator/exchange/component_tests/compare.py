@@ -9,18 +9,12 @@ from ...errors import InputError, nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
 from ...system.replace.mapping import VariableMapping
+from ...system.replace.replacement import CALLED, can_be
 from .binding import WHOLES, Binding, bind
 from .opened import whole_variables
 from .suites import Declared, Suite
 
 Finding = Literal["fits", "converted", "noted", "absent", "surplus", "failed"]
-# What a variable of ours may be at theirs; reading needs less than connecting.
-ALLOWED = {
-    "input": ("input",),
-    "output": ("output",),
-    "parameter": ("parameter", "structuralParameter"),
-    "calculatedParameter": ("calculatedParameter", "output", "local", "parameter"),
-}
 
 
 @dataclass(frozen=True)
@@ -73,6 +67,8 @@ def compare(fmu: Fmu, suite: Suite, mapping: VariableMapping) -> Comparison:
 def _missing(v: Declared, suite: Suite, fmu: Fmu, mapping: VariableMapping) -> Row:
     if v.name not in suite.essential:
         return Row(v.name, "", "absent", "tests that need it do not apply")
+    if mapping.states(v.name) and mapping.entry(v.name).absent and v.causality != "output":
+        return Row(v.name, "", "absent", f"as {mapping.file} says; a system does without")
     causality = [name for name in fmu.base_names(v.causality)]
     hint = nearest(v.name, causality).removeprefix("; ")
     known = "" if mapping.states(v.name) else f"; if it has another name there, say so in a mapping file ({hint})"
@@ -83,8 +79,8 @@ def _fit(v: Declared, binding: Binding, suite: Suite) -> Row:
     theirs = binding.theirs[0]
     name = binding.name
     causality = theirs.causality or "local"
-    if causality not in ALLOWED[v.causality]:
-        if v.causality == "parameter" or (v.causality == "output" and v.name not in suite.essential):
+    if not can_be(v.causality, theirs):
+        if v.causality in CALLED or (v.causality == "output" and v.name not in suite.essential):
             return Row(v.name, name, "absent", f"is {_a(causality)} there, {_a(v.causality)} here: not used")
         return Row(v.name, name, "failed", f"is {_a(causality)} there; {_a(v.causality)} is needed")
     if theirs.type not in (*REALS, *WHOLES, "Boolean"):

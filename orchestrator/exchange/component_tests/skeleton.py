@@ -15,9 +15,9 @@ from ...errors import InputError
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
 from ...system.model import start_as_toml
+from ...system.replace.replacement import can_be
 from ...units import conversion
 from .binding import elements_of
-from .compare import ALLOWED
 from .opened import whole_variables
 from .suites import Declared, Suite
 
@@ -86,7 +86,7 @@ def _pairs(ours: Iterable[Declared], theirs: list[Theirs]) -> dict[str, Theirs]:
 def _score(ours: Declared, theirs: Theirs) -> float:
     """How well a variable of theirs could stand for one of ours; 0 if it cannot."""
     v = theirs.variable
-    if (v.causality or "local") not in ALLOWED[ours.causality] or theirs.count != ours.size:
+    if not can_be(ours.causality, v) or theirs.count != ours.size:
         return 0.0
     if v.type in ("String", "Binary", "Clock") or (ours.kind == "Real" and v.type not in REALS):
         return 0.0

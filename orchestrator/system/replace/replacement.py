@@ -25,6 +25,7 @@ from .missing import Missing, leave_out
 from .view import OWN, View
 
 ROLES = ("input", "output", "parameter", "calculatedParameter")
+CALLED = ("parameter", "calculatedParameter")  # of ours that a system may do without
 
 
 def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapping) -> System:
@@ -40,7 +41,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
     problems: list[str] = []
     for variable in ours:
         theirs = fmu.variables.get(mapping.entry(variable.name).name)
-        if theirs is None:
+        if theirs is None or _not_used(variable, theirs, mapping):
             lacking.append(variable)
             continue
         try:
@@ -93,7 +94,7 @@ def crossing_between(
     """Between one of our variables and theirs, in `units`; causality, type and unit must fit."""
     entry = mapping.entry(ours.name)
     label = f"{name}.{ours.name} as '{theirs.name}' of {fmu}"
-    if not _can_be(ours.causality, theirs):
+    if not can_be(ours.causality, theirs):
         raise InputError(
             f"{label}: theirs is of causality {theirs.causality}, {ours.causality} is needed; name another variable of "
             f"theirs in a mapping file, have it exported as {ours.causality}"
@@ -118,7 +119,12 @@ def crossing_between(
     return crossing(theirs.name, units[0], meant, entry.sign, label)
 
 
-def _can_be(ours: str, theirs: ModelVariable) -> bool:
+def _not_used(ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping) -> bool:
+    """Whether theirs only happens to be called like a parameter of ours that it cannot be."""
+    return ours.causality in CALLED and not mapping.states(ours.name) and not can_be(ours.causality, theirs)
+
+
+def can_be(ours: str, theirs: ModelVariable) -> bool:
     """A value may be read wherever it stands, but must be set where FMI allows it."""
     if ours == "parameter":
         start = theirs.initial in ("exact", "approx") and theirs.causality in ("local", "output")
@@ -176,7 +182,7 @@ def own_values(
         for name in getattr(mapping, table):
             if name not in variables:
                 problems.append(f"[{table}]: name each element of '{name}', or give a list ({mapping.file})")
-            elif not _can_be(causality, variables[name]):
+            elif not can_be(causality, variables[name]):
                 problems.append(
                     f"[{table}]: '{name}' of {label} is of causality {variables[name].causality}, "
                     f"no {causality} ({mapping.file})"
