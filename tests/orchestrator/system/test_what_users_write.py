@@ -113,3 +113,12 @@ def test_locals_and_parameters_are_recorded_by_name(fmus: Path) -> None:
     assert select_recorded(usual, ["*.x"]).record == ("*.x", "a.x", "b.x")  # nothing but locals is called so
     with pytest.raises(InputError, match=r"--record a\.xx: no variable is called so; did you mean 'a\.x'"):
         select_recorded(usual, ["a.xx"])
+
+
+@pytest.mark.parametrize("given", ["on", 7, "7"])
+def test_an_item_of_an_enumeration_is_given_by_name_or_number(given: object, fmus: Path) -> None:
+    system = read_system(fmus, fmus, {"a": ("plain", "1 ms", {"mode": given})})
+    assert system.components["a"].parameters["mode"] == 7
+    assert system.with_values({"a.mode": given}, "--set").components["a"].parameters["mode"] == 7
+    with pytest.raises(InputError, match=r"a\.mode = onn .*did you mean 'on'"):
+        system.with_values({"a.mode": "onn"}, "--set")
