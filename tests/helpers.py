@@ -62,12 +62,16 @@ def edited(
     return target
 
 
-def system_text(parts: Mapping[str, Part], connections: Iterable[str] = (), stop: str = "1 s", **keys: Any) -> str:
-    """A system file: `parts` by name, further top-level keys as they are."""
+def system_text(
+    parts: Mapping[str, Part], connections: Iterable[str] = (), stop: str = "1 s",
+    of: Mapping[str, Mapping[str, Any]] | None = None, **keys: Any,
+) -> str:  # fmt: skip
+    """A system file: `parts` by name, further keys of components in `of`, further top-level keys as they are."""
     lines = [f'stop_time = "{stop}"'] + [f"{key} = {_toml(value)}" for key, value in keys.items()]
     lines += ["connections = [", *(f"  {_toml(c)}," for c in connections), "]"]
     for name, (fmu, period, *values) in parts.items():
         lines += ["", f"[components.{name}]", f'fmu = "{fmu}"', f'period = "{period}"']
+        lines += [f"{key} = {_toml(value)}" for key, value in (of or {}).get(name, {}).items()]
         for table in ("parameters", "inputs"):
             chosen = {
                 k.removeprefix("="): v

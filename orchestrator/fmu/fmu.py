@@ -146,11 +146,11 @@ class Fmu(Capabilities):
         """The start value of a scalar; zero, false or empty where the description gives none."""
         return start_value(self.variables[name], f"{self.path.name}: start value of {name}")
 
-    def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
+    def feedthrough(self, initial: bool = False, unstated: bool = True) -> dict[str, frozenset[str]]:
         """For each output the inputs on which it depends at once; all of them where the description does not say.
 
         `initial`: the dependencies during initialization instead of those while stepping; an output with an exact
-        start value has none then.
+        start value has none then. `unstated`: False for none where the description does not say.
         """
         inputs = frozenset(self.names("input"))
         stated = self.description.initialUnknowns if initial else self.description.outputs
@@ -162,7 +162,8 @@ class Fmu(Capabilities):
         owners = {name: v for v, elements in self._elements.items() for name in elements}
         fixed = {name for name, v in self.variables.items() if initial and v.initial == "exact"}
         return {
-            name: given.get(owners[name], frozenset() if name in fixed else inputs) for name in self.names("output")
+            name: given.get(owners[name], frozenset() if name in fixed or not unstated else inputs)
+            for name in self.names("output")
         }
 
 

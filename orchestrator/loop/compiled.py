@@ -83,6 +83,6 @@ def compiled_run() -> Any:
         subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
     table, cells, numbers, raw = numba.int64[:, ::1], numba.int64[::1], numba.float64[::1], numba.uint8[::1]
     signals = (numbers, cells, raw, numba.float32[::1], raw, cells)
-    results, repeated = (cells, table, numbers, cells), (cells, numbers, numbers, cells, table)
+    results, repeated = (cells, table, numbers, cells), (cells, numbers, numbers, numbers, cells, table)
     compiled.compile((table, numbers, table, table, *signals, *results, cells, *repeated, *(numba.int64,) * 5))
     return compiled

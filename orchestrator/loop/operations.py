@@ -4,10 +4,10 @@ from __future__ import annotations
 
 COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
 QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(10, 21)
-SERIES, SAMPLE, HALVE, ADVANCE, ESTIMATE = range(21, 26)
+SERIES, SAMPLE, HALVE, ADVANCE, ESTIMATE, SOLVE = range(21, 27)
 NAMES = (
     *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
     *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
-    *("series", "sample", "halve", "advance", "estimate"),
+    *("series", "sample", "halve", "advance", "estimate", "solve"),
 )
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")

@@ -81,6 +81,7 @@ from .operations import (
     SAVE,
     SERIES,
     SET,
+    SOLVE,
     STEP,
     WORK,
 )  # fmt: skip
@@ -97,7 +98,8 @@ def run(
     z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, pool: np.ndarray, index: np.ndarray,
     slots: np.ndarray, groups: np.ndarray, buffer: np.ndarray, rows: np.ndarray,
     control: np.ndarray,
-    clock: np.ndarray, work: np.ndarray, saved: np.ndarray, states: np.ndarray, state_calls: np.ndarray,
+    clock: np.ndarray, work: np.ndarray, saved: np.ndarray, solver: np.ndarray,
+    states: np.ndarray, state_calls: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE or
@@ -109,8 +111,9 @@ def run(
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
     control (8): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
-    of the iteration or of the step controller; saved: signals at the beginning of a macro step; states (n): FMU
-    states; state_calls (n, 3): addresses of the functions that get, set and free one.
+    of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
+    loops that are solved at an instant; states (n): FMU states; state_calls (n, 3): addresses of the functions that
+    get, set and free one.
     """
     stop = (control[PROMISED] * numerator) / denominator if control[PROMISED] > 0 else FOREVER
     begin = control[RESUME_AT]
@@ -235,6 +238,13 @@ def run(
                 if verdict == CONVERGED:
                     m = a - 1
                 elif verdict != AGAIN:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return NOT_CONVERGED
+            elif code == SOLVE:
+                verdict = iterate(z, b, p, q, coefficients, k, solver[c:])
+                if verdict == AGAIN:
+                    m -= a + 1
+                elif verdict != CONVERGED:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return NOT_CONVERGED
             elif code == REPEAT:

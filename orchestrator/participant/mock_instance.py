@@ -117,8 +117,8 @@ class MockInstance(Participant):
         self._do("set", f"set {', '.join(values)}", lambda: self.model.set(numbers), numbers)
 
     def get_own(self, name: str) -> float:
-        self.require("get", f"get {name}")
-        return self.model.get([name])[0]
+        found: list[float] = self.call("get", f"get {name}", self.model.get, [name])
+        return found[0]
 
     def enter_initialization(self) -> None:
         self._do("enter", "enter initialization", lambda: None)

@@ -9,6 +9,7 @@ from ..clock import Clock
 from ..system.model import Connection, System
 from ..system.series import Series
 from .algorithms.base import Algorithm
+from .instants import Instants
 from .schedule.bond_energy import BondEnergy
 from .schedule.formulas import Choice
 from .schedule.layout import Group, Layout
@@ -32,6 +33,7 @@ class Design:
     bonds: tuple[BondEnergy, ...]
     groups: tuple[Group, ...]
     start: tuple[Block, ...]  # the order in which values propagate at time 0
+    instants: Instants  # which held inputs are given the value of their instant
 
     def into(self, name: str) -> list[Connection]:
         """The connections into a component."""

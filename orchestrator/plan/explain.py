@@ -43,6 +43,10 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines.append(f"  {name} steps first: its outputs are interpolated, so its step is done at its beginning")
     for name, reason in plan.rereads.items():
         lines.append(f"  {name} is read at both ends of its steps: {reason}")
+    for name, inputs in plan.instants.reasons().items():
+        lines.append(f"  {name} is read again at its instants: its outputs answer at once to {inputs}")
+    for cut, loop in plan.instants.cuts.items():
+        lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():
         converted = (

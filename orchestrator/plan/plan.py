@@ -11,6 +11,7 @@ from ..system.series import check_series
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities
 from .design import Design
+from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
 from .processes import with_processes
 from .schedule.bond_energy import bond_energies, check_names
@@ -60,9 +61,11 @@ def make_plan(system: System) -> Plan:
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
+    instants = Instants(system, choices, (*samplers, *leaders), layout.outputs)
     design = Design(
-        system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start
-    )
+        system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start,
+        instants,
+    )  # fmt: skip
     schedule = algorithm.schedule(design)
     cycle = schedule.build()
     decided = {field.name: getattr(design, field.name) for field in fields(Design)}

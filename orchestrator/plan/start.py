@@ -13,6 +13,8 @@ from dataclasses import dataclass
 
 from ..system.model import Connection, System
 
+Answers = Mapping[str, Mapping[str, frozenset[str]]]  # by component and output: the inputs on which it depends at once
+
 
 @dataclass(frozen=True)
 class Block:
@@ -30,24 +32,31 @@ class Block:
 
 
 def start_order(system: System) -> tuple[Block, ...]:
-    """Blocks in an order in which each finds what it needs."""
-    set_of, members = _needs(system)
+    """The blocks of all connections at time 0."""
+    return blocks_of(
+        system.connections,
+        {name: component.fmu.feedthrough(initial=True) for name, component in system.components.items()},
+    )
+
+
+def blocks_of(connections: Sequence[Connection], answers: Answers) -> tuple[Block, ...]:
+    """Blocks in an order in which each finds what it needs; `answers`: on which inputs each output depends."""
+    set_of, members = _needs(connections, answers)
     order = _by_levels({k: [set_of[k]] if members[set_of[k]] else [] for k in range(len(set_of))}, members)
     if order is None:
-        return _with_loops(system, set_of, members)
-    return tuple(Block((system.connections[k],), False) for k in order)
+        return _with_loops(connections, set_of, members)
+    return tuple(Block((connections[k],), False) for k in order)
 
 
-def _needs(system: System) -> tuple[list[int], list[list[int]]]:
+def _needs(connections: Sequence[Connection], known: Answers) -> tuple[list[int], list[list[int]]]:
     """For each connection, by its position, the set that must come before it; the members of every set."""
-    known = {name: component.fmu.feedthrough(initial=True) for name, component in system.components.items()}
     into: dict[str, dict[str, int]] = {}
-    for k, c in enumerate(system.connections):
+    for k, c in enumerate(connections):
         into.setdefault(c.target[0], {})[c.target[1]] = k
     numbers: dict[tuple[str, frozenset[str]], int] = {}
     set_of: list[int] = []
     members: list[list[int]] = []
-    for c in system.connections:
+    for c in connections:
         name, answers = c.source[0], known[c.source[0]][c.source[1]]
         if (name, answers) not in numbers:
             numbers[name, answers] = len(members)
@@ -101,7 +110,9 @@ def _mentioned(sets_of: Mapping[int, Sequence[int]], members: Sequence[Sequence[
     return list(found)
 
 
-def _with_loops(system: System, set_of: Sequence[int], members: Sequence[Sequence[int]]) -> tuple[Block, ...]:
+def _with_loops(
+    connections: Sequence[Connection], set_of: Sequence[int], members: Sequence[Sequence[int]]
+) -> tuple[Block, ...]:
     """As `start_order`, where some connections need each other."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -129,7 +140,7 @@ def _with_loops(system: System, set_of: Sequence[int], members: Sequence[Sequenc
     assert order is not None
     return tuple(
         Block(
-            tuple(system.connections[k] for k in groups[number]),
+            tuple(connections[k] for k in groups[number]),
             len(groups[number]) > 1 or labels[groups[number][0]] == labels[n + set_of[groups[number][0]]],
         )
         for number in order

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import numpy as np
 
 from ..errors import FmuError, InputError
 from ..fmu.types import Value
-from ..participant.base import Participant
+from ..participant.base import CallError, Participant
 from ..participant.opening import start
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
@@ -45,6 +46,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     for instance in instances.values():
         instance.exit_initialization()
     propagation.read_outputs()
+    propagation.settle_instant()
     started.notes = [note for name, c in system.components.items() for note in read_back(instances[name], c)]
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])
@@ -94,6 +96,31 @@ class _Propagation:
         """All outputs into their cells."""
         for key, slot in self.plan.layout.outputs.items():
             self.memory.put(key, slot, self._get(key))
+
+    def settle_instant(self) -> None:
+        """What the loop does at every instant: new inputs to outputs that answer at once, which are read again.
+
+        Raises FmuError if an FMU does not allow it, before there is any step.
+        """
+        plan = self.plan
+        for block in plan.instants.blocks(frozenset(plan.system.components) - set(plan.early)):
+            name = block.connections[0].target[0]
+            try:
+                if block.loop:
+                    self._solve(block.label, list(block.connections))
+                else:
+                    self._set(block.connections[0], self._received(block.connections[0]))
+                self._read({c.target[0] for c in block.connections})
+            except CallError as error:
+                raise FmuError(
+                    f"{error}; outputs answer at once to {plan.instants.reasons()[name]}, so they are read again where "
+                    f'these are set; if the FMU forbids that, write direct = "off" under [components.{name}]'
+                ) from error
+
+    def _read(self, names: Collection[str]) -> None:
+        for key, slot in self.plan.layout.outputs.items():
+            if key[0] in names:
+                self.memory.put(key, slot, self._get(key))
 
     def _real(self, c: Connection) -> bool:
         return self.memory.kind(c.source).real

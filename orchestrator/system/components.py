@@ -52,7 +52,7 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
         raise file.fail(str(error), "period", heading) from None
     own_process = _isolation(file, name, table, "timeout" in entry, heading)
     component = Component(name, fmu, period, notes=file.notes.get(name, ()), **own_process)
-    component = replace(component, logging=table.logging, tolerance=table.tolerance)
+    component = replace(component, logging=table.logging, tolerance=table.tolerance, direct=table.direct)
     return _with_values(file, component, table, heading)
 
 

@@ -38,6 +38,7 @@ class Component:
     logging: Literal["warnings", "all"] = "warnings"  # what the FMU is asked to log
     tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
+    direct: str = "stated"  # outputs that answer to inputs at once: those that are stated, "all", or "off"
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""

@@ -138,7 +138,7 @@ class AdaptiveSchedule(VaryingSchedule):
         rows.append((SAVE, 0, -1, own, 0, 0, 0, 0))
         again = len(rows)
         rows += [*self._step_of_all(), *self._kept(keys, whole), (HALVE, end, -1, 0, 0, 0, 0, 0), *back]
-        rows += [*self._step_of_all(), (ADVANCE, end, -1, 0, 0, 0, 0, 0)]
+        rows += [*self._step_of_all(), *self.settle(end), (ADVANCE, end, -1, 0, 0, 0, 0, 0)]
         rows += [*self._step_of_all(), *self._kept(keys, whole + len(keys))]
         on = len(rows) + 1 + len(back) + 1
         rows.append((ESTIMATE, end, -1, on, own, whole, len(keys), self._settings(keys)))
@@ -146,6 +146,7 @@ class AdaptiveSchedule(VaryingSchedule):
         yield from back
         yield (REPEAT, end, -1, again, 0, 0, 0, 0)
         yield from self.energies(end)
+        yield from self.settle(end)
         yield from self.tables(end)
 
     def _step_of_all(self) -> Iterator[Row]:

@@ -94,4 +94,5 @@ class EccoSchedule(VaryingSchedule):
         gains = (s.safety, s.integral, s.proportional, s.shrink, s.grow)
         first = self.layout.extras["coupling", "tick"].slot
         yield (CONTROL, tick, -1, first, 0, 0, 0, self.constants.at(*gains))
+        yield from self.settle(tick)
         yield from self.tables(tick)

@@ -12,6 +12,7 @@ import numpy as np
 from ...clock import Clock
 from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
+from ...loop.iteration import COLUMN
 from ...system.model import Bond, Connection, System
 from ...system.recorded import Recorded
 from ...system.replace.view import crossings_of
@@ -47,6 +48,8 @@ class Layout:
     images: dict[tuple[Key, int], int] = field(default_factory=dict)  # what a pass makes of the unknowns
     extras: dict[Key, Extra] = field(default_factory=dict)  # recorded whatever the system file says
     named: dict[int, str] = field(default_factory=dict)  # any other slot, in words
+    loops: dict[int, str] = field(default_factory=dict)  # loops that are solved at an instant, by their first cell
+    loop_cells: int = 0  # of the memory of their solver
 
     def add(self, table: dict[Key, int], key: Key) -> None:
         if key not in table:
@@ -63,6 +66,12 @@ class Layout:
         """One more recorded signal, `coupling.name`."""
         self.extras["coupling", name] = Extra(self.slot(), unit, description, period)
         return self.extras["coupling", name].slot
+
+    def loop_memory(self) -> np.ndarray:
+        """What the solver of loops begins with: no column of a Jacobian is under way."""
+        memory = np.zeros(max(self.loop_cells, 1))
+        memory[[first + COLUMN for first in self.loops]] = -1.0
+        return memory
 
     def start(self, key: Key) -> int:
         """The slot of an output's value at the beginning of the step that was done last."""

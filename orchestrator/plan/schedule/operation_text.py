@@ -32,11 +32,13 @@ from ...loop.operations import (
     SAVE,
     SERIES,
     SET,
+    SOLVE,
     STEP,
     WORK,
 )
 from ..plan import Plan
 from .layout import by_component
+from .steps import AGAIN, AS_IT_BEGINS
 
 SHOWN = 6  # names of variables in one line, at most
 
@@ -67,9 +69,9 @@ class OperationText:
     def text(self, row: list[int]) -> str:
         """One operation in one line."""
         code, _, component, *_ = row
-        name = self.components[component] if component >= 0 else ""
+        name = self.components[component] if component >= 0 and code != SOLVE else ""
         describe = self._exchange if code in (SET, STEP, GET, SAVE, RESTORE) else self._signal
-        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE):
+        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
         return f"{NAMES[code]:<10}  {describe(row, name)}"
 
@@ -84,7 +86,8 @@ class OperationText:
         if code in (SAVE, RESTORE):
             return f"the state of {name}" if component >= 0 else counted(a, "signal")
         table = (self.inputs if code == SET else self.outputs).get(name, {})
-        again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a else ""
+        again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a == AS_IT_BEGINS else ""
+        again += " again, as they are with the inputs of this instant" if code == GET and a == AGAIN else ""
         return f"{name}: {_types(self.plan.system.components[name].fmu, [variable for _, variable in table])}{again}"
 
     def _flow(self, row: list[int]) -> str:
@@ -100,6 +103,9 @@ class OperationText:
         if code == ITERATE:
             unknowns = f"{counted(q, 'unknown')} {'is' if q == 1 else 'are'} consistent"
             return f"go to operation {a + 1} if {unknowns} within {c[k]:g}, at most {c[k + 1]:g} times"
+        if code == SOLVE:
+            again = f"otherwise the last {counted(a, 'operation')} again"
+            return f"{self.plan.layout.loops[row[2]]} within {c[k]:g}, {again}"
         if code == HALVE:
             return "the macro step, to do it again as two"
         if code == ADVANCE:

@@ -25,6 +25,7 @@ from ...loop.operations import (
 )
 from ...system.model import Connection
 from ..design import Design
+from .settling import Settling
 from .steps import Row, Steps
 
 LARGEST = 5_000_000  # operations; 320 MB
@@ -37,6 +38,7 @@ class Schedule(Steps):
         super().__init__(design)
         self.ran: set[str] = set()  # components that step first and have done so at the present instant
         self.early = set(design.early)
+        self.settling = Settling(self)
 
     def build(self) -> np.ndarray:
         """The operations of one hyperperiod, (m, 8). Raises InputError if there would be too many."""
@@ -80,14 +82,21 @@ class Schedule(Steps):
         """The steps that end now."""
         due = [name for name in self.due(tick) if name not in self.early]
         done: set[str] = set()
+        self.settling.begin()
         for name in due:
             yield from self._step(tick, name, done)
+            self.settling.stepped(name)
             done.add(name)
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
         yield from self.energies(tick)
+        yield from self.settle(tick)
         yield from self.tables(tick)
+
+    def settle(self, tick: int) -> Iterator[Row]:
+        """The values of this instant, once all steps to it are done: see `Instants`."""
+        yield from self.settling.all_of(tick, frozenset(name for name in self.due(tick) if name not in self.early))
 
     def energies(self, tick: int) -> Iterator[Row]:
         """What the coupling made at the bonds that are complete now."""
@@ -132,12 +141,15 @@ class Schedule(Steps):
     def _step(self, tick: int, name: str, done: set[str]) -> Iterator[Row]:
         """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
         period = self.clock.periods[name]
-        for c in self.design.into(name):
-            if not self.formed_at_beginning(c):
-                h = self.clock.periods[c.source[0]]
-                if c.source[0] in self.design.leaders:
-                    sample = -(-tick // h) * h
-                else:
-                    sample = tick if c.source[0] in done else (tick - 1) // h * h
-                yield self._form(c, tick, sample, tick - period)
+        now = [c for c in self.design.into(name) if not self.formed_at_beginning(c)]
+        latest = [c for c in now if c.source[0] in done and self.design.choices[c].transfer != "mean"]
+        yield from self.settling.sources_of(tick, frozenset(done), latest)
+        for c in now:
+            h = self.clock.periods[c.source[0]]
+            if c.source[0] in self.design.leaders:
+                sample = -(-tick // h) * h
+            else:
+                sample = tick if c.source[0] in done else (tick - 1) // h * h
+            yield self._form(c, tick, sample, tick - period)
+        self.settling.formed(now)
         yield from self.advance(tick, name, tick - period)

@@ -28,6 +28,7 @@ from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
 from .layout import Key, by_component
 
 Row = tuple[int, ...]  # of an operation: see `loop.operations`
+AT_ITS_END, AS_IT_BEGINS, AGAIN = range(3)  # when outputs are read: of a step, or with new inputs at an instant
 
 
 class Steps:
@@ -55,28 +56,37 @@ class Steps:
         component, period, layout = self.index[name], self.clock.periods[name], self.layout
         yield from self._series(tick, name, start)
         if self.design.into(name) or self.system.components[name].series:
-            for key, slot in self.foreign_inputs.get(name, {}).items():
-                crossing = self._crossing(key)
-                yield self.held(key, tick, layout.inputs[key], slot, crossing.gain, crossing.offset)
-            yield (SET, tick, component, 0, 0, 0, 0, 0)
+            yield from self.set_inputs(tick, name)
         pushes = [(layout.previous[key], slot) for key, slot in self.before.get(name, {}).items()]
         pushes += [(layout.outputs[key], slot) for key, slot in self.previous.get(name, {}).items()]
         rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
         if name in self.design.rereads:
             yield from rows
-            yield from self._get(tick, name, 1)
+            yield from self._get(tick, name, AS_IT_BEGINS)
             for key, slot in self.begins.get(name, {}).items():
                 yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
         yield (STEP, tick, component, self.length(name), start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
-            yield from self._get(tick, name, 0)
+            yield from self._get(tick, name, AT_ITS_END)
         for c in self.averaged.get(name, []):
             weight = self.constants.at(period / (2 * self.clock.periods[c.target[0]]))
             a, p = layout.outputs[c.source], layout.start(c.source)
             yield (ACCUMULATE, tick, component, a, layout.integrals[c.target], p, 0, weight)
         yield from self.works(tick, name)
+
+    def set_inputs(self, tick: int, name: str) -> Iterator[Row]:
+        """Set a component's inputs, those of a foreign FMU as it has them."""
+        for key, slot in self.foreign_inputs.get(name, {}).items():
+            crossing = self._crossing(key)
+            yield self.held(key, tick, self.layout.inputs[key], slot, crossing.gain, crossing.offset)
+        yield (SET, tick, self.index[name], 0, 0, 0, 0, 0)
+
+    def read_again(self, tick: int, name: str) -> Iterator[Row]:
+        """Set a component's inputs at an instant, and get what its outputs are with them."""
+        yield from self.set_inputs(tick, name)
+        yield from self._get(tick, name, AGAIN)
 
     def _series(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs that follow tables, for the step from `start`."""
@@ -113,9 +123,9 @@ class Steps:
             return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
         return (MOVE, tick, component, a, b, 0, 0, 0)
 
-    def _get(self, tick: int, name: str, begin: int) -> Iterator[Row]:
-        """Get a component's outputs, and turn those of a foreign FMU into ours; `begin`: as its step begins."""
-        yield (GET, tick, self.index[name], begin, 0, 0, 0, 0)
+    def _get(self, tick: int, name: str, when: int) -> Iterator[Row]:
+        """Get a component's outputs, and turn those of a foreign FMU into ours."""
+        yield (GET, tick, self.index[name], when, 0, 0, 0, 0)
         for key, slot in self.foreign_outputs.get(name, {}).items():
             crossing = self._crossing(key)
             yield self.held(key, tick, slot, self.layout.outputs[key], crossing.back_gain, crossing.back_offset)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ...loop import cells, versions
-from ...loop.operations import STEP
+from ...loop.operations import SOLVE, STEP
 from ...participant.base import Participant
 from ...participant.lifecycle import DISCARD, FATAL, status_text
 from ...plan.plan import Plan
@@ -27,7 +27,7 @@ def failure_of(
     clock, operations = plan.clock, plan.cycle
     row = operations[control[cells.AT_OPERATION]]
     begin = int(control[cells.AT_CYCLE]) * clock.hyperperiod
-    name = list(plan.system.components)[row[2]]
+    name = "" if row[0] == SOLVE else list(plan.system.components)[row[2]]
     ahead = clock.periods[name] if row[2] >= 0 and name in plan.early else 0
     at = clock.time(begin + int(row[1]) + ahead)
     ticks = operations[:, 1]
@@ -39,6 +39,12 @@ def failure_of(
         end = clock.time(begin)
     if code == cells.INTERRUPTED:
         return end, f"interrupted by the user at t = {end:.9g} s"
+    if row[0] == SOLVE and code == cells.NOT_CONVERGED:
+        loop, instant = plan.layout.loops[int(row[2])], clock.time(begin + int(row[1]))
+        return end, (
+            f"Newton's method finds no solution of the algebraic {loop} at t = {instant:.9g} s; break it with a state, "
+            'or forbid reading again with direct = "off" under [components.NAME]'
+        )
     if code == cells.NOT_CONVERGED:
         return end, plan.algorithm.failure(plan, space.loop, at)
     did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] == STEP else "get")

@@ -16,6 +16,7 @@ class AlgorithmState:
     """See `loop.run`."""
 
     loop: LoopArrays
+    solver: np.ndarray
     states: np.ndarray
     state_calls: np.ndarray
 
@@ -24,16 +25,17 @@ class AlgorithmState:
         return self.loop.clock
 
     @property
-    def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        return *self.loop, self.states, self.state_calls
+    def arrays(self) -> tuple[np.ndarray, ...]:
+        return *self.loop, self.solver, self.states, self.state_calls
 
 
 def make_state(plan: Plan, instances: dict[str, Participant]) -> AlgorithmState:
     """What the plan's algorithm needs."""
     count = len(instances)
     state = AlgorithmState(
-        plan.algorithm.arrays(plan), np.zeros(count, dtype=np.int64), np.zeros((count, 3), dtype=np.int64)
-    )
+        plan.algorithm.arrays(plan), plan.layout.loop_memory(), np.zeros(count, dtype=np.int64),
+        np.zeros((count, 3), dtype=np.int64),
+    )  # fmt: skip
     if plan.algorithm.saves_states:
         for k, instance in enumerate(instances.values()):
             state.state_calls[k] = [instance.address(function) for function in instance.state_functions]

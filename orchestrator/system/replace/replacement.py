@@ -63,12 +63,11 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         crossings[OWN + key] = Crossing(key, theirs.unit)
         presented.append(_renamed(theirs, OWN + key))
     missing = Missing(name, label, mapping, [v.name for v in lacking], fmu, problems)
-    component = Component(
-        name, View.of(fmu, tuple(presented), crossings, before.fmu), before.period,
+    component = replace(  # all that is said of the component itself stays: period, isolation, logging ...
+        before, fmu=View.of(fmu, tuple(presented), crossings, before.fmu), parameters={}, inputs={}, series={},
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
                *_crossing_notes(name, crossings, mapping), *_differing(before, presented, crossings),
                *_kept(name, fmu, {*taken, *own})),
-        isolation=before.isolation, timeout=before.timeout,
     )  # fmt: skip
     left = leave_out(system, before, missing)
     if problems:

@@ -65,8 +65,8 @@ class View(Fmu):
     def arrays(self) -> dict[str, list[str]]:
         return {name: self._together(name) for name in self.crossings}
 
-    def feedthrough(self, initial: bool = False) -> dict[str, frozenset[str]]:
-        known = self.own.feedthrough(initial)
+    def feedthrough(self, initial: bool = False, unstated: bool = True) -> dict[str, frozenset[str]]:
+        known = self.own.feedthrough(initial, unstated)
         return {
             name: frozenset(self._ours[x] for x in known[self.crossings[name].name] if x in self._ours)
             for name in self.names("output")

@@ -53,6 +53,13 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         Meta(description="relative tolerance of its solver; else that of its default experiment, if it states one"),
     ] = None
     timeout: Annotated[Time, Meta(description="of one call to an FMU in a process of its own, in wall time")] = "60 s"
+    direct: Annotated[
+        Literal["stated", "all", "off"],
+        Meta(
+            description='outputs that answer to inputs at once: those that the FMU states, "all", or "off", where it '
+            "must not be read again at an instant"
+        ),
+    ] = "stated"
     units: Annotated[
         dict[str, str] | str,
         Meta(

@@ -1,0 +1,85 @@
+"""What is true at an instant: which inputs are given the value of their instant, and which outputs are read again.
+
+An output that answers at once to an input (ModelStructure) is as old as that input. Where a held input is new at the
+end of a step, it is set and the output is read again, in the order of direct dependence: the value *after*. An input
+that is averaged, extrapolated, interpolated, iterated, from a table or from a sampler keeps what it held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from ..system.model import Connection, System
+from .schedule.formulas import Choice
+from .schedule.layout import Key
+from .start import Block, blocks_of
+
+Known = frozenset[str]  # components that have made their step to an instant
+
+
+class Instants:
+    """The held connections on which outputs depend at once, and the order in which they take their values."""
+
+    def __init__(
+        self, system: System, choices: Mapping[Connection, Choice], early: Collection[str], used: Collection[Key]
+    ) -> None:
+        """`early`: components whose step is done at its beginning; `used`: outputs that are sent or recorded."""
+        self.answers = {name: direct_answers(system, name) for name in system.components}
+        self.system = system
+        outputs: dict[str, list[str]] = {}
+        for name, output in used:
+            outputs.setdefault(name, []).append(output)
+        self.held = tuple(
+            c
+            for c, choice in choices.items()
+            if choice.transfer == "hold"
+            and not {c.source[0], c.target[0]} & set(early)
+            and any(c.target[1] in self.answers[c.target[0]].get(output, ()) for output in outputs.get(c.target[0], ()))
+        )
+        self.cuts: dict[Connection, str] = {}  # connections at which a loop is cut, and which
+        self._blocks: dict[Known, tuple[Block, ...]] = {}
+
+    def blocks(self, known: Known) -> tuple[Block, ...]:
+        """The connections between components of `known`, each behind those that it needs; loops as wholes."""
+        if known not in self._blocks:
+            connections = [c for c in self.held if c.source[0] in known and c.target[0] in known]
+            self._blocks[known] = self._cut(connections)
+        return self._blocks[known]
+
+    def _cut(self, connections: list[Connection]) -> tuple[Block, ...]:
+        """Their blocks; a loop through what is no floating-point signal is cut at its last such connection."""
+        while True:
+            blocks = blocks_of(connections, self.answers) if connections else ()
+            for block in blocks:
+                whole = [c for c in block.connections if not self._real(c)] if block.loop else []
+                if whole:
+                    self.cuts[whole[-1]] = block.label
+                    connections.remove(whole[-1])
+                    break
+            else:
+                return blocks
+
+    def _real(self, c: Connection) -> bool:
+        return self.system.components[c.source[0]].fmu.is_real(c.source[1])
+
+    def reasons(self) -> dict[str, str]:
+        """Components that are read again at their instants, and why."""
+        found: dict[str, list[str]] = {}
+        for c in self.held:
+            found.setdefault(c.target[0], []).append(c.target[1])
+        return {name: ", ".join(inputs) for name, inputs in found.items()}
+
+
+def direct_answers(system: System, name: str) -> dict[str, frozenset[str]]:
+    """For each output of a component the inputs to which it answers at once while stepping.
+
+    What ModelStructure states; nothing where it states nothing. `direct = "all"` of the component assumes all, `"off"`
+    none: it forbids reading again.
+    """
+    component = system.components[name]
+    if component.direct == "off":
+        return {}
+    inputs = frozenset(component.fmu.names("input"))
+    if component.direct == "all":
+        return dict.fromkeys(component.fmu.names("output"), inputs)
+    return component.fmu.feedthrough(unstated=False)
