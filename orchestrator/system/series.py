@@ -74,8 +74,9 @@ def series_of(fmu: Fmu, name: str, times: Any, values: Any, unit: str | None, or
     if not np.all(np.diff(t) >= 0):
         row = int(np.argmin(np.diff(t) >= 0))
         raise InputError(f"{label}: the times fall, from {t[row]:g} s to {t[row + 1]:g} s in row {row + 2}")
-    if len(np.shape(values)) != 1 or len(t) != len(values):
-        raise InputError(f"{label}: {len(t)} times and values of shape {np.shape(values)}; there must be one for each")
+    shape = shape_of(values, label)
+    if len(shape) != 1 or len(t) != len(values):
+        raise InputError(f"{label}: {len(t)} times and values of shape {shape}; there must be one for each")
     if not kind.real:
         if unit is not None and unit != variable.unit:
             raise InputError(f"{label}: an input of type {variable.type} has no unit; leave out [{unit}]")
@@ -88,6 +89,14 @@ def series_of(fmu: Fmu, name: str, times: Any, values: Any, unit: str | None, or
     for extreme in (np.min(v), np.max(v)):
         parse_value(variable, float(extreme), label, kind)
     return Series(t, v, variable.variability in ("discrete", "tunable"), origin)
+
+
+def shape_of(values: Any, label: str) -> tuple[int, ...]:
+    """The shape of an array or of nested lists. Raises InputError where lists of different lengths stand in one."""
+    try:
+        return np.shape(values)
+    except ValueError:
+        raise InputError(f"{label}: values have rows of different lengths; every row needs as many numbers") from None
 
 
 def _plain(values: Any) -> list[Any]:

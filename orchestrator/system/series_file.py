@@ -20,7 +20,7 @@ from ..units import conversion
 from .model import Component, System, checked_values, follows_tables
 from .schema.checked import checked
 from .schema.system import Table
-from .series import Series, series_of
+from .series import Series, series_of, shape_of
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ def _with_table(
     component: Component, scalars: list[str], times: Any, values: Any, unit: str | None, origin: str, label: str
 ) -> Component:
     """Every element of an array has a column of its own; one column is for all."""
-    shape = np.shape(values)
+    shape = shape_of(values, label)
     if len(shape) == 2 and shape[1] != len(scalars):
         raise InputError(f"{label}: values of shape {shape} do not fit {len(scalars)} elements")
     for k, scalar in enumerate(scalars):

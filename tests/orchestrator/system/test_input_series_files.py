@@ -102,6 +102,9 @@ def test_a_wrong_file_is_an_error_before_time_0(text: str, message: str, tmp_pat
 
 
 ENTRIES: list[tuple[dict[str, Any], str]] = [
+    ({"time": [0, 1], "values": [1, [2]]}, "rows of different lengths"),
+    ({"time": [0, 1], "values": [[1, 2], [3]]}, "rows of different lengths"),
+    ({"time": [0, [1]], "values": [1, 2]}, "time"),
     ({"csv": "none.csv"}, "cannot be read"),
     ({"csv": "p.csv", "column": "speeed"}, "has no column 'speeed'; did you mean 'speed'?"),
     ({"csv": "p.csv", "unit": "1"}, "only 'column' may stand"),
