@@ -126,7 +126,7 @@ class IsolatedInstance(Participant):
         try:
             answer = json.loads(self._ask(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
         except ProcessLostError:
-            raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.reasons()}") from None
+            raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
         self._news(answer)
         if "error" in answer:
             raise CallError(answer["error"], answer.get("status"))
