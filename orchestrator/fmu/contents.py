@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 from fmpy.model_description import ModelVariable
 
+from ..errors import FmuError
 from .attributes import items_of
+from .description import described
 from .fmu import Fmu
+from .unpacked import unpack
 
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",
@@ -18,6 +22,17 @@ FLAGS = (
 )  # fmt: skip
 TIMES = {"startTime": "start", "stopTime": "stop", "stepSize": "step", "tolerance": "tolerance"}
 KINDS = ("coSimulation", "modelExchange", "scheduledExecution")
+
+
+def readable(path: Path) -> tuple[Fmu, str]:
+    """An FMU whose description can be read, and why it cannot be run here; empty if it can. Raises FmuError."""
+    try:
+        return Fmu.open(path), ""
+    except FmuError as error:
+        if not path.exists():
+            raise
+        folder, digest = unpack(path)
+        return Fmu(path, folder, digest, *described(path, folder)), str(error)
 
 
 def contents_of(fmu: Fmu) -> dict[str, Any]:

@@ -21,10 +21,11 @@ def info(
     all_: Annotated[bool, typer.Option("--all", help="Every variable, however many there are.")] = False,
 ) -> None:
     """Show what is in an FMU: variables with types, units, ranges and starts, capabilities, platforms, experiment."""
-    from ...fmu.contents import contents_of, in_order
-    from ...fmu.fmu import Fmu
+    from ...errors import counted
+    from ...fmu.contents import contents_of, in_order, readable
 
-    found = contents_of(Fmu.open(fmu))
+    read, why = readable(fmu)
+    found = contents_of(read)
     if json_:
         print(json.dumps(found, indent=1, ensure_ascii=False))
         return
@@ -40,6 +41,10 @@ def info(
     tell(f"  {'experiment':<13} {experiment or 'none stated'}")
     flags = (key if value in (True, "true") else f"{key} = {value}" for key, value in found["capabilities"].items())
     tell(f"  {'capabilities':<13} {', '.join(flags) or 'none'}")
+    if read.notes:
+        tell(f"  {'standard':<13} broken in {counted(len(read.notes), 'point')}: `rovbrush check {fmu}` lists them")
+    if why:
+        tell(f"  {'not run here':<13} {why}")
     for causality, variables in in_order(found["variables"]).items():
         shown = variables if all_ else variables[:SHOWN]
         more = f" ({len(shown)} of {len(variables)}; --all shows the others)" if len(shown) < len(variables) else ""

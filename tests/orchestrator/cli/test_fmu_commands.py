@@ -7,9 +7,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import fmpy
 import pytest
 from cells_fmu import cells, scalar
-from helpers import build_fixture, rovbrush
+from helpers import build_fixture, edited, rovbrush
 from native_build import needs_gcc
 from rovbrush.orchestrator.exchange.component_tests.skeleton import skeleton
 from rovbrush.orchestrator.exchange.component_tests.suites import suite_of
@@ -40,6 +41,17 @@ def test_info_tells_types_units_ranges_starts_and_items(
     }  # fmt: skip
     assert found["variables"][2]["items"] == {"off": 1, "on": 7}
     assert found["experiment"] == {"stop": 2.0, "step": 0.01}
+
+
+@needs_gcc
+def test_info_shows_an_fmu_that_cannot_be_run_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fmu = cells(tmp_path / "pump.fmu", [scalar("y", 100)])
+    edited(fmu, tmp_path / "other.fmu", {f"binaries/{fmpy.platform}/pump.so": None, "binaries/arm/pump.so": b"x"})
+    assert rovbrush(monkeypatch, "info", tmp_path / "other.fmu") == 0
+    text = capsys.readouterr().out
+    assert "platforms     arm" in text and "not run here" in text and "│ y" in text
 
 
 def test_info_is_readable_at_100_columns(fmus: Path) -> None:
