@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...fmu.tolerant.rules import RANGE, STARTS
 from .rows import Row, judged
-from .subject import STEP, Subject, bounds, numbers, size
+from .subject import STEP, Subject, bounds, numbers
 
 STAGE = "description"
 UNBOUNDED = ("String", "Binary", "Boolean")  # types without min and max
@@ -38,27 +39,26 @@ def _described(subject: Subject) -> Row:
 
 
 def _ranges(subject: Subject) -> Iterator[Row]:
-    crossed, outside, wrong_size = [], [], []
+    noted = {note.rule: note.places for note in subject.notes}  # what was mended when it was read
+    outside = []
     for v in subject.variables:
         if v.type in UNBOUNDED:
             continue
         low, high = bounds(v)
         starts = numbers(v.start)
-        if low is not None and high is not None and low > high:
-            crossed.append(f"{v.name} ({low:g} > {high:g})")
         outside += [
             f"{v.name} = {start:g}"
             for start in starts
             if (low is not None and start < low) or (high is not None and start > high)
         ]
-        if len(starts) not in (0, 1, size(v)):
-            wrong_size.append(v.name)
     mend = "correct min, max or start"
-    yield judged(STAGE, "min is not above max", crossed, "everywhere", "min above max", mend, "finding")
+    yield judged(STAGE, "min is not above max", noted.get(RANGE, ()), "everywhere", "min above max", mend, "finding")
     yield judged(STAGE, "start is within min and max", outside, "everywhere", "outside", mend, "finding")
     if subject.version == 3:
         mend = "give one start value, or one per element"
-        yield judged(STAGE, "arrays have enough starts", wrong_size, "everywhere", "wrong number of", mend, "finding")
+        yield judged(
+            STAGE, "arrays have enough starts", noted.get(STARTS, ()), "everywhere", "wrong number", mend, "finding"
+        )
 
 
 def _structure(subject: Subject) -> Iterator[Row]:
