@@ -94,6 +94,8 @@ def differences(plan: Plan) -> list[str]:
         notes.append(f"the container holds every signal; the plan has other transfers for {', '.join(other)}")
     notes += [f"{name} samples at the beginning of its step; in the container its outputs come one period later"
               for name in plan.samplers]  # fmt: skip
+    notes += [f"{name} is read again at its instants; in the container it is read once, with the inputs of its step"
+              for name in plan.instants.read_again(plan.cycle)]  # fmt: skip
     if len(set(plan.clock.periods.values())) > 1:
         notes.append("slow components hear of fast ones one slow period late: nested containers give zeros at time 0")
     return notes

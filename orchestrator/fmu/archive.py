@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import stat
 import struct
 import sys
@@ -54,7 +55,7 @@ def opened(path: Path, kind: str = "FMU", notes: Notes | None = None) -> Iterato
 
 def content_hash(path: Path, kind: str = "FMU") -> str:
     """SHA-256 of a file, as hexadecimal text. Raises FmuError where there is none to read."""
-    if not path.is_file():
+    if not os.path.isfile(path):  # a name that no file can have, too
         raise FmuError(f"{kind} {path} does not exist; build the project's own with `rovbrush build`")
     try:
         with path.open("rb") as file:

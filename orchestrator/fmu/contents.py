@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -29,7 +30,7 @@ def readable(path: Path) -> tuple[Fmu, str]:
     try:
         return Fmu.open(path), ""
     except FmuError as error:
-        if not path.exists():
+        if not os.path.exists(path):
             raise
         folder, digest = unpack(path)
         return Fmu(path, folder, digest, *described(path, folder)), str(error)

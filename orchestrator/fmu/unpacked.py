@@ -37,7 +37,7 @@ def unpack(path: Path, kind: str = "FMU") -> tuple[Path, str]:
 
     Raises FmuError for what `archive.opened` refuses, and for a cache folder that cannot be used.
     """
-    if not path.is_dir():
+    if not os.path.isdir(path):
         return _unpacked(path, kind)
     if not (path / "modelDescription.xml").is_file():
         raise FmuError(

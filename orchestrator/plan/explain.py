@@ -6,13 +6,11 @@ from math import inf
 
 from ..clock import seconds_text
 from ..errors import counted
-from ..loop.operations import GET
 from ..system.free_inputs import start_notes
 from ..system.series import series_in_words
 from .capabilities import remarks
 from .plan import Plan
 from .schedule.operation_text import OperationText
-from .schedule.steps import AGAIN
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:
@@ -45,10 +43,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines.append(f"  {name} steps first: its outputs are interpolated, so its step is done at its beginning")
     for name, reason in plan.rereads.items():
         lines.append(f"  {name} is read at both ends of its steps: {reason}")
-    reread = {list(system.components)[row[2]] for row in plan.cycle.tolist() if row[0] == GET and row[3] == AGAIN}
-    for name, inputs in plan.instants.reasons().items():
-        if name in reread:
-            lines.append(f"  {name} is read again at its instants: its outputs answer at once to {inputs}")
+    for name, inputs in plan.instants.read_again(plan.cycle).items():
+        lines.append(f"  {name} is read again at its instants: its outputs answer at once to {inputs}")
     for cut, loop in plan.instants.cuts.items():
         lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
     lines += ["", "connections"]

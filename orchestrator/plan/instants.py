@@ -9,6 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+import numpy as np
+
+from ..loop.operations import AGAIN, GET
 from ..system.model import Connection, System
 from .schedule.formulas import Choice
 from .schedule.layout import Key
@@ -63,11 +66,17 @@ class Instants:
         return self.system.components[c.source[0]].fmu.is_real(c.source[1])
 
     def reasons(self) -> dict[str, str]:
-        """Components that are read again at their instants, and why."""
+        """The inputs to which outputs of a component answer at once, by component."""
         found: dict[str, list[str]] = {}
         for c in self.held:
             found.setdefault(c.target[0], []).append(c.target[1])
         return {name: ", ".join(inputs) for name, inputs in found.items()}
+
+    def read_again(self, cycle: np.ndarray) -> dict[str, str]:
+        """Components that the operations of a cycle read again at an instant, and the inputs because of which."""
+        names = list(self.system.components)
+        found = {names[c] for c in cycle[(cycle[:, 0] == GET) & (cycle[:, 3] == AGAIN), 2].tolist()}
+        return {name: inputs for name, inputs in self.reasons().items() if name in found}
 
 
 def direct_answers(system: System, name: str) -> dict[str, frozenset[str]]:
@@ -77,9 +86,7 @@ def direct_answers(system: System, name: str) -> dict[str, frozenset[str]]:
     none: it forbids reading again.
     """
     component = system.components[name]
-    if component.direct == "off":
-        return {}
-    inputs = frozenset(component.fmu.names("input"))
-    if component.direct == "all":
+    if component.direct != "stated":
+        inputs = frozenset(component.fmu.names("input") if component.direct == "all" else ())
         return dict.fromkeys(component.fmu.names("output"), inputs)
     return component.fmu.feedthrough(unstated=False)

@@ -45,6 +45,8 @@ def assemble(
     for component in boundaries:
         if component not in system.components:
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
+        once = replace(system.components[component], direct="off")  # a replay sets its inputs, steps, and reads once
+        system = system.with_component(once)
     system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
     return replace(system, stop=duration(stop, "--stop")) if stop and not is_fmu(Path(name)) else system
 

@@ -60,10 +60,13 @@ def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:
     """The file, or the folder of an unpacked FMU, that is stated: its path, or the name of a built one."""
     path = beside / stated
     named = (
-        path.suffix.lower() == ".fmu" or "/" in stated or "\\" in stated or (path / "modelDescription.xml").is_file()
+        path.suffix.lower() == ".fmu"
+        or "/" in stated
+        or "\\" in stated
+        or os.path.isfile(path / "modelDescription.xml")
     )
     built = (fmus or fmu_folder()) / f"{stated}.fmu"
-    return path if named and not built.is_file() else built
+    return path if named and not os.path.isfile(built) else built
 
 
 def _with_values(file: TomlFile, component: Component, table: ComponentTable, heading: str) -> Component:

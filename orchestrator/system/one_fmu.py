@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -19,7 +20,7 @@ ROUNDING = Fraction(1, 10**6)  # relative: by so much a stated step may miss a w
 
 def is_fmu(path: Path) -> bool:
     """Whether a path is that of an FMU, or of the folder of an unpacked one."""
-    return path.suffix.lower() == ".fmu" or (path / "modelDescription.xml").is_file()
+    return path.suffix.lower() == ".fmu" or os.path.isfile(path / "modelDescription.xml")
 
 
 class FmuFile(TomlFile):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import os
 from pathlib import Path
 from typing import Any
 
@@ -116,7 +117,7 @@ def _opened(name: str, step: str, stop: str) -> TomlFile:
         return FmuFile(path, step, stop)
     if path.suffix != ".toml":
         path = SYSTEMS / f"{name}.toml"
-        if not path.is_file():
+        if not os.path.isfile(path):
             raise InputError(
                 f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd or "
                 ".fmu file"

@@ -39,7 +39,10 @@ def at_one_period(name: str, folder: Path, period: Fraction = PERIOD) -> System:
     system = load_system(name, folder)
     return replace(
         system, algorithm="jacobi", order=(), stop=STEPS * period, record=("*",), bonds=(), reporting={},
-        components={key: replace(component, period=period) for key, component in system.components.items()},
+        components={
+            key: replace(component, period=period, direct="off")  # other masters read an output once
+            for key, component in system.components.items()
+        },
         connections=tuple(replace(connection, transfer="hold") for connection in system.connections),
     )  # fmt: skip
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...errors import FmuError
+from ...participant.apart.meeting import meeting
 from .rows import Row
 from .subject import Subject
 from .tried import Tried
@@ -92,12 +93,13 @@ def independent(subject: Subject) -> Row:
     if subject.interface.canBeInstantiatedOnlyOncePerProcess:
         return Row(STAGE, rule, "not applicable", "canBeInstantiatedOnlyOncePerProcess is true")
     alone = []
-    for phase in (0.0, 1.0):
-        instance = Tried(subject)
-        instance.begin()
-        alone.append(instance.stir(0, AHEAD, phase))
-        instance.close()
-    pair = [Tried(subject, name) for name in ("left", "right")]
+    with meeting():
+        for phase in (0.0, 1.0):
+            instance = Tried(subject)
+            instance.begin()
+            alone.append(instance.stir(0, AHEAD, phase))
+            instance.close()
+        pair = [Tried(subject, name) for name in ("left", "right")]
     for instance in pair:
         instance.begin()
     together: list[list[bytes]] = [[], []]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,7 +38,8 @@ class Recording:
 
 def read_recording(folder: Path, name: str = "") -> Recording:
     """The recording `name` of a folder, or its only one. Raises InputError for what is missing or does not fit."""
-    names = sorted(path.name.removesuffix("_ref.csv") for path in folder.glob("*_ref.csv"))
+    found = folder.glob("*_ref.csv") if os.path.isdir(folder) else ()
+    names = sorted(path.name.removesuffix("_ref.csv") for path in found)
     if not names:
         raise InputError(
             f"{folder} holds no recording (NAME_ref.csv); make one with `rovbrush run SYSTEM --record-boundary NAME`"

@@ -20,6 +20,7 @@ from fmpy import freeLibrary
 
 from ...fmu.fmu import Fmu
 from ...fmu.sharing import made_by_pythonfmu, made_here
+from .meeting import may_meet
 
 _used: set[Path] = set()  # libraries that this process has loaded
 _numbers = itertools.count(1)
@@ -41,7 +42,7 @@ def fresh_library(fmu: Fmu) -> Iterator[Path]:
     """The path from which to load the library of one more instance."""
     original = fmu.library
     with _lock:
-        copied = original in _used and not keeps_nothing(fmu)
+        copied = original in _used and not keeps_nothing(fmu) and not may_meet()
         _used.add(original)
     if not copied:
         yield original

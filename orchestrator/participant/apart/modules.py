@@ -18,6 +18,7 @@ from types import ModuleType
 
 from ...fmu.fmu import Fmu
 from ...fmu.sharing import bundled, imports_late, made_by_pythonfmu, made_here
+from .meeting import may_meet
 
 SHARED = "pythonfmu"  # what every such FMU brings; one of the same version serves all
 _lock = threading.RLock()
@@ -26,7 +27,7 @@ _lock = threading.RLock()
 @contextmanager
 def own_modules(fmu: Fmu) -> Iterator[None]:
     """Import what an instance needs, for it alone; nothing where the FMU is ours, or needs its modules later."""
-    if made_here(fmu) or not made_by_pythonfmu(fmu) or imports_late(fmu):
+    if made_here(fmu) or not made_by_pythonfmu(fmu) or imports_late(fmu) or may_meet():
         yield
         return
     folder = fmu.folder / "resources"

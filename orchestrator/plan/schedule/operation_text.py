@@ -10,6 +10,8 @@ from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
     ADVANCE,
+    AGAIN,
+    AS_IT_BEGINS,
     CONTROL,
     COPY,
     ESTIMATE,
@@ -38,7 +40,6 @@ from ...loop.operations import (
 )
 from ..plan import Plan
 from .layout import by_component
-from .steps import AGAIN, AS_IT_BEGINS
 
 SHOWN = 6  # names of variables in one line, at most
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ...loop.iteration import NEWTON, workspace
-from ...loop.operations import COPY, SOLVE
+from ...loop.operations import COPY, PUSH, SOLVE
 from ...system.model import Connection
 from ..instants import Known
 from ..start import Block
@@ -30,6 +30,8 @@ class Settling:
         for c in self.instants.held:
             self.into.setdefault(c.target[0], []).append(c)
             self.out.setdefault(c.source[0], []).append(c)
+        self.kept: dict[Key, int] = {}  # what an input was over the step that ends now: its rows are that
+        self.changed: dict[Key, None] = {}  # inputs that were given the value of this instant
         self.loops: dict[tuple[Connection, ...], tuple[int, int, int]] = {}  # unknowns, images, memory of each
 
     def begin(self) -> None:
@@ -47,6 +49,9 @@ class Settling:
     def all_of(self, tick: int, known: Known) -> Iterator[Row]:
         """Give all inputs on which outputs depend at once the value of this instant."""
         yield from self._values(tick, known, None)
+        for key in self.changed:
+            yield (PUSH, tick, self.schedule.index[key[0]], self.kept[key], self.layout.inputs[key], 0, 0, 0)
+        self.changed.clear()
 
     def sources_of(self, tick: int, known: Known, connections: Iterable[Connection]) -> Iterator[Row]:
         """The same as far as the sources of some connections need it, with what `known` components have."""
@@ -80,6 +85,7 @@ class Settling:
             if not self.old & set(block.connections):
                 continue
             self.formed(block.connections)
+            yield from self._keep(tick, block.connections)
             if block.loop:
                 yield from self._solve(tick, block)
                 continue
@@ -90,6 +96,13 @@ class Settling:
             waiting.setdefault(c.target[0], set()).add(c.target[1])
         for name, inputs in waiting.items():
             yield from self._again(tick, name, inputs)
+
+    def _keep(self, tick: int, connections: Iterable[Connection]) -> Iterator[Row]:
+        for key in (c.target for c in connections if c.target not in self.changed):
+            self.changed[key] = None
+            if key not in self.kept:
+                self.kept[key] = self.layout.slot(f"{'.'.join(key)} over the step")
+            yield (PUSH, tick, self.schedule.index[key[0]], self.layout.inputs[key], self.kept[key], 0, 0, 0)
 
     def _again(self, tick: int, name: str, inputs: set[str]) -> Iterator[Row]:
         """Set inputs and read again; what answers to them is new."""

@@ -6,6 +6,9 @@ from collections.abc import Iterator
 
 from ...loop.operations import (
     ACCUMULATE,
+    AGAIN,
+    AS_IT_BEGINS,
+    AT_ITS_END,
     COPY,
     GET,
     LINEAR,
@@ -28,7 +31,6 @@ from .formulas import linear_ratio, mean_tail, quadratic_weights, value_ratio
 from .layout import Key, by_component
 
 Row = tuple[int, ...]  # of an operation: see `loop.operations`
-AT_ITS_END, AS_IT_BEGINS, AGAIN = range(3)  # when outputs are read: of a step, or with new inputs at an instant
 
 
 class Steps:

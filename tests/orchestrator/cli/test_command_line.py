@@ -212,3 +212,24 @@ def test_at_100_columns_no_name_or_number_is_cut(fmus: Path, tmp_path: Path) -> 
         shown = "".join(re.findall(r"^│ (\S*)", done.stdout, re.M)) if "│" in done.stdout else done.stdout
         assert "…" not in done.stdout
         assert command == "run" or all(f"{name}_{k}" in shown for k in (1, 2)), done.stdout
+
+
+LONG = "x" * 5000  # a name that no file can have
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run", LONG), ("plan", f"{LONG}.toml"), ("run", f"{LONG}.fmu"), ("info", LONG), ("check", LONG),
+        ("map", LONG, "--as", "dc_motor"), ("replay", LONG, "x.fmu"), ("run", "nominal", "--input", LONG),
+        ("run", "nominal", "--replace", f"motor={LONG}"),
+    ],
+    ids=lambda arguments: " ".join(arguments).replace(LONG, "LONG"),
+)  # fmt: skip
+def test_a_name_that_no_file_can_have_is_one_clear_error(
+    arguments: tuple[str, ...], fmus: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("ROVBRUSH_FMUS", str(fmus))
+    assert rovbrush(monkeypatch, *arguments) in (1, 2)
+    printed = capsys.readouterr()
+    assert "unexpected" not in printed.err and LONG[:50] in printed.out + printed.err

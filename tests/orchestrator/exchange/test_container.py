@@ -59,7 +59,9 @@ def contained(system: System, stop: str, folder: Path, *values: str) -> dict[str
 def in_parallel(system: System, stop: str) -> Run:
     """Our run by the container's algorithm."""
     held = tuple(replace(connection, transfer="hold") for connection in system.connections)
-    changed = replace(system, algorithm="jacobi", order=(), stop=Fraction(stop), record=("*",), connections=held)
+    once = {name: replace(c, direct="off") for name, c in system.components.items()}  # a container reads outputs once
+    changed = replace(system, algorithm="jacobi", order=(), stop=Fraction(stop), record=("*",), connections=held,
+                      components=once)  # fmt: skip
     run = simulate(make_plan(changed))
     assert not run.failure, run.failure
     return run

@@ -75,6 +75,6 @@ def test_the_mend_for_a_missing_value_is_toml_of_its_type(kind: str, start: str 
     variable = ModelVariable(kind, 1, type=kind, start=start)
     text = start_as_toml(variable)
     value = tomllib.loads(f"x = {text}")["x"]
-    stated = {"Boolean": "true", "String": '"1"'}.get(kind, "1")
+    stated = {"Boolean": "true", "String": '"1"', "Real": "1.0"}.get(kind, "1")
     assert text == (MENDS[kind] if start is None else stated)
     assert isinstance(value, {"Boolean": bool, "String": str}.get(kind, float | int))

@@ -151,7 +151,7 @@ def test_an_fmu_that_gives_nothing_when_instantiated_is_a_row_with_its_words(tmp
 
 def test_the_interface_that_is_there_instead_is_named(sound: Path, tmp_path: Path) -> None:
     other = edited(sound, tmp_path / "other.fmu", {}, {"<CoSimulation ": "<ModelExchange "})
-    with pytest.raises(FmuError, match="it is for model exchange only; export it for co-simulation"):
+    with pytest.raises(FmuError, match="is for model exchange only; export it for co-simulation"):
         open_subject(other)
 
 
@@ -159,5 +159,5 @@ def test_the_interface_that_is_there_instead_is_named(sound: Path, tmp_path: Pat
 def test_an_fmu_for_scheduled_execution_is_not_called_one_for_model_exchange(tmp_path: Path) -> None:
     scheduled = {"<CoSimulation ": "<ScheduledExecution "}
     built = feedthrough3(tmp_path / "clocked.fmu")
-    with pytest.raises(FmuError, match="it is for scheduled execution only; export it for co-simulation"):
+    with pytest.raises(FmuError, match="is for scheduled execution only; export it for co-simulation"):
         open_subject(edited(built, tmp_path / "other.fmu", {}, scheduled))
