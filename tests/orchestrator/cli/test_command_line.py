@@ -221,7 +221,7 @@ LONG = "x" * 5000  # a name that no file can have
     "arguments",
     [
         ("run", LONG), ("plan", f"{LONG}.toml"), ("run", f"{LONG}.fmu"), ("info", LONG), ("check", LONG),
-        ("map", LONG, "--as", "dc_motor"), ("replay", LONG, "x.fmu"), ("run", "nominal", "--input", LONG),
+        ("map", LONG, "--as", "dc_motor"), ("replay", "x.fmu", LONG), ("run", "nominal", "--input", LONG),
         ("run", "nominal", "--replace", f"motor={LONG}"),
     ],
     ids=lambda arguments: " ".join(arguments).replace(LONG, "LONG"),
