@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -103,7 +104,8 @@ def _killed(streamed: bool, left: int, arguments: list[str], delay: float, worke
             time.sleep(delay)
             children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
             found = children.read_text().split() if worker and process.poll() is None else []
-            os.kill(int(found[0]) if found else process.pid, signal.SIGKILL)
+            with suppress(ProcessLookupError):  # it has come to its end before
+                os.kill(int(found[0]) if found else process.pid, signal.SIGKILL)
         process.communicate()
 
 
