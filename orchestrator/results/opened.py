@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -71,8 +72,8 @@ class OpenedResult(Result):
 def open_result(folder: Path) -> OpenedResult:
     """The results in a folder, or beside a result.nc. Raises InputError if there are none or they cannot be read."""
     place = folder.parent if folder.name == ROWS else folder
-    if not (place / ROWS).is_file():
-        hint = "" if place.is_dir() else ": there is no such folder"
+    if not os.path.isfile(place / ROWS):  # a name that no file can have, too
+        hint = "" if os.path.isdir(place) else ": there is no such folder"
         raise InputError(f"{place} holds no {ROWS}{hint}; give the folder that `rovbrush run --out` named")
     found = OpenedResult(place)
     _ = found.datasets, found.summary

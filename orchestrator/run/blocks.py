@@ -36,6 +36,10 @@ class Blocks:
         """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
         return 1 if at.operation else self.recorder.make_room(min(self._size, cycles))
 
+    def no_more_inputs(self, component: int) -> None:
+        """Set nothing more of a component, which has asked to end: FMI allows to read it only."""
+        self.components[component, cells.LAST_IN] = self.components[component, cells.FIRST_IN]
+
     def run(self, at: Position, size: int) -> tuple[int, bool]:
         """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
         clock = self.plan.clock

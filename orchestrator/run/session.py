@@ -162,6 +162,7 @@ class Session:
         if asked is None:
             return False
         self.ended = "\n".join(filter(None, [self.ended, asked.text]))
+        self._blocks.no_more_inputs(asked.component)
         self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
         if asked.whole and not plan.algorithm.saves_states:
             control[cells.ENDS_AT] = min(asked.tick, int(control[cells.ENDS_AT]))

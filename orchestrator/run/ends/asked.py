@@ -26,8 +26,10 @@ EARLY_RETURN, REACHED = 2, 8  # bytes behind the first flag of a step of FMI 3.0
 
 @dataclass(frozen=True)
 class Asked:
-    """`tick`: the end of the step; `whole`: whether it was done until then. `text` says who, and when it ended."""
+    """`component`: its number; `tick`: the end of the step; `whole`: whether it was done until then. `text` says who,
+    and when it ended."""
 
+    component: int
     tick: int
     whole: bool
     text: str
@@ -58,7 +60,7 @@ def asked_to_end(
     whole = reached >= time - NEARLY * length
     reached = reached if math.isfinite(reached) and not whole else time if whole else plan.clock.time(end[0] - end[1])
     words = ": ".join(["", *instance.messages[-1:]])
-    return Asked(end[0], whole, f"component {name} asked to end the simulation at t = {reached:.9g} s{words}")
+    return Asked(k, end[0], whole, f"component {name} asked to end the simulation at t = {reached:.9g} s{words}")
 
 
 def _end(plan: Plan, operation: np.ndarray, control: np.ndarray, varying: np.ndarray) -> tuple[int, int]:

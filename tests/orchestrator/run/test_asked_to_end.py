@@ -11,6 +11,7 @@ import pytest
 from helpers import column, python, read_system, rovbrush
 from native_build import FAULTS3, FREE3, feedthrough3, moody, needs_gcc
 from rovbrush.orchestrator.errors import RunError
+from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
@@ -49,6 +50,29 @@ def test_a_step_that_was_done_to_its_end_gives_the_last_row_of_all(
         t, values = column(run, name)
         assert t[-1] == 0.004 and len(values) == 5
     assert column(run, "m.x")[1][-1] == pytest.approx(4e-3, rel=1e-12) and run.end == 0.004
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+@pytest.mark.parametrize("isolation", ["none", pytest.param("process", marks=needs_fork)])
+@pytest.mark.parametrize("wires", [["g.x -> m.u"], ["g.x -> m.u", "m.x -> g.u"]], ids=["chain", "loop"])
+def test_who_has_asked_to_end_is_read_but_set_no_more(
+    wires: list[str], algorithm: str, isolation: str, tmp_path: Path
+) -> None:
+    """Its outputs answer at once to its input, which is new at the instant of its end, and it takes none any more."""
+    said = {"direct": "all", "isolation": isolation}
+    free = {} if len(wires) == 2 else {"=u": 1.0}
+    moody(tmp_path / "m.fmu", ON_STEP=WHOLE, ON_SET="if (m->steps >= 4) return fmi2Error;", REACHED="t0 + h0", **ENDS)
+    moody(tmp_path / "g.fmu")
+    parts = {"m": ("m.fmu", "1 ms"), "g": ("g.fmu", "1 ms", free)}
+    system = read_system(
+        tmp_path, tmp_path, parts, wires, "10 ms", algorithm=algorithm, of={"m": said, "g": {"direct": "all"}}
+    )
+    plan = make_plan(system)
+    assert "again" in explain(plan)
+    run = simulate(plan)
+    assert run.failure == "" and run.ended == "component m asked to end the simulation at t = 0.004 s"
+    for name in ("m.x", "g.x"):
+        assert column(run, name)[0].tolist() == pytest.approx([0.0, 1e-3, 2e-3, 3e-3, 4e-3])
 
 
 def test_a_step_that_ended_on_its_way_leaves_the_rows_before_it(tmp_path: Path) -> None:
