@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...loop.operations import ADVANCE, ESTIMATE, HALVE, PUSH, REPEAT, RESTORE, SAVE
 from ...loop.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
 from ...system.model import Connection, System
-from ...system.schema.values import Positive, Span
+from ...system.schema.values import Positive
 from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import Choice
@@ -26,7 +26,7 @@ from ..schedule.layout import Key, Layout
 from ..schedule.schedule import Schedule
 from ..schedule.steps import Row
 from .base import LoopArrays
-from .varying_steps import VaryingSchedule, VaryingSteps
+from .varying_steps import Largest, Smallest, VaryingSchedule, VaryingSteps
 
 if TYPE_CHECKING:
     from ..plan import Plan
@@ -39,12 +39,8 @@ class AdaptiveSettings:
     tolerance: Annotated[
         Positive, Meta(description="error of a step, relative to an output or to its nominal value if larger [1]")
     ] = 1e-4
-    minimum: Annotated[
-        Span | None, Meta(description="smallest macro step; a hundredth of the period where nothing is stated")
-    ] = None
-    maximum: Annotated[
-        Span | None, Meta(description="largest macro step; a hundred periods where nothing is stated")
-    ] = None
+    minimum: Smallest = None
+    maximum: Largest = None
     safety: Annotated[Positive, Meta(description="factor of every new step [1]")] = 0.9
     shrink: Annotated[Positive, Meta(description="smallest ratio of two steps [1]")] = 0.2
     grow: Annotated[Positive, Meta(description="largest ratio of two steps [1]")] = 2.0

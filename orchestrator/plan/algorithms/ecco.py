@@ -15,12 +15,12 @@ from msgspec import Meta
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
-from ...system.schema.values import Positive, Span
+from ...system.schema.values import Positive
 from ..design import Design
 from ..schedule.bond_energy import key_of
 from ..schedule.schedule import Schedule
 from ..schedule.steps import Row
-from .varying_steps import VaryingSchedule, VaryingSteps
+from .varying_steps import Largest, Smallest, VaryingSchedule, VaryingSteps
 
 
 @dataclass(frozen=True)
@@ -29,12 +29,8 @@ class EccoSettings:
 
     tolerance: Annotated[Positive, Meta(description="energy that the coupling may make at a bond in a step [J]")] = 1e-3
     relative: Annotated[Positive, Meta(description="and of the energy that the bond carries over it [1]")] = 1e-2
-    minimum: Annotated[
-        Span | None, Meta(description="smallest macro step; a hundredth of the period where nothing is stated")
-    ] = None
-    maximum: Annotated[
-        Span | None, Meta(description="largest macro step; a hundred periods where nothing is stated")
-    ] = None
+    minimum: Smallest = None
+    maximum: Largest = None
     safety: Annotated[Positive, Meta(description="factor of every new step [1]")] = 0.8
     integral: Annotated[Positive, Meta(description="gain of the indicator of this step [1]")] = 0.15
     proportional: Annotated[Positive, Meta(description="gain of its change [1]")] = 0.2

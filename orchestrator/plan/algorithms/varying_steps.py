@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import ceil, gcd, lcm
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
+from msgspec import Meta
 
 from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS, MAXIMUM, MINIMUM, STEP_TICKS, STOP
 from ...system.model import Connection, System
+from ...system.schema.values import Span
 from ..capabilities import require_variable_steps
 from ..schedule.formulas import Choice
 from ..schedule.layout import Layout
@@ -23,6 +25,12 @@ if TYPE_CHECKING:
     from ..plan import Plan
 
 RESOLUTION = 1000  # ticks in the smallest step, at least
+
+# Settings that every such algorithm has.
+Smallest = Annotated[
+    Span | None, Meta(description="smallest macro step; a hundredth of the period where nothing is stated")
+]
+Largest = Annotated[Span | None, Meta(description="largest macro step; a hundred periods where nothing is stated")]
 
 
 class VaryingSteps(Algorithm):
