@@ -134,7 +134,7 @@ class Stepping(Session):
         reader = self._readers.get(name)
         if reader is None:
             value = super().get(name)
-            component, _, variable = name.partition(".")
+            component, _, variable = self.plan.system.full_name(name).partition(".")
             self._readers[name] = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
             return value
         return reader()
@@ -149,7 +149,7 @@ class Stepping(Session):
             return
         super().set(name, value)
         if writer is None:
-            component, _, variable = name.partition(".")
+            component, _, variable = self.plan.system.full_name(name).partition(".")
             self._writers[name] = writer_of(self.instances[component], variable)
 
     def names(self, patterns: Iterable[str]) -> list[str]:

@@ -24,7 +24,7 @@ class Access:
 
     def get(self, name: str) -> Any:
         """A value; of an array all values."""
-        component, _, variable = name.partition(".")
+        component, _, variable = self.plan.system.full_name(name).partition(".")
         extra = self.plan.layout.extras.get((component, variable))
         if extra:
             return float(self.memory.z[extra.slot])
@@ -52,7 +52,7 @@ class Access:
 
     def set(self, name: str, value: object) -> None:
         """Set an input that nothing drives."""
-        component, _, variable = name.partition(".")
+        component, _, variable = self.plan.system.full_name(name).partition(".")
         instance = self._instance("set", name, component)
         plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
         values = checked_values(self.plan.system.components[component], variable, plain, "set")

@@ -71,6 +71,9 @@ def make_design(
         raise InputError(f"--design {sampler}{nearest(sampler, SAMPLERS)}; one of {', '.join(SAMPLERS)}")
     if sampler and not count:
         raise InputError(f"--design {sampler} needs the number of points: --random 64")
+    named = {system.full_name(name): text for name, text in vary.items()}
+    if len(named) < len(vary):
+        raise InputError(f"--vary: a parameter is varied twice ({', '.join(vary)})")
     if table:
         if vary or count:
             raise InputError("--points lists every point; leave --vary and --random out")
@@ -79,11 +82,11 @@ def make_design(
         raise InputError("nothing to vary; give --vary, for instance --vary motor.R=0.07:0.09:7")
     else:
         if not count:
-            columns = {name: _grid(name, text) for name, text in vary.items()}
+            columns = {name: _grid(name, text) for name, text in named.items()}
             check_count(math.prod(map(len, columns.values())), "the grid of --vary")
         else:
             check_count(count, f"--random {count}")
-            columns = drawn(system, vary, count, seed, sampler)
+            columns = drawn(system, named, count, seed, sampler)
         axes = tuple(checked_axis(system, name, values) for name, values in columns.items())
     design = Design("list" if table else (sampler or RANDOM) if count else "grid", axes, seed if count else None)
     check_count(len(design), f"--points {table}")
@@ -140,7 +143,8 @@ def _table_axes(system: System, path: Path) -> tuple[Axis, ...]:
     for number, row in enumerate(rows, 1):
         if len(row) != len(rows[0]):
             raise InputError(f"--points {path}: row {number} has {len(row)} cells, the first row {len(rows[0])}")
-    if len(set(rows[0])) < len(rows[0]):
+    names = [system.full_name(name) for name in rows[0]]
+    if len(set(names)) < len(names):
         raise InputError(f"--points {path}: a parameter has two columns")
     columns = zip(*rows[1:], strict=True)
-    return tuple(checked_axis(system, name, column) for name, column in zip(rows[0], columns, strict=True))
+    return tuple(checked_axis(system, name, column) for name, column in zip(names, columns, strict=True))

@@ -93,3 +93,14 @@ def test_of_an_fmu_without_outputs_all_locals_are_recorded(tmp_path: Path) -> No
     assert {name: result[name].values[-1] for name in result.dataset.data_vars} == {
         f"mute.v[{k}].x y": 101.0 + k for k in range(3)
     }
+
+
+def test_nor_do_they_by_hand(make: Make) -> None:
+    with load(make("")).start() as session:
+        assert session.get("u") == session.get("their_pump.u") == 0.5
+        session.set("u", 1.5)
+        session.step()
+        assert session.get("u") == session.get("their_pump.u") == 1.5
+        assert session.get("a.b") == session.get("their_pump.a.b")
+        with pytest.raises(InputError, match="no component 'w'"):
+            session.get("w.y")
