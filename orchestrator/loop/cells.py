@@ -15,8 +15,8 @@ NEVER = 1 << 62  # ticks
 NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET, CLOCK_CELLS = range(8)
 
 # `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks,
-# and 1 if no state before a step is restored behind it.
-FMI, INSTANCE, DO_STEP, FLAGS, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT, FINAL = range(9)
+# 1 if no state before a step is restored behind it, and the blocks of what is read again at an instant.
+FMI, INSTANCE, DO_STEP, FLAGS, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT, FINAL, FIRST_AGAIN, LAST_AGAIN = range(11)
 
 # `blocks`: function, value references and their number, address of the values, their number, first slot, place in
 # `raw`, type code, bytes of a value, whether it has a sign.

@@ -43,6 +43,7 @@ def loop_hash(top: Path) -> str:
     return hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
 
 
+@cache
 def _named_run() -> tuple[str, Any]:
     """The loop, not compiled yet, and the name under which it is kept."""
     import numba

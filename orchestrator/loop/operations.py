@@ -11,4 +11,4 @@ NAMES = (
     *("series", "sample", "halve", "advance", "estimate", "solve"),
 )
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")
-AT_ITS_END, AS_IT_BEGINS, AGAIN = range(3)  # column a of GET: when outputs are read; again: at an instant
+AT_ITS_END, AS_IT_BEGINS, AT_AN_INSTANT = range(3)  # column a of GET: when outputs are read; again: at an instant

@@ -23,6 +23,7 @@ from .cells import (
     ENDED,
     ENDS_AT,
     FINAL,
+    FIRST_AGAIN,
     FIRST_IN,
     FIRST_OUT,
     FIRST_SLOT,
@@ -34,6 +35,7 @@ from .cells import (
     IN_PLACE,
     INSTANCE,
     INTERRUPTED,
+    LAST_AGAIN,
     LAST_IN,
     LAST_OUT,
     NOT_CONVERGED,
@@ -59,6 +61,7 @@ from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
     ADVANCE,
+    AT_AN_INSTANT,
     CONTROL,
     COPY,
     ESTIMATE,
@@ -105,7 +108,7 @@ def run(
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE or
     NOT_CONVERGED.
 
-    operations (m, 8), see operations.COLUMNS; components (n, 9) and their blocks (k, 10), addresses and counts, see
+    operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
@@ -151,7 +154,9 @@ def run(
                     return BAD_STATUS
             elif code in (SET, GET):
                 first, last = components[c, FIRST_IN], components[c, LAST_IN]
-                if code == GET:
+                if code == GET and a == AT_AN_INSTANT:
+                    first, last = components[c, FIRST_AGAIN], components[c, LAST_AGAIN]
+                elif code == GET:
                     first, last = components[c, FIRST_OUT], components[c, LAST_OUT]
                 for n in range(first, last):
                     if code == SET and blocks[n, AT] != IN_PLACE:

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping
 
 import numpy as np
 
-from ..loop.operations import AGAIN, GET
+from ..loop.operations import AT_AN_INSTANT, GET
 from ..system.model import Connection, System
 from .schedule.formulas import Choice
 from .schedule.layout import Key
@@ -65,6 +65,13 @@ class Instants:
     def _real(self, c: Connection) -> bool:
         return self.system.components[c.source[0]].fmu.is_real(c.source[1])
 
+    def answering(self, name: str) -> frozenset[str]:
+        """The outputs of a component that are read again: those that answer, of an array all elements."""
+        inputs = {c.target[1] for c in self.held if c.target[0] == name}
+        found = [output for output, known in self.answers[name].items() if known & inputs] if inputs else []
+        arrays = self.system.components[name].fmu.arrays
+        return frozenset(element for output in found for element in arrays[output])
+
     def reasons(self) -> dict[str, str]:
         """The inputs to which outputs of a component answer at once, by component."""
         found: dict[str, list[str]] = {}
@@ -75,7 +82,7 @@ class Instants:
     def read_again(self, cycle: np.ndarray) -> dict[str, str]:
         """Components that the operations of a cycle read again at an instant, and the inputs because of which."""
         names = list(self.system.components)
-        found = {names[c] for c in cycle[(cycle[:, 0] == GET) & (cycle[:, 3] == AGAIN), 2].tolist()}
+        found = {names[c] for c in cycle[(cycle[:, 0] == GET) & (cycle[:, 3] == AT_AN_INSTANT), 2].tolist()}
         return {name: inputs for name, inputs in self.reasons().items() if name in found}
 
 

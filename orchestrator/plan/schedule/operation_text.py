@@ -10,8 +10,8 @@ from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
     ADVANCE,
-    AGAIN,
     AS_IT_BEGINS,
+    AT_AN_INSTANT,
     CONTROL,
     COPY,
     ESTIMATE,
@@ -88,7 +88,7 @@ class OperationText:
             return f"the state of {name}" if component >= 0 else counted(a, "signal")
         table = (self.inputs if code == SET else self.outputs).get(name, {})
         again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a == AS_IT_BEGINS else ""
-        again += " again, as they are with the inputs of this instant" if code == GET and a == AGAIN else ""
+        again += " again, as they are with the inputs of this instant" if code == GET and a == AT_AN_INSTANT else ""
         return f"{name}: {_types(self.plan.system.components[name].fmu, [variable for _, variable in table])}{again}"
 
     def _flow(self, row: list[int]) -> str:

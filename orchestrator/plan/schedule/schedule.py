@@ -25,6 +25,7 @@ from ...loop.operations import (
 )
 from ...system.model import Connection
 from ..design import Design
+from .repeats import without_repeats
 from .settling import Settling
 from .steps import Row, Steps
 
@@ -51,7 +52,10 @@ class Schedule(Steps):
                 f"the periods repeat only every {seconds_text(self.clock.seconds(self.clock.hyperperiod))}: "
                 f"more than {LARGEST} operations; choose periods with a common multiple"
             )
-        return np.array(list(self.rows()), dtype=np.int64).reshape(-1, len(COLUMNS))
+        rows = list(self.rows())
+        cells = {self.index[name]: tuple(map(dict.values, self.layout.exchanged(name))) for name in self.index}
+        given, taken = ({k: list(sides[n]) for k, sides in cells.items()} for n in (0, 1))
+        return np.array(without_repeats(rows, given, taken), dtype=np.int64).reshape(-1, len(COLUMNS))
 
     def rows(self) -> Iterator[Row]:
         """The operations in their order."""

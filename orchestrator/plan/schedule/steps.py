@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...loop.operations import (
     ACCUMULATE,
-    AGAIN,
     AS_IT_BEGINS,
+    AT_AN_INSTANT,
     AT_ITS_END,
     COPY,
     GET,
@@ -88,7 +88,7 @@ class Steps:
     def read_again(self, tick: int, name: str) -> Iterator[Row]:
         """Set a component's inputs at an instant, and get what its outputs are with them."""
         yield from self.set_inputs(tick, name)
-        yield from self._get(tick, name, AGAIN)
+        yield from self._get(tick, name, AT_AN_INSTANT)
 
     def _series(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs that follow tables, for the step from `start`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from itertools import groupby
 
 import numpy as np
@@ -50,7 +51,7 @@ class Memory:
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Participant]) -> tuple[np.ndarray, np.ndarray, Typed]:
-        """`components` (n, 9) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
+        """`components` (n, 11) and `blocks` (k, 10) for `loop.run`, see exchange.py, and its typed arrays."""
         components: list[list[int]] = []
         blocks: list[list[int]] = []
         raw = 0
@@ -58,15 +59,17 @@ class Memory:
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
             row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), flags]
-            for table, verb in zip(self.plan.layout.exchanged(name), ("Set", "Get"), strict=True):
+            given, taken = self.plan.layout.exchanged(name)
+            answering = self.plan.instants.answering(name)
+            again = {variable: slot for variable, slot in taken.items() if variable in answering}
+            for table, verb in ((given, "Set"), (taken, "Get"), (again, "Get")):
                 row.append(len(blocks))
-                slots = [(slot, (name, variable)) for variable, slot in table.items()]
-                for kind, found in groupby(slots, key=lambda entry: self.kind(entry[1])):
-                    block, used = self._block(instance, kind, verb, list(found), raw)
+                for kind, found in self._together(name, table):
+                    block, used = self._block(instance, kind, verb, found, raw)
                     blocks.append(block)
                     raw += used
                 row.append(len(blocks))
-            components.append([*row, final])
+            components.append([*row[:-2], final, *row[-2:]])
         self.raw = np.zeros(max(raw, 1), dtype=np.uint8)
         base = self.raw.ctypes.data
         for row in components:
@@ -75,6 +78,12 @@ class Memory:
             block[3] += base if block[6] != IN_PLACE else self.z.ctypes.data
         typed = (self.whole, self.raw, self.raw.view(np.float32), self.texts.pool, self.texts.index)
         return np.array(components, dtype=np.int64), np.array(blocks, dtype=np.int64).reshape(-1, 10), typed
+
+    def _together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
+        """What one call can exchange: of one type, in cells one behind the other."""
+        numbered = [(slot - k, slot, (name, variable)) for k, (variable, slot) in enumerate(table.items())]
+        for (kind, _), found in groupby(numbered, key=lambda entry: (self.kind(entry[2]), entry[0])):
+            yield kind, [(slot, key) for _, slot, key in found]
 
     def _block(
         self, instance: Participant, kind: FmiType, verb: str, slots: list[tuple[int, Key]], raw: int

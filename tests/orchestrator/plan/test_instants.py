@@ -126,6 +126,24 @@ def test_what_is_not_stated_costs_nothing_and_off_forbids() -> None:
     assert operations(False, direct={"s": "all"}) == operations(True)
 
 
+@pytest.mark.parametrize("interpreted", [True, False], ids=["interpreted", "compiled"])
+def test_only_what_answers_is_read_again(interpreted: bool) -> None:
+    asked: list[tuple[str, ...]] = []
+
+    class Two(Sum):
+        def get(self, names: Iterable[str]) -> list[float]:
+            asked.append(tuple(names))
+            self.values["slow"] = self.values["other"] = 0.0
+            return super().get(asked[-1])
+
+    two = mock_fmu("two", Two, ["u"], ["slow", "y", "other"], feedthrough={"y": ["u"]})
+    plan = planned({"s": (two, "0.001"), "r": (mock_fmu("r", Ramp, [], ["y"]), "0.001")}, ["r.y -> s.u"], "0.01")
+    run = simulate(plan, interpreted)
+    assert not run.failure and asked[-2:] == [("slow", "y", "other"), ("y",)]
+    t, y = column(run, "s.y")
+    assert y.tolist() == pytest.approx((2.0 * t).tolist(), abs=1e-15)
+
+
 def test_between_its_own_instants_nobody_is_touched() -> None:
     slow = total()
     parts = {"r": (mock_fmu("r", Ramp, [], ["y"]), "0.001"), "s": (slow, "0.003")}

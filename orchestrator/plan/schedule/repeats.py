@@ -1,0 +1,76 @@
+"""Inputs that an FMU has already: what was set at an instant need not be set again for the step that begins there.
+
+Values are numbered: a copy of the same value by the same coefficients has the same number, all else a new one. A SET
+is dropped where its component has made no step since the last one, and every cell has the number that was sent then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import count
+
+from ...loop.operations import (
+    ACCUMULATE,
+    COPY,
+    GET,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    MOVE,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    SAMPLE,
+    SERIES,
+    SET,
+    STEP,
+    WORK,
+)
+from .steps import Row
+
+FOLLOWED = {
+    ACCUMULATE, COPY, GET, LEDGER, LINEAR, MEAN, MOVE, PUSH, QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP, WORK,
+}  # fmt: skip
+
+
+def without_repeats(
+    rows: Iterable[Row], inputs: Mapping[int, Sequence[int]], outputs: Mapping[int, Sequence[int]]
+) -> list[Row]:
+    """The operations of a cycle without such SETs; `inputs`, `outputs`: the cells of each component, by its number.
+
+    Operations that are repeated or taken back stay as they are.
+    """
+    listed = list(rows)
+    if not all(row[0] in FOLLOWED for row in listed):
+        return listed
+    fresh = count()
+    known: dict[object, int] = {}  # numbers of copies
+    values: dict[int, int] = {}  # by cell
+    sent: dict[int, list[int]] = {}
+
+    def value(cell: int) -> int:
+        return values.setdefault(cell, next(fresh))
+
+    kept: list[Row] = []
+    for row in listed:
+        code, _, component, a, b, _, q, k = row
+        if code == SET:
+            now = [value(cell) for cell in inputs[component]]
+            if sent.get(component) == now:
+                continue
+            sent[component] = now
+        elif code == STEP:
+            sent.pop(component, None)
+        elif code == GET:
+            values.update((cell, next(fresh)) for cell in outputs[component])
+        elif code in (MOVE, PUSH):
+            values[b] = value(a)
+        elif code == COPY:
+            copy = value(a), k
+            values[b] = known.setdefault(copy, next(fresh))
+        elif code != RECORD:
+            values[b] = next(fresh)
+            if code in (MEAN, LEDGER):
+                values[q] = next(fresh)
+        kept.append(row)
+    return kept
