@@ -27,10 +27,13 @@ COUNTS = "m->u = ever"  # x gets the steps that this library has made, over all 
 ONCE = 'canBeInstantiatedOnlyOncePerProcess="true"'
 
 
-def counting(folder: Path, *names: str, flags: str = "", **more: str) -> Plan:
-    """Components of one FMU that counts the steps of its library."""
-    moody(folder / "m.fmu", flags, ON_STEP=COUNTS, **more)
-    return plan_of(folder, folder, {name: ("m", "1 ms", {"=u": 0.0}) for name in names}, stop="5 ms")
+def counting(folder: Path, *names: str, flags: str = "", model: str = "m", **more: str) -> Plan:
+    """Components of one FMU that counts the steps of its library.
+
+    A `model` of its own is one that no other test has used in this process: the cache knows FMUs by their content.
+    """
+    moody(folder / f"{model}.fmu", flags, ON_STEP=COUNTS, **more)
+    return plan_of(folder, folder, {name: (model, "1 ms", {"=u": 0.0}) for name in names}, stop="5 ms")
 
 
 def end(plan: Plan, name: str) -> float:
@@ -81,7 +84,7 @@ def test_points_of_a_sweep_are_one_whatever_their_order_and_the_number_of_worker
 
 @needs_gcc
 def test_a_private_copy_leaves_nothing_behind_and_the_first_use_makes_none(tmp_path: Path) -> None:
-    fmu = Fmu.open(moody(tmp_path / "m.fmu"))
+    fmu = Fmu.open(moody(tmp_path / "used_first.fmu"))
     before = sorted(fmu.library.parent.iterdir())
     with fresh_library(fmu) as first:
         assert first in before
@@ -102,7 +105,7 @@ def test_our_own_fmus_keep_nothing_and_stay_loaded(fmus: Path) -> None:
 @needs_gcc
 @needs_fork
 def test_an_fmu_that_allows_one_instance_gets_processes_and_the_plan_says_why(tmp_path: Path) -> None:
-    plan = counting(tmp_path, "a", "b", flags=ONCE)
+    plan = counting(tmp_path, "a", "b", flags=ONCE, model="once_first")
     assert [c.isolation for c in plan.system.components.values()] == ["", "process"]
     assert "in a process of its own: a is the same FMU, and it allows one instance per process" in " ".join(
         explain(plan).split()
@@ -111,9 +114,9 @@ def test_an_fmu_that_allows_one_instance_gets_processes_and_the_plan_says_why(tm
         session.advance()
         kinds = [isinstance(instance, IsolatedInstance) for instance in session.instances.values()]
         assert kinds == [False, True] and session.get("a.x") == session.get("b.x") == FRESH
-    with Session(counting(tmp_path, "a", flags=ONCE)) as again:
+    with Session(counting(tmp_path, "a", flags=ONCE, model="once_first")) as again:
         assert isinstance(again.instances["a"], IsolatedInstance)
-        assert "component a runs in a process of its own: m.fmu was used in this process before" in again.run().notes[0]
+        assert "component a runs in a process of its own: once_first.fmu was used in this process before" in again.run().notes[0]
 
 
 @needs_gcc
