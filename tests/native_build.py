@@ -36,6 +36,18 @@ FAULTS2 = {
 FAULTS3 = {
     name: k for k, name in enumerate(["none", "discard", "error", "fatal", "nan", "terminate", "early", "event"])
 }
+# Name, type, reference, causality and start of the variables of `answers`, by what they belong to.
+ANSWERS = {
+    "mass": [("F", "Real", 0, "input", "0"), ("m", "Real", 1, "parameter", "1"), ("x0", "Real", 2, "parameter", "0"),
+             ("x", "Real", 3, "output", ""), ("v", "Real", 4, "output", "")],
+    "force": [(f"{v}{k}", "Real", 3 + 2 * k + (v == "v"), "input", "0") for k in (1, 2) for v in "xv"]
+    + [("k", "Real", 9, "parameter", "0"), ("d", "Real", 10, "parameter", "0"), ("F", "Real", 11, "output", ""),
+       ("back", "Real", 12, "output", "")],
+    "reals": [("u", "Real", 13, "input", "0"), ("y", "Real", 14, "output", "")],
+    "integers": [("n_in", "Integer", 0, "input", "0"), ("n_out", "Integer", 2, "output", "")],
+    "counter": [("n", "Integer", 1, "output", "")],
+    "booleans": [("on_in", "Boolean", 0, "input", "false"), ("on_out", "Boolean", 1, "output", "")],
+}  # fmt: skip
 NUMBERS3 = ("Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64")
 
 
@@ -155,6 +167,31 @@ def moody(target: Path, flags: str = "", categories: tuple[str, ...] = (), **act
     said = f"<LogCategories>{said}</LogCategories>\n" if said else ""
     xml = xml.replace("<ModelVariables>", f'{said}<DefaultExperiment tolerance="1e-6"/>\n<ModelVariables>')
     return native_fmu.native_fmu(target, [NATIVE / "moody.c"], xml, 2, actions)
+
+
+def answers(target: Path, *parts: str) -> Path:
+    """FMI 2.0: outputs that answer at once. `parts`: what of ANSWERS its description shows."""
+    shown = [entry for part in parts for entry in ANSWERS[part]]
+    variables, outputs = [], []
+    for name, kind, reference, causality, start in shown:
+        variability = "fixed" if causality == "parameter" else "continuous" if kind == "Real" else "discrete"
+        given = f' start="{start}"' if start else ""
+        variables.append(
+            f'<ScalarVariable name="{name}" valueReference="{reference}" causality="{causality}" '
+            f'variability="{variability}"><{kind}{given}/></ScalarVariable>'
+        )
+        known = (
+            ""
+            if name in ("x", "v", "n")
+            else " ".join(str(k) for k, (*_, other, _) in enumerate(shown, 1) if other == "input")
+        )
+        if causality == "output":
+            outputs.append(f'<Unknown index="{len(variables)}" dependencies="{known}"/>')
+    xml = native_fmu.description2(target.stem, variables, [])
+    structure = f"<ModelStructure><Outputs>{''.join(outputs)}</Outputs></ModelStructure>"
+    return native_fmu.native_fmu(
+        target, [NATIVE / "answers.c"], xml.replace("<ModelStructure></ModelStructure>", structure), 2
+    )
 
 
 def built(folder: Path) -> Path:

@@ -156,14 +156,15 @@ class _Propagation:
             return float(np.max(np.abs(residual(inputs)) / np.maximum(np.abs(inputs), 1.0)))
 
         guess = self.memory.z[[self.plan.layout.inputs[c.target] for c in unknowns]]  # start values in the first sweep
-        found = size(guess)
-        if found > TOLERANCE:
+        found, wanted = size(guess), self.plan.system.loops.tolerance
+        allowed = max(TOLERANCE, wanted)
+        if found > wanted:
             solution = root(residual, guess, method="hybr", options={"xtol": 1e-14}).x
             found = size(solution)
-        if not found <= TOLERANCE:
+        if not found <= allowed:
             raise FmuError(
                 f"initialization: the algebraic {label} has no solution that can be found from the start values: "
-                f"residual {found:.3g}, relative to the inputs, allowed {TOLERANCE:g}; break it with a state, or give "
+                f"residual {found:.3g}, relative to the inputs, allowed {allowed:g}; break it with a state, or give "
                 f"the FMUs start values near the solution"
             )
         self.started.loops[label] = found

@@ -19,6 +19,7 @@ from ..fmu.attributes import parse_value
 from ..fmu.fmu import Fmu
 from ..fmu.types import REALS, Value
 from .quantities import in_own_unit
+from .schema.system import Loops
 from .series import Series
 
 
@@ -121,6 +122,7 @@ class System:
     order: tuple[str, ...]
     components: Mapping[str, Component]
     connections: tuple[Connection, ...]
+    loops: Loops = field(default_factory=Loops)  # how loops of direct dependence are solved
     bonds: tuple[Bond, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)

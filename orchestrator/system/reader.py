@@ -20,7 +20,7 @@ from .one_fmu import FmuFile, is_fmu
 from .recorded import recorded_names
 from .schema.checked import checked, checked_value
 from .schema.report import Balance, Comparison, Figure, Window
-from .schema.system import KEYS, SystemTable
+from .schema.system import KEYS, Loops, SystemTable
 from .schema.values import Value
 
 SYSTEMS = Path(__file__).parent.parent / "systems"
@@ -61,6 +61,7 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
     system = System(
         name=file.name, path=file.path, description=table.description, stop=end, algorithm=table.algorithm,
         order=tuple(table.order), components=components, connections=connections,
+        loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
         record=_recorded(file, components, table.record), reporting=_reporting(file),

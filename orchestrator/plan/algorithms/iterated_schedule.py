@@ -85,12 +85,15 @@ class IteratedSchedule(Schedule):
                         )
 
     def finish(self, tick: int) -> Iterator[Row]:
+        """The steps that end now, what they give to the images, and the values of this instant."""
+        self.settling.begin()
         for name in self.due(tick):
             if name not in self.design.samplers:
                 start = tick - self.clock.periods[name]
                 yield from self._take(tick, name, start)
                 yield from self.advance(tick, name, start)
                 yield from self._collect(tick, name, start)
+                self.settling.stepped(name)
         yield from self.record(tick)
 
     def _take(self, tick: int, name: str, start: int) -> Iterator[Row]:

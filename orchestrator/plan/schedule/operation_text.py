@@ -106,7 +106,7 @@ class OperationText:
             return f"go to operation {a + 1} if {unknowns} within {c[k]:g}, at most {c[k + 1]:g} times"
         if code == SOLVE:
             again = f"otherwise the last {counted(a, 'operation')} again"
-            return f"{self.plan.layout.loops[row[2]]} within {c[k]:g}, {again}"
+            return f"{self.plan.layout.loops[row[2]]} within {c[k]:g}, {again}, at most {c[k + 1]:g} times"
         if code == HALVE:
             return "the macro step, to do it again as two"
         if code == ADVANCE:

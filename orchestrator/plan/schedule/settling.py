@@ -16,8 +16,6 @@ from .steps import Row
 if TYPE_CHECKING:
     from .schedule import Schedule
 
-TOLERANCE, MAX_ITERATIONS = 1e-13, 50.0  # of a loop: residual relative to the size of its inputs; Newton steps
-
 
 class Settling:
     """Which inputs are older than the present instant, and the operations that mend it."""
@@ -129,7 +127,8 @@ class Settling:
             once.append((COPY, tick, schedule.index[c.target[0]], layout.outputs[c.source], images + k, 0, 0, gains))
         yield from once
         nominal = [schedule.nominal(c.target) for c in connections]
-        settings = schedule.constants.at(TOLERANCE, MAX_ITERATIONS, float(NEWTON), *nominal)
+        loops = schedule.system.loops
+        settings = schedule.constants.at(loops.tolerance, float(loops.max_iterations), float(NEWTON), *nominal)
         yield (SOLVE, tick, memory, len(once), unknowns, images, len(connections), settings)
 
     def _memory(self, block: Block) -> tuple[int, int, int]:

@@ -41,8 +41,10 @@ def failure_of(
         return end, f"interrupted by the user at t = {end:.9g} s"
     if row[0] == SOLVE and code == cells.NOT_CONVERGED:
         loop, instant = plan.layout.loops[int(row[2])], clock.time(begin + int(row[1]))
+        loops = plan.system.loops
         return end, (
-            f"Newton's method finds no solution of the algebraic {loop} at t = {instant:.9g} s; break it with a state, "
+            f"Newton's method finds no solution of the algebraic {loop} at t = {instant:.9g} s within "
+            f"{loops.tolerance:g} in {loops.max_iterations} iterations ([loops]); break it with a state, "
             'or forbid reading again with direct = "off" under [components.NAME]'
         )
     if code == cells.NOT_CONVERGED:

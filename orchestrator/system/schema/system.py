@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from .report import Balance, Comparison, Figure, Window
-from .values import FigureOfMerit, Number, Positive, Time, Value, Values
+from .values import Count, FigureOfMerit, Number, Positive, Time, Value, Values
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
 CONNECTION = r"^\s*\w+\..+->\s*\w+\..+$"
@@ -102,6 +102,15 @@ class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     message: Annotated[str, Meta(description="what to tell otherwise")] = "out of bounds at time 0"
 
 
+class Loops(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Loops of direct dependence, which are solved at every instant by Newton's method."""
+
+    tolerance: Annotated[
+        Positive, Meta(description="what an input may be off, relative to its size or its nominal value [1]")
+    ] = 1e-13
+    max_iterations: Annotated[Count, Meta(description="steps of Newton's method before the run fails [1]")] = 50
+
+
 class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A system: components, connections, how they are coupled, and what is reported of a run."""
 
@@ -130,6 +139,7 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
             extra_json_schema={"items": {"type": "string", "pattern": CONNECTION}},
         ),
     ] = []
+    loops: Annotated[Loops, Meta(description="loops of direct dependence")] = Loops()
     bonds: Annotated[list[BondTable], Meta(description="power bonds, of which the energy is counted")] = []
     require: Annotated[list[RequirementTable], Meta(description="what must hold at time 0")] = []
     record: Annotated[

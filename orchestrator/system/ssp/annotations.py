@@ -14,9 +14,11 @@ from fractions import Fraction
 from typing import Any
 
 from lxml import etree
+from msgspec import to_builtins
 
 from ...clock import seconds_text
 from ..model import Bond, Component, Connection, Requirement, System
+from ..schema.system import Loops
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations
@@ -27,7 +29,8 @@ def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
     in_ssp = ("name", "path", "description", "stop", "components", "connections")
     return {
-        **_stated(system, (*in_ssp, "bonds", "requirements", "reporting", "settings")),
+        **_stated(system, (*in_ssp, "loops", "bonds", "requirements", "reporting", "settings")),
+        **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         "require": [_requirement(requirement) for requirement in system.requirements],

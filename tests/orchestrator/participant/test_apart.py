@@ -116,7 +116,10 @@ def test_an_fmu_that_allows_one_instance_gets_processes_and_the_plan_says_why(tm
         assert kinds == [False, True] and session.get("a.x") == session.get("b.x") == FRESH
     with Session(counting(tmp_path, "a", flags=ONCE, model="once_first")) as again:
         assert isinstance(again.instances["a"], IsolatedInstance)
-        assert "component a runs in a process of its own: once_first.fmu was used in this process before" in again.run().notes[0]
+        assert (
+            "component a runs in a process of its own: once_first.fmu was used in this process before"
+            in again.run().notes[0]
+        )
 
 
 @needs_gcc

@@ -25,3 +25,14 @@ def test_positions_at_10_s_are_the_exact_ones(
         error = last(run, f"{name}.x") - REFERENCE[key]
         measured(f"dual mass oscillator, {algorithm} {'/'.join(periods)}: error of {key}(10 s) [m]", error, "1e-5")
         assert abs(error) <= 1e-5
+
+
+def test_by_iteration_at_half_a_millisecond_they_are_right_to_a_micrometre(
+    tmp_path: Path, fmus: Path, measured: Measured
+) -> None:
+    parts = {"a": ("mass1", "0.5 ms"), "b": ("mass2", "0.5 ms")}
+    wires = ["a.x -> b.x1", "a.v -> b.v1", "b.F -> a.F"]
+    run = run_of(tmp_path, fmus, parts, wires, stop="10 s", algorithm="iterated")
+    error = max(abs(last(run, "a.x") - REFERENCE["x1"]), abs(last(run, "b.x") - REFERENCE["x2"]))
+    measured("dual mass oscillator, iterated, 0.5 ms: largest error at 10 s [m]", error, "1e-6")
+    assert error <= 1e-6

@@ -50,6 +50,11 @@ def test_an_iteration_and_its_settings(fmus: Path, tmp_path: Path) -> None:
     )
 
 
+def test_settings_of_loops(fmus: Path, tmp_path: Path) -> None:
+    _, again = both(tmp_path, fmus, loops={"tolerance": 1e-9, "max_iterations": 7})
+    assert (again.loops.tolerance, again.loops.max_iterations) == (1e-9, 7)
+
+
 def test_ecco_with_all_its_settings(fmus: Path, tmp_path: Path) -> None:
     _, again = both(tmp_path, fmus, algorithm="ecco", ecco=ECCO, bonds=[BOND])
     limits = (Fraction(1, 3000), Fraction(1, 100))
