@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Running, Unit, close, go_on, read, run, same, values
+from ..behaviour import Running, Unit, close, go_on, holds, read, run, same, values
 
 H = 5e-3  # s, the communication step
 FREE = {
@@ -24,6 +24,26 @@ def rotation(running: Running) -> np.ndarray:
         [2 * (b * c + d * a), 1 - 2 * (b * b + d * d), 2 * (c * d - b * a)],
         [2 * (b * d - c * a), 2 * (c * d + b * a), 1 - 2 * (b * b + c * c)],
     ])  # fmt: skip
+
+
+def described(phi: float, theta: float, psi: float) -> np.ndarray:
+    """Body to world, from roll, pitch and yaw."""
+    (a, b), (c, d), (e, f) = ((np.cos(angle), np.sin(angle)) for angle in (phi, theta, psi))
+    return np.array([
+        [e * c, e * d * b - f * a, e * d * a + f * b], [f * c, f * d * b + e * a, f * d * a - e * b], [-d, c * b, c * a]
+    ])  # fmt: skip
+
+
+def test_euler_angles_describe_the_attitude_at_any_pitch(unit: Unit) -> None:
+    """phi, theta, psi give the rotation of the quaternion to rounding, at and about +-90 degrees of pitch too."""
+    for side in (1.0, -1.0):
+        for off in (0.0, 1e-16, 5e-16, 1e-12, 1e-8, 1e-3, 0.4, 0.5):
+            for roll, yaw in ((0.0, 0.0), (0.7, -0.9), (-2.5, 3.0), (3.1, 2.9)):
+                seen = unit.new({}, attitude_start=(roll, side * (np.pi / 2 - off), yaw))
+                angles = read(seen, "phi", "theta", "psi")
+                holds(all(abs(angles) <= (np.pi, np.pi / 2, np.pi)), f"angles {angles} are beyond half a turn")
+                # Four roundings: of the quaternion, of the three angles and of what is compared.
+                close(unit, "rotation", described(*angles).ravel(), rotation(seen).ravel(), 4e-15, 1.0)
 
 
 def test_thrust_saturates_and_follows_the_sign_of_the_command(unit: Unit) -> None:

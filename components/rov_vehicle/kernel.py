@@ -9,10 +9,10 @@ thrust_state: thrust of each thruster. current: that of the last step. energy_st
 D: linear (row 0) and quadratic (row 1) damping. lever: W r_g - B r_b, the moment of weight and buoyancy per vertical.
 """
 
-from math import asin, atan2, ceil
+from math import ceil
 
 from .energy import kinetic, potential
-from .frames import change_frame, quaternion, rotation
+from .frames import change_frame, euler_angles, quaternion, rotation
 from .inertia import inverse, mass_matrix
 from .motion import rates
 from .propulsion import allocation, thrust_of, thruster_wrench
@@ -89,9 +89,7 @@ def outputs(
     x_n = x[0]
     y_n = x[1]
     z_n = x[2]
-    phi = atan2(R[7], R[8])
-    theta = -asin(min(1.0, max(-1.0, R[6])))
-    psi = atan2(R[3], R[0])
+    phi, theta, psi = euler_angles(R, x)
     u = x[7]
     v = x[8]
     w = x[9]

@@ -13,7 +13,7 @@ from fnmatch import fnmatchcase
 from ..errors import InputError, nearest
 from .model import Component, System
 
-OTHERS = ("local", "parameter", "calculatedParameter")  # what can be recorded beside inputs and outputs
+OTHERS = ("local", "parameter", "calculatedParameter", "independent")  # what can be recorded beside inputs and outputs
 
 
 def matches(patterns: Iterable[str], name: str) -> bool:

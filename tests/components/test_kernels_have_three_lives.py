@@ -28,6 +28,7 @@ CASES = (
          "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
         {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
     ),
+    Case("rov_vehicle", 5e-3, 60, {"M_y": (0.0, 4.0)}, {"attitude_start": (0.3, 1.5707963267948966, 2.0)}, "vertical"),
     Case("rov_controller", 0.02, 60, MEASURED),
     Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
     Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 1}, "feedforward"),

@@ -85,13 +85,29 @@ static size_t size_of(fmi3ValueReference vr) {
     return vr < (unsigned)component.value_count ? (size_t)component.variables[component.owners[vr]].size : 1;
 }
 
+/* The place behind all variables: the independent one, which FMI 3.0 declares as a variable. */
+static bool is_time(fmi3ValueReference vr) { return vr == (unsigned)component.value_count; }
+
+static const double *readable(Instance *instance, fmi3ValueReference vr, size_t size, Kind kind) {
+    if (!is_time(vr)) return instance_readable(instance, vr, size, kind);
+    if (kind == REAL) return instance->v + vr;
+    instance_report(instance, STATUS_ERROR, "%s: time is a Real (Float64)", instance->name);
+    return NULL;
+}
+
+static double *writable(Instance *instance, fmi3ValueReference vr, size_t size, Kind kind) {
+    if (!is_time(vr)) return instance_writable(instance, vr, size, kind);
+    instance_report(instance, STATUS_ERROR, "%s: time is the independent variable and cannot be set", instance->name);
+    return NULL;
+}
+
 #define GET(Name, Type, KIND, CONVERT)                                                                              \
     fmi3Status fmi3Get##Name(fmi3Instance c, const fmi3ValueReference vr[], size_t count, Type values[],            \
                              size_t n_values) {                                                                     \
         size_t at = 0;                                                                                              \
         for (size_t k = 0; k < count; k++) {                                                                        \
             const size_t size = size_of(vr[k]);                                                                     \
-            const double *place = instance_readable(c, vr[k], size, KIND);                                          \
+            const double *place = readable(c, vr[k], size, KIND);                                                   \
             if (!place) return fmi3Error;                                                                           \
             if (at + size > n_values) return wrong_size(c, "fmi3Get" #Name, n_values);                              \
             for (size_t j = 0; j < size; j++) values[at++] = CONVERT(place[j]);                                     \
@@ -108,7 +124,7 @@ static size_t size_of(fmi3ValueReference vr) {
         at = 0;                                                                                                     \
         for (size_t k = 0; k < count; k++) {                                                                        \
             const size_t size = size_of(vr[k]);                                                                     \
-            double *place = instance_writable(c, vr[k], size, KIND);                                                \
+            double *place = writable(c, vr[k], size, KIND);                                                         \
             if (!place) return fmi3Error;                                                                           \
             for (size_t j = 0; j < size; j++) place[j] = CONVERT(values[at++]);                                     \
         }                                                                                                           \
@@ -121,19 +137,7 @@ static fmi3Status wrong_size(fmi3Instance c, const char *function, size_t n_valu
                                        ((Instance *)c)->name, function, n_values);
 }
 
-static fmi3Status get_time(fmi3Instance c, fmi3Float64 *value) {
-    *value = ((Instance *)c)->v[component.value_count];
-    return fmi3OK;
-}
-
-static GET(Values, fmi3Float64, REAL, )
-
-fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t count, fmi3Float64 values[],
-                          size_t n_values) {
-    if (count == 1 && n_values == 1 && vr[0] == (unsigned)component.value_count) return get_time(c, values);
-    return fmi3GetValues(c, vr, count, values, n_values);
-}
-
+GET(Float64, fmi3Float64, REAL, )
 GET(Int32, fmi3Int32, INTEGER, (fmi3Int32))
 GET(Boolean, fmi3Boolean, BOOLEAN, TRUTH)
 SET(Float64, fmi3Float64, REAL, )
