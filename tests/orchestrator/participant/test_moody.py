@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import threading
 import time
 from contextlib import suppress
@@ -207,6 +208,26 @@ def test_so_is_what_is_changed_before_and_after_the_loop(call: str, tmp_path: Pa
     found = run(tmp_path, isolate=False, **{call: 'fesetround(FE_UPWARD); if (chdir("/")) return'
                                             + (" fmi2Error" if call != "ON_FREE" else "")})  # fmt: skip
     assert exact() and Path.cwd() == before and len(found.notes) == 2
+
+
+@pytest.mark.parametrize("call", ["ON_SETUP", "ON_ENTER", "ON_EXIT", "ON_STEP", "ON_TERMINATE", "ON_FREE"])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGPIPE", "SIGCHLD"])
+def test_signals_that_an_fmu_takes_are_given_back_and_named(name: str, call: str, tmp_path: Path) -> None:
+    """Of SIGPIPE, which Python ignores, the default, with which a closed pipe ends the process."""
+    other = "SIG_DFL" if name == "SIGPIPE" else "SIG_IGN"
+    moody(tmp_path / "moody.fmu", **{call: f"signal({name}, {other})"})
+    system = read_system(tmp_path, tmp_path, {"a": ("moody", "1 ms", {"=u": 1.0})}, stop="5 ms")
+    found = simulate(make_plan(system))
+    assert not found.failure and Surroundings().restore() == []
+    assert found.notes[0].startswith(f"component a changed what becomes of the signals {name}")
+    assert getattr(signal, name) in Surroundings().handlers
+
+
+def test_ctrl_c_ends_a_run_whose_fmu_ignores_it(tmp_path: Path) -> None:
+    moody(tmp_path / "moody.fmu", ON_ENTER="signal(SIGINT, SIG_IGN)", ON_STEP="if (m->steps == 3) raise(SIGINT)")
+    system = read_system(tmp_path, tmp_path, {"a": ("moody", "1 ms", {"=u": 1.0})}, stop="10 s")
+    found = simulate(make_plan(system))
+    assert found.failure.startswith("interrupted by the user at t = 0.00")
 
 
 def test_the_component_is_known_where_it_is_alone(tmp_path: Path) -> None:
