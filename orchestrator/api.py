@@ -43,16 +43,21 @@ def load(
     periods: Mapping[str, str] | None = None,
     record: Sequence[str] = (),
     step: str = "",
+    allow_outside: Sequence[str | Path] = (),
 ) -> Model:
     """A system, by the name of a shipped one or by the path of a .toml, .ssp or .ssd file; FMUs are unpacked once.
 
     `stop`: another stop time; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component: an
     FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
-    recorded instead of what the system says; `step`: the period where an SSP states none.
+    recorded instead of what the system says; `step`: the period where an SSP states none; `allow_outside`: folders
+    elsewhere from which an SSP may take files.
     Raises InputError or FmuError, as the command line does.
     """
     changes = Changes(
-        _paths(replacements), _paths(mappings), tuple((key, str(value)) for key, value in (periods or {}).items())
+        _paths(replacements),
+        _paths(mappings),
+        tuple((key, str(value)) for key, value in (periods or {}).items()),
+        tuple(str(Path(folder).absolute()) for folder in allow_outside),
     )
     folder = Path(fmus) if fmus else None
     return Model(assemble(str(name), {}, str(stop), folder, changes, step=step, record=record))

@@ -27,6 +27,8 @@ class TomlFile:
     names of very many parts, very deep lists, very large numbers, the character NUL."""
 
     notes: Mapping[str, tuple[str, ...]] = MappingProxyType({})  # what to tell of components, where files of a kind do
+    remarks: tuple[str, ...] = ()  # and of the whole
+    breaches: tuple[Any, ...] = ()  # where the file breaks a standard, as `fmu.tolerant` notes it
 
     def __init__(self, path: Path) -> None:
         self.path = path

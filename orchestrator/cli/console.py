@@ -136,6 +136,13 @@ def print_notes(system: System) -> None:
                 f"{fmu.path.name} breaks the standard in {counted(len(fmu.notes), 'point')} that a run can do without: "
                 f"`rovbrush check {fmu.path}` lists them, --strict makes them errors"
             )
+    if system.breaches:
+        tell(
+            f"{system.path.name} breaks the standard in {counted(len(system.breaches), 'point')} that a run can do "
+            f"without: `rovbrush check {system.path}` lists them, --strict makes them errors"
+        )
+    for remark in system.remarks:
+        tell(remark)
     for component in system.components.values():
         for note in component.notes:
             tell(note)

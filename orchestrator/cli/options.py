@@ -34,7 +34,7 @@ def every_command(
     """Options of all commands: `--debug` is taken away before the command line is read."""
 
 
-SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file, or one .fmu."
+SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file, a folder of one, or one .fmu."
 SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
 SetOption = Annotated[
     list[str],
@@ -65,6 +65,10 @@ InputOption = Annotated[
     typer.Option(
         "--input", metavar="FILE.csv", help="Inputs that follow tables: columns time and component.input; repeatable."
     ),
+]
+OutsideOption = Annotated[
+    list[Path],
+    typer.Option("--allow-outside", metavar="FOLDER", help="An SSP may take files from this folder too; repeatable."),
 ]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]

@@ -38,7 +38,8 @@ def assemble(
     recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the system says.
     `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
-    system = apply_changes(load_system(name, fmus, step, stop), changes).with_values(values or {}, "--set")
+    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)))
+    system = apply_changes(loaded, changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
     if record:
         system = select_recorded(system, record)
@@ -60,7 +61,7 @@ def assemble_request(request: Request) -> System:
         periods = tuple(text for text in periods if "=" in text and not text.startswith(named))
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
-        changes_of(request.replace, request.map_, periods), request.record_boundary, step,
+        changes_of(request.replace, request.map_, periods, request.allow_outside), request.record_boundary, step,
         request.record, tuple(map(Path, request.input_)),
     )  # fmt: skip
 
@@ -89,8 +90,9 @@ def _with_periods(system: System, periods: Mapping[str, Fraction]) -> System:
 
 
 def strictly(system: System) -> System:
-    """The system, to be run only if none of its FMUs breaks the standard. Raises FmuError naming where they do."""
-    lines = {
+    """The system, to be run only if neither its file nor its FMUs break a standard. Raises FmuError naming where."""
+    lines = {f"{system.path.name}: {note.found}; {note.rule.mend}" for note in system.breaches}
+    lines |= {
         f"FMU {component.fmu.path}: {note.found}; {note.rule.mend}"
         for component in system.components.values()
         for note in component.fmu.notes

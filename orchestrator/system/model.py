@@ -17,6 +17,7 @@ from fmpy.model_description import ModelVariable
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
 from ..fmu.fmu import Fmu
+from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
 from .quantities import in_own_unit
 from .schema.system import Loops
@@ -129,6 +130,8 @@ class System:
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
     strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
+    remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
+    breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
 
     @cached_property
     def drivers(self) -> dict[tuple[str, str], Connection]:

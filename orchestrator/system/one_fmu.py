@@ -56,15 +56,14 @@ class FmuFile(TomlFile):
     def _own_step(self, fmu: Fmu, end: Fraction) -> Fraction:
         """The step of the FMU's experiment, else its fixed internal one, else a 500th of the run."""
         fixed = getattr(fmu.description.coSimulation, "fixedInternalStepSize", None)
-        own = self._stated("stepSize") or _time(fixed)
+        own = self._stated("stepSize") or stated_time(fixed)
         if own is None or own > end:
             self._said.append(
                 f"{self.path.name} states no step{' below its stop' if own else ''} and is asked every "
                 f"{seconds_text(end / STEPS)}; --period \"1 ms\" gives it another"
             )  # fmt: skip
             return end / STEPS
-        count = round(end / own)
-        return end / count if abs(end / own - count) <= ROUNDING * count else own
+        return whole_part(own, end)
 
     def _whole(self, end: Fraction, own: Fraction) -> Fraction:
         """The end of the step in which the run would end."""
@@ -75,7 +74,7 @@ class FmuFile(TomlFile):
 
     def _stated(self, name: str) -> Fraction | None:
         """A time of the default experiment; None for none, or for one that is not positive."""
-        return _time(getattr(self._experiment, name, None))
+        return stated_time(getattr(self._experiment, name, None))
 
 
 def component_name(path: Path) -> str:
@@ -83,7 +82,14 @@ def component_name(path: Path) -> str:
     return re.sub(r"\W", "_", path.stem if path.suffix else path.name)
 
 
-def _time(stated: object) -> Fraction | None:
+def whole_part(step: Fraction, end: Fraction) -> Fraction:
+    """The step that divides the run, where the stated one does up to its rounding."""
+    count = round(end / step)
+    return end / count if count and abs(end / step - count) <= ROUNDING * count else step
+
+
+def stated_time(stated: object) -> Fraction | None:
+    """A time of an experiment; None for none, or for one that is not positive."""
     if stated is None:
         return None
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +15,9 @@ from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
 from .figure_kinds import figure_kind, figure_kinds
+from .formats import is_system_file, opened
 from .free_inputs import require_values
 from .model import Component, System, checked_values
-from .one_fmu import FmuFile, is_fmu
 from .recorded import recorded_names
 from .schema.checked import checked, checked_value
 from .schema.report import Balance, Comparison, Figure, Window
@@ -32,13 +33,16 @@ def shipped_systems() -> list[str]:
     return sorted(path.stem for path in SYSTEMS.glob("*.toml") if "[components." in path.read_text(encoding="utf-8"))
 
 
-def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str = "") -> System:
+def load_system(
+    name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = ()
+) -> System:
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
-    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open, or an FMU alone.
+    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open, or an FMU alone;
+    `outside`: folders elsewhere from which an SSP may take files.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
-    file = _opened(name, step, stop)
+    file = _opened(name, step, stop, outside)
     further = {key: value for key, value in file.data.items() if key not in KEYS}
     for key in further:  # a table of an algorithm's settings, or a slip
         if difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8):
@@ -65,7 +69,7 @@ def load_system(name: str, fmus: Path | None = None, step: str = "", stop: str =
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
         record=_recorded(file, components, table.record), reporting=_reporting(file),
-        settings=further,
+        settings=further, remarks=file.remarks, breaches=file.breaches,
     )  # fmt: skip
     return require_values(_with_parameter_file(file, system), file.fail)
 
@@ -108,21 +112,15 @@ def _check_figure(file: TomlFile, entry: dict[str, Any], label: str) -> None:
             raise file.fail(f"{label}: '{key}' is missing", "[[figures]]")
 
 
-def _opened(name: str, step: str, stop: str) -> TomlFile:
-    path = Path(name)
-    if path.suffix in (".ssp", ".ssd"):
-        from .ssp.read import SspFile
-
-        return SspFile(path, step, stop)
-    if is_fmu(path):
-        return FmuFile(path, step, stop)
-    if path.suffix != ".toml":
-        path = SYSTEMS / f"{name}.toml"
-        if not os.path.isfile(path):
-            raise InputError(
-                f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd or "
-                ".fmu file"
-            )
+def _opened(name: str, step: str, stop: str, outside: Sequence[Path]) -> TomlFile:
+    if is_system_file(name):
+        return opened(Path(name), step, stop, tuple(outside))
+    path = SYSTEMS / f"{name}.toml"
+    if not os.path.isfile(path):
+        raise InputError(
+            f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd or "
+            ".fmu file"
+        )
     return TomlFile(path)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError
+from .formats import is_system_file
 
 
 @dataclass(frozen=True)
@@ -28,17 +29,19 @@ class Request:
     checkpoint: str = ""
     input_: tuple[str, ...] = ()
     csv: str = ""  # "rates": a CSV file for each rate too
+    allow_outside: tuple[str, ...] = ()  # folders from which an SSP may take files
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""
         return asdict(
             replace(
                 self,
-                system=str(Path(self.system).absolute()) if Path(self.system).suffix else self.system,
+                system=str(Path(self.system).absolute()) if is_system_file(self.system) else self.system,
                 fmus=str(Path(self.fmus).absolute()) if self.fmus else "",
                 replace=tuple(map(_absolute, self.replace)),
                 map_=tuple(map(_absolute, self.map_)),
                 input_=tuple(str(Path(path).absolute()) for path in self.input_),
+                allow_outside=tuple(str(Path(path).absolute()) for path in self.allow_outside),
             )
         )
 
@@ -65,17 +68,24 @@ class Changes:
     fmus: tuple[tuple[str, str], ...] = ()  # absolute paths
     mappings: tuple[tuple[str, str], ...] = ()
     periods: tuple[tuple[str, str], ...] = ()
+    outside: tuple[str, ...] = ()  # folders elsewhere from which an SSP may take files
 
 
 UNCHANGED = Changes()
 
 
-def changes_of(replacements: Iterable[str], mappings: Iterable[str], periods: Iterable[str]) -> Changes:
-    """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms"`. Raises InputError."""
+def changes_of(
+    replacements: Iterable[str], mappings: Iterable[str], periods: Iterable[str], outside: Iterable[object] = ()
+) -> Changes:
+    """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms" --allow-outside ../fmus`.
+
+    Raises InputError.
+    """
     return Changes(
         _pairs("--replace", replacements, "motor=their.fmu", paths=True),
         _pairs("--map", mappings, "motor=map.toml", paths=True),
         _pairs("--period", periods, 'motor="1 ms"'),
+        tuple(str(Path(str(folder)).absolute()) for folder in outside),
     )
 
 

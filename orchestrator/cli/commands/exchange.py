@@ -10,7 +10,7 @@ import typer
 from ...errors import InputError, counted
 from ..console import print_table, tell
 from ..guard import sheltered
-from ..options import FmusOption, SetOption, StepOption, StopOption, SystemName, app
+from ..options import FmusOption, OutsideOption, SetOption, StepOption, StopOption, SystemName, app
 from ..progress import share
 
 
@@ -63,17 +63,18 @@ def export(
     set_: SetOption = [],  # noqa: B006
     stop: StopOption = "",
     step: StepOption = "",
+    allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
     """Write a whole system as one file for other tools."""
     from ...exchange.export import export_container, export_ssp
     from ...run.planned import planned
     from ...system.assemble import assemble
-    from ...system.request import assignments
+    from ...system.request import assignments, changes_of
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")
-    plan = planned(assemble(system, assignments(set_), stop, fmus, step=step))
+    plan = planned(assemble(system, assignments(set_), stop, fmus, changes_of((), (), (), allow_outside), step=step))
     if ssp:
         found = export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
     else:

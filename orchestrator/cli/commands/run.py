@@ -16,6 +16,7 @@ from ..options import (
     InputOption,
     MapOption,
     OutOption,
+    OutsideOption,
     PeriodOption,
     ReplaceOption,
     SetOption,
@@ -92,6 +93,7 @@ def plan(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     step: StepOption = "",
+    allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
@@ -102,7 +104,8 @@ def plan(
     from ...system.request import Request
 
     request = Request(system, set_=tuple(set_), replace=tuple(replace), map_=tuple(map_), period=tuple(period),
-                      step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)))  # fmt: skip
+                      step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
+                      allow_outside=tuple(map(str, allow_outside)))  # fmt: skip
     planned = make_plan(assemble_request(request))
     tell(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
@@ -130,6 +133,7 @@ def run(
         ),
     ] = [],  # noqa: B006
     step: StepOption = "",
+    allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
     csv_per_rate: Annotated[
         bool, typer.Option("--csv-per-rate", help="Write a CSV file for each rate too, every_1_ms.csv: no empty cells.")
@@ -165,6 +169,7 @@ def run(
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
+        tuple(map(str, allow_outside)),
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

@@ -13,6 +13,7 @@ from ..options import (
     FmusOption,
     MapOption,
     OutOption,
+    OutsideOption,
     PeriodOption,
     ReplaceOption,
     SetOption,
@@ -36,6 +37,7 @@ def converge(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
     """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
@@ -43,7 +45,7 @@ def converge(
     from ...system.request import changes_of
 
     with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
-        found = study(system, out, fmus, changes_of(replace, map_, period), tell, progress)
+        found = study(system, out, fmus, changes_of(replace, map_, period, allow_outside), tell, progress)
     print_means(Path(system).stem, found.rows)
     print_signals(Path(system).stem, found.signals)
     wrote(found.paths, out)
@@ -120,6 +122,7 @@ def sweep(
     force: Annotated[
         bool, typer.Option("--force", help="Go on although other versions or another processor computed what is there.")
     ] = False,
+    allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
@@ -127,7 +130,7 @@ def sweep(
     from ...studies.sweep.sweep import sweep as run_sweep
     from ...system.request import assignments, changes_of
 
-    changes = changes_of(replace, map_, period)
+    changes = changes_of(replace, map_, period, allow_outside)
     options = Options(
         vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes, design, force
     )

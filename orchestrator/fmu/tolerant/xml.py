@@ -17,7 +17,12 @@ BYTE_ORDER_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 
 def safe_xml(path: Path, xml: Path, notes: Notes | None = None) -> Any:
-    """The root of an XML file in the archive `path`, without comments. Raises FmuError.
+    """The root of an XML file in the archive `path`, without comments: see `read_xml`. Raises FmuError."""
+    return read_xml(xml, f"FMU {path}: its {xml.name}", notes)
+
+
+def read_xml(xml: Path, shown: str, notes: Notes | None = None) -> Any:
+    """The root of an XML file, without comments; `shown` is what messages call it. Raises FmuError.
 
     One that is huge, or declares a document type (entities, other files), is refused. With `notes`, what can be read
     beyond doubt is read and noted: prefixes that nothing declares, bytes that are not of the declared encoding.
@@ -26,9 +31,7 @@ def safe_xml(path: Path, xml: Path, notes: Notes | None = None) -> Any:
 
     name = xml.name
     if xml.stat().st_size > LARGEST:
-        raise FmuError(
-            f"FMU {path}: its {name} has more than {LARGEST >> 20} MB; export the model with fewer variables"
-        )
+        raise FmuError(f"{shown} has more than {LARGEST >> 20} MB; export the model with fewer variables")
     content = xml.read_bytes()
     if notes is not None:
         content = _readable(content, name, notes)
@@ -38,17 +41,13 @@ def safe_xml(path: Path, xml: Path, notes: Notes | None = None) -> Any:
     except (etree.XMLSyntaxError, OSError) as error:  # OSError: bytes that are none of its encoding
         faults = [e for e in parser.error_log if e.type_name != "NS_ERR_UNDEFINED_NAMESPACE"]
         if notes is None or faults or not len(parser.error_log):
-            raise FmuError(
-                f"FMU {path}: its {name} is not well-formed: {error}; export it again, or correct that line"
-            ) from error
+            raise FmuError(f"{shown} is not well-formed: {error}; export it again, or correct that line") from error
         for prefix in {e.message.split()[2] for e in parser.error_log}:
             notes.add(PREFIX, f"{prefix}: in {name}")
         tree = etree.parse(io.BytesIO(content), _parser(recover=True))
         _without_prefixes(tree.getroot())
     if tree.docinfo.doctype:
-        raise FmuError(
-            f"FMU {path}: its {name} has a document type declaration, which can open and expand anything; remove it"
-        )
+        raise FmuError(f"{shown} has a document type declaration, which can open and expand anything; remove it")
     return tree.getroot()
 
 

@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import InputError, nearest
+from ...system.formats import ENDINGS, is_system_file
 from ...system.reader import SYSTEMS, shipped_systems
 from ...system.schema.checked import checked
 from ...system.schema.sweep import SweepTable
@@ -51,7 +52,7 @@ def shipped_sweeps() -> list[str]:
 
 def sweep_file(name: str) -> SweepFile:
     """A shipped sweep, a sweep file by path, or a system to sweep over. Raises InputError."""
-    if name.endswith((".ssp", ".ssd")):
+    if is_system_file(name) and not name.endswith(".toml"):
         return SweepFile(Path(name).stem, str(Path(name).resolve()))
     path = Path(name) if name.endswith(".toml") else SWEEPS / f"{name}.toml"
     if not name.endswith(".toml") and not path.is_file():
@@ -63,7 +64,7 @@ def sweep_file(name: str) -> SweepFile:
     if "vary" not in file.data:
         return SweepFile(path.stem, str(path.resolve()))
     table = checked(SweepTable, file.data, "", file)
-    beside = table.system.endswith((".toml", ".ssp", ".ssd"))
+    beside = table.system.endswith(ENDINGS) or is_system_file(str(path.resolve().parent / table.system))
     return SweepFile(
         path.stem, str(path.resolve().parent / table.system) if beside else table.system, table.description,
         str(table.stop_time or ""), table.random, table.seed, dict(table.set), dict(table.vary), dict(table.summary),

@@ -90,7 +90,7 @@ def annotation(parent: Any, type_: str) -> Any:
 def annotated(document: Document, element: Any, allowed: tuple[str, ...] = ()) -> dict[str, Any]:
     """Our keys on an element, {} where there are none. `allowed`: all that may be there. Raises InputError."""
     found: dict[str, Any] = {}
-    for entry in find(element, "ssd:Annotations/ssc:Annotation"):
+    for entry in find(element, "Annotations/Annotation"):
         if entry.get("type") == TYPE:
             try:
                 keys = json.loads(entry[0].text)

@@ -1,16 +1,20 @@
-"""The XML files of an SSP, read safely: no entities, nothing remote, and no element that would be passed over."""
+"""The XML files of an SSP, read safely: no entities, nothing remote. What a run can do without is noted."""
 
 from __future__ import annotations
 
 import math
-from functools import cache
+import re
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 import fmpy.ssp
 from lxml import etree
 
-from ...errors import InputError
+from ...errors import FmuError, InputError, shown
+from ...fmu.tolerant.rules import Notes
+from ...fmu.tolerant.xml import read_xml
+from .rules import FOREIGN, NAMELESS, NAMESPACE, SCHEMA, VERSION
 
 BASE = "http://ssp-standard.org/SSP1/SystemStructure"
 NAMESPACES = {
@@ -18,30 +22,40 @@ NAMESPACES = {
     "ssd": f"{BASE}Description",
     "ssv": f"{BASE}ParameterValues",
     "ssm": f"{BASE}ParameterMapping",
+    "ssb": f"{BASE}SignalDictionary",
 }
+STANDARD = set(NAMESPACES.values())
+ALIKE = re.compile(r"SystemStructure(Common|Description|Parameter|SignalDictionary)|ssp-standard\.org")
+UNDECLARED = re.compile(r"(ss[cdvmb])[_:](\w+)")  # what `read_xml` makes of a prefix that nothing declares
 SCHEMAS = {
     "SystemStructureDescription": "SystemStructureDescription.xsd",
     "ParameterSet": "SystemStructureParameterValues.xsd",
     "ParameterMapping": "SystemStructureParameterMapping.xsd",
+    "SignalDictionary": "SystemStructureSignalDictionary.xsd",
 }
-TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration", "Float64", "Float32"}
+TOLD = 20  # faults of a file that a schema names, at most
+TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration", "Binary", "Float64", "Float32", "Clock"}
 TYPES |= {f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)}
 MAPPINGS = {"BooleanMappingTransformation", "IntegerMappingTransformation", "EnumerationMappingTransformation"}
 
-# What is read, by the element that it stands in. Whatever else stands there is an error that names it.
+# What is read, by the element that it stands in. Whatever else of SSP stands there is an error that names it.
 CHILDREN = {
-    "SystemStructureDescription": {"System", "Units", "DefaultExperiment"},
-    "System": {"Connectors", "ParameterBindings", "Elements", "Connections"},
-    "Elements": {"Component", "System"},
+    "SystemStructureDescription": {"System", "Units", "DefaultExperiment", "Enumerations"},
+    "System": {"Connectors", "ParameterBindings", "Elements", "Connections", "SignalDictionaries"},
+    "Elements": {"Component", "System", "SignalDictionaryReference"},
     "Component": {"Connectors", "ParameterBindings"},
+    "SignalDictionaryReference": {"Connectors", "ParameterBindings"},
+    "SignalDictionaries": {"SignalDictionary"},
+    "SignalDictionary": {"SignalDictionary", "DictionaryEntry", "Units", "Enumerations"},
+    "DictionaryEntry": TYPES,
     "Connectors": {"Connector"},
     "Connector": TYPES,
     "Connections": {"Connection"},
-    "Connection": {"LinearTransformation"},
+    "Connection": {"LinearTransformation", *MAPPINGS},
     "ParameterBindings": {"ParameterBinding"},
     "ParameterBinding": {"ParameterValues", "ParameterMapping"},
     "ParameterValues": {"ParameterSet"},
-    "ParameterSet": {"Parameters", "Units"},
+    "ParameterSet": {"Parameters", "Units", "Enumerations"},
     "Parameters": {"Parameter"},
     "Parameter": TYPES,
     "ParameterMapping": {"ParameterMapping", "MappingEntry"},
@@ -49,76 +63,120 @@ CHILDREN = {
     **{name: {"MapEntry"} for name in MAPPINGS},
     "Units": {"Unit"},
     "Unit": {"BaseUnit"},
-    **{name: {"Value"} for name in ("String", "Enumeration")},
+    "Enumerations": {"Enumeration"},
+    **{name: {"Value", "Item"} for name in ("String", "Enumeration", "Binary")},
 }
-# What has no bearing on a simulation: drawings, names of enumeration items (the FMUs have them), signatures.
+# What has no bearing on a simulation: drawings, signatures, sizes and clocks of variables, which the FMUs state.
 PASSED_OVER = {"ElementGeometry", "ConnectorGeometry", "ConnectionGeometry", "SystemGeometry", "GraphicalElements"}
-PASSED_OVER |= {"Enumerations", "Annotations", "MetaData", "Signature"}
+PASSED_OVER |= {"Annotations", "MetaData", "Signature", "SSDVariant", "Dimension"}
 REFUSED_ATTRIBUTES = ("startIndices", "endIndices")
 # What must be there and what must be a number, in versions too for which there is no schema.
-REQUIRED_CHILDREN = {"SystemStructureDescription": "ssd:System", "Unit": "ssc:BaseUnit"}
+REQUIRED_CHILDREN = {"SystemStructureDescription": "System", "Unit": "BaseUnit"}
 REQUIRED_ATTRIBUTES = {
-    **{name: ("name",) for name in ("SystemStructureDescription", "System", "Component", "Parameter", "Unit")},
-    "Connector": ("name", "kind"),
+    **{name: ("name",) for name in ("System", "Component", "SignalDictionaryReference")},
     "Connection": ("startConnector", "endConnector"),
-    **{name: ("source", "target") for name in ("MappingEntry", "MapEntry")},
+    "Parameter": ("name",),
 }
+STATED_ATTRIBUTES = {"MapEntry": ("source", "target")}  # they may be empty
+NAMED = ("Connector", "Unit", "DictionaryEntry", "Item")  # what can be left out where it has no name
 NUMBERS = {"factor", "offset", "startTime", "stopTime"}
 
 
 class Document:
     """One XML file, and where its elements stand in it. `shown` is what messages call it."""
 
-    def __init__(self, path: Path, shown: str, kind: str) -> None:
-        """Read, validate and check. `kind` is the name of the root element. Raises InputError."""
-        self.path, self.shown = path, shown
-        parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
+    def __init__(self, path: Path, shown_: str, kind: str, notes: Notes | None = None) -> None:
+        """Read and check. `kind` is the name of the root element; `notes`: where the file breaks the standard.
+
+        Raises InputError.
+        """
+        self.path, self.shown, self.notes = path, shown_, notes or Notes()
         try:
-            tree = etree.parse(str(path), parser)
+            self.root = read_xml(path, shown_, self.notes)
         except OSError:
-            raise InputError(f"{shown} does not exist") from None
-        except etree.XMLSyntaxError as error:
-            raise InputError(f"{shown} is not well-formed XML: {error}") from error
-        if tree.docinfo.doctype:
-            raise InputError(f"{shown} has a document type declaration, which can open files; remove it")
-        self.root = tree.getroot()
-        self.version = str(self.root.get("version"))
+            raise InputError(f"{shown_} does not exist") from None
+        except FmuError as error:
+            raise InputError(str(error)) from None
         if local(self.root) != kind:
             raise self.fail(f"<{local(self.root)}> is no <{kind}>", self.root)
-        if self.version.startswith("1."):
-            validate(self.root, shown)
-        elif self.version != "2.0":
-            raise self.fail(f"SSP version {self.version} is not known; 1.0 and 2.0 are", self.root)
+        self.version = self._version()
+        self._retag(self.root)
+        if self.version == "1":
+            for fault in faults(self.root)[:TOLD]:
+                self.notes.add(SCHEMA, f"{self.shown}, {fault}")
         self._check(self.root)
+
+    def _version(self) -> str:
+        """The first number of the version. Raises InputError for one that is not known."""
+        text = (self.root.get("version") or "").strip()
+        if text and not re.fullmatch(r"[12]([-.].*)?", text):
+            raise self.fail(f"SSP version {shown(text)} is not known; 1.0 and 2.0 are", self.root)
+        if not text:
+            self.notes.add(VERSION, self.place(self.root))
+        return text[:1] or "1"
 
     def at(self, element: Any) -> str:
         """`(vehicle.ssp/SystemStructure.ssd, line 12)`."""
         return f"({self.shown}, line {element.sourceline})"
 
+    def place(self, element: Any) -> str:
+        """`motor (vehicle.ssp/SystemStructure.ssd, line 12)`."""
+        return f"{element.get('name') or local(element)} {self.at(element)}"
+
     def fail(self, message: str, element: Any) -> InputError:
         return InputError(f"{message} {self.at(element)}")
 
+    @cached_property
+    def enumerations(self) -> dict[str, dict[str, str]]:
+        """The items of each enumeration that the file defines anywhere, by name: their numbers."""
+        return {
+            enumeration.get("name", ""): {i.get("name", ""): i.get("value", "") for i in find(enumeration, "Item")}
+            for enumerations in self.root.iter("{*}Enumerations")
+            for enumeration in find(enumerations, "Enumeration")
+        }  # fmt: skip
+
+    def _retag(self, element: Any) -> None:
+        """Give what is of SSP, whatever it declares, the standard's names; take out what is not."""
+        for child in list(element):
+            name = etree.QName(child)
+            undeclared = UNDECLARED.fullmatch(name.localname)
+            if undeclared:  # noted already
+                child.tag = f"{{{NAMESPACES[undeclared[1]]}}}{undeclared[2]}"
+            elif name.namespace not in STANDARD:
+                if name.namespace is not None and not ALIKE.search(name.namespace):
+                    self.notes.add(FOREIGN, f"<{name.localname}> {self.at(child)}")
+                    element.remove(child)
+                    continue
+                self.notes.add(NAMESPACE, f"{name.namespace or 'none'} in {self.shown}")
+            if local(child) not in PASSED_OVER:
+                self._retag(child)
+
     def _check(self, element: Any) -> None:
+        kind = local(element)
         for attribute in REFUSED_ATTRIBUTES:
             if element.get(attribute) is not None:
-                raise self.fail(f"<{local(element)}>: the attribute {attribute} is not supported", element)
-        for attribute in REQUIRED_ATTRIBUTES.get(local(element), ()):
-            if not element.get(attribute):
+                raise self.fail(f"<{kind}>: the attribute {attribute} is not supported", element)
+        for attribute in (*REQUIRED_ATTRIBUTES.get(kind, ()), *STATED_ATTRIBUTES.get(kind, ())):
+            if element.get(attribute) is None or (not element.get(attribute) and kind not in STATED_ATTRIBUTES):
                 state = "missing" if element.get(attribute) is None else "empty"
-                raise self.fail(f"<{local(element)}>: the attribute {attribute} is {state}", element)
+                raise self.fail(f"<{kind}>: the attribute {attribute} is {state}", element)
         for attribute in sorted(NUMBERS.intersection(element.keys())):
             if not is_finite(element.get(attribute)):
-                text = element.get(attribute)
-                raise self.fail(f"<{local(element)}>: {attribute} = '{text}' is no finite number", element)
-        needed, children = REQUIRED_CHILDREN.get(local(element)), list(element.iterchildren(tag=etree.Element))
+                text = shown(element.get(attribute))
+                raise self.fail(f"<{kind}>: {attribute} = '{text}' is no finite number", element)
+        needed, children = REQUIRED_CHILDREN.get(kind), list(element)
         if needed and not find(element, needed):
-            raise self.fail(f"<{local(element)}> has no <{needed.partition(':')[2]}> of the namespace of SSP", element)
+            raise self.fail(f"<{kind}> has no <{needed}> of the namespace of SSP", element)
         for child in children:
-            if local(child) in PASSED_OVER:
+            if local(child) in PASSED_OVER or (kind == "Connector" and local(child) == "Clock"):
                 continue
-            if local(child) not in CHILDREN.get(local(element), ()):
-                name = f" '{child.get('name')}'" if child.get("name") else ""
-                raise self.fail(f"<{local(child)}>{name} in <{local(element)}> is not supported", child)
+            if local(child) not in CHILDREN.get(kind, ()):
+                name = f" '{shown(child.get('name'))}'" if child.get("name") else ""
+                raise self.fail(f"<{local(child)}>{name} in <{kind}> is not supported", child)
+            if local(child) in NAMED and not child.get("name"):
+                self.notes.add(NAMELESS, f"<{local(child)}> {self.at(child)}")
+                element.remove(child)
+                continue
             self._check(child)
 
 
@@ -135,8 +193,8 @@ def local(element: Any) -> str:
 
 
 def find(element: Any, path: str) -> list[Any]:
-    """Elements below this one, by a path of prefixed names: `ssd:Connectors/ssd:Connector`."""
-    found: list[Any] = element.findall(path, NAMESPACES)
+    """Elements below this one, by a path of names in whatever namespace: `Connectors/Connector`."""
+    found: list[Any] = element.findall("/".join(f"{{*}}{name}" for name in path.split("/")))
     return found
 
 
@@ -145,12 +203,18 @@ def typed_child(element: Any) -> Any:
     return next((child for child in element.iterchildren(tag=etree.Element) if local(child) in TYPES), None)
 
 
-def validate(root: Any, shown: str) -> None:
+def validate(root: Any, shown_: str) -> None:
     """Raise InputError unless the tree is valid against the SSP 1.0 schema of its root element."""
+    for fault in faults(root):
+        raise InputError(f"{shown_} is no valid SSP file: {fault}")
+
+
+def faults(root: Any) -> list[str]:
+    """What the SSP 1.0 schema of the root element has against a tree, each with its line."""
     schema = _schema(local(root))
-    if not schema.validate(root):
-        entry = schema.error_log[0]
-        raise InputError(f"{shown} is no valid SSP file: {entry.message} ({shown}, line {entry.line})")
+    if schema.validate(root):
+        return []
+    return [f"line {entry.line}: {entry.message}" for entry in schema.error_log]
 
 
 @cache

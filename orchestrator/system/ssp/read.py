@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from ...errors import InputError
+from ...errors import InputError, listed
+from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
+from ..model import settable, start_as_toml
 from .annotations import annotated
 from .archive import Archive
 from .document import Document, find
+from .experiment import periods_of, stop_of, whole_stop
 from .parameters import Parameters
-from .structure import MODEL_EXCHANGE, Element, read_structure
-from .units import definitions
-from .wires import links_of, path_to, wires_of
+from .rules import NO_START, NOT_SETTABLE
+from .structure import Element, read_structure
+from .values import Stated
+from .wires import End, links_of, path_to, wires_of
 
 OWN_KEYS = ("components", "connections", "description", "parameters")  # not to be had from annotations
 
@@ -21,51 +27,47 @@ OWN_KEYS = ("components", "connections", "description", "parameters")  # not to 
 class SspFile(TomlFile):
     """The data of an SSP (1.0 or 2.0), and where in its files they stand.
 
-    `step` and `stop` are for what the file leaves open: a component's period is that of our annotation, else `step`,
-    else the step size of its FMU's default experiment; the stop time is that of the file's default experiment, or
-    `stop`. Inputs that nothing drives keep the start values of their FMUs.
+    `step` and `stop` are for what the files leave open: see `experiment`. `outside`: folders elsewhere whose files may
+    be opened. Inputs that nothing drives keep the start values of their FMUs.
 
     Raises InputError for what is not supported, missing or contradictory; FmuError for FMUs that cannot be read.
     """
 
-    def __init__(self, path: Path, step: str = "", stop: str = "") -> None:
+    def __init__(self, path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = ()) -> None:
         self.path, self.text = path, ""
-        self.step, self.stop = step, stop
         self.places: dict[tuple[str, str], str] = {}
-        archive = Archive.open(path)
-        self.document = Document(archive.structure, archive.shown(archive.structure), "SystemStructureDescription")
+        notes, remarks = Notes(), list[str]()
+        archive = Archive.open(path, outside, notes)
+        self.document = Document(
+            archive.structure, archive.shown(archive.structure), "SystemStructureDescription", notes
+        )
         root = read_structure(archive, self.document)
-        self.wires = wires_of(self.document, root)
-        stated = Parameters(archive, self.document, self.wires).collect(root)
-        links = list(links_of(self.wires, definitions(self.document)))
+        self.components = {component.name: component for component in root.components()}
+        if not self.components:
+            raise InputError(f"{path.name} holds no component at all, only systems: there is nothing to simulate")
+        self.wires = wires_of(root)
+        parameters = Parameters(self.wires)
+        stated = parameters.collect(root)
+        links = list(links_of(self.wires))
         self.places |= {(str(link), ""): link.where for link in links}
-        tables = {component.name: self._component(component) for component in root.components()}
-        self.notes = {
-            component.name: (f"{component.name}: the SSP wants {MODEL_EXCHANGE}; the FMU is run in co-simulation",)
-            for component in root.components()
-            if component.xml.get("implementation") == MODEL_EXCHANGE
-        }
-        for (element, name), value in stated.items():
-            assert element.fmu
-            kind = "inputs" if element.fmu.variables[element.fmu.expand(name)[0]].causality == "input" else "parameters"
-            tables[element.name][kind][name] = value.value(element, name)
-            self.places[name, f"components.{element.name}"] = value.where
-        for component in root.components():
-            self._start_values(component, tables[component.name]["inputs"])
-        keys = annotated(self.document, self.document.root)
-        for key in keys.keys() & set(OWN_KEYS):
-            raise self.document.fail(f"the annotation of the system cannot hold '{key}'", self.document.root)
+        keys = self._own_keys()
+        tables = {name: self._component(component) for name, component in self.components.items()}
+        self._times(tables, keys, step, stop, remarks)
+        self._values(tables, stated)
         self.data: dict[str, Any] = {
             **keys,
             "description": self.document.root.get("description", ""),
-            "stop_time": self._stop(keys),
             "components": tables,
             "connections": links,
         }
+        self.notes = {name: (component.note,) for name, component in self.components.items() if component.note}
+        self.remarks = (*remarks, *_told(parameters.passed_over), *self._variants(archive))
+        self.breaches = notes.all()
 
     @property
     def name(self) -> str:
-        return "".join(c if c.isalnum() or c in "-_ " else "_" for c in self.document.root.get("name")) or "system"
+        stated = self.document.root.get("name") or self.path.stem
+        return "".join(c if c.isalnum() or c in "-_ " else "_" for c in stated) or "system"
 
     def at(self, needle: str, table: str = "") -> str:
         """Where a value, a connection or a component stands: `(vehicle.ssp/SystemStructure.ssd, line 12)`."""
@@ -74,41 +76,86 @@ class SspFile(TomlFile):
                 return self.places[key]
         return f"({self.path.name})"
 
+    def _own_keys(self) -> dict[str, Any]:
+        """What our annotation of the whole holds."""
+        keys = annotated(self.document, self.document.root)
+        for key in keys.keys() & set(OWN_KEYS):
+            raise self.document.fail(f"the annotation of the system cannot hold '{key}'", self.document.root)
+        return keys
+
     def _component(self, component: Element) -> dict[str, Any]:
         assert component.fmu
-        self.places["", f"components.{component.name}"] = self.document.at(component.xml)
-        keys = annotated(self.document, component.xml)
+        self.places["", f"components.{component.name}"] = component.document.at(component.xml)
+        keys = annotated(component.document, component.xml)
         for key in keys.keys() & {"fmu", "parameters", "inputs"}:
-            raise self.document.fail(f"the annotation of a component cannot hold '{key}'", component.xml)
-        experiment = component.fmu.description.defaultExperiment
-        period = keys.get("period") or self.step or (experiment and experiment.stepSize)
-        if not period:
-            raise self.document.fail(
-                f"component '{component.name}' has no period: neither the file nor the FMU's default experiment "
-                f'states one; give one with --step "1 ms" (of run, plan and export)',
-                component.xml,
-            )
-        fmu = str(component.fmu.path.absolute())
-        return {**keys, "fmu": fmu, "period": period, "parameters": {}, "inputs": {}}
+            raise component.document.fail(f"the annotation of a component cannot hold '{key}'", component.xml)
+        return {**keys, "fmu": str(component.fmu.path.absolute()), "parameters": {}, "inputs": {}}
 
-    def _start_values(self, component: Element, inputs: dict[str, Any]) -> None:
-        """Inputs without a driver and a value take the start values of their FMU."""
-        assert component.fmu
-        for name in component.fmu.names("input"):
-            base = name.split("[")[0]
-            ends = [(component, end) for end in (name, base) if (component, end) in self.wires]
-            driven = [path_to(self.wires, end)[0].source[0].fmu for end in ends]
-            start = component.fmu.variables[name].start
-            if not any(driven) and name not in inputs and base not in inputs and start is not None:
-                inputs[name] = start
-
-    def _stop(self, keys: dict[str, Any]) -> str:
-        experiment = next(iter(find(self.document.root, "ssd:DefaultExperiment")), None)
+    def _times(
+        self, tables: dict[str, Any], keys: dict[str, Any], step: str, stop: str, remarks: list[str]
+    ) -> None:  # fmt: skip
+        """Put the stop time and the periods in their places."""
+        experiment = next(iter(find(self.document.root, "DefaultExperiment")), None)
         start = "0" if experiment is None else experiment.get("startTime", "0")
         if float(start) != 0.0:
             raise self.document.fail(f"a start time of {start} s is not supported; runs begin at 0", experiment)
         exact = keys.pop("stop_time", None)  # for times that are no double: 1/3 s
-        stated = exact or (experiment is not None and experiment.get("stopTime"))
-        if not (self.stop or stated):
-            raise InputError(f'{self.path.name} states no stop time; give one with --stop "10 s" (of run and export)')
-        return str(self.stop or stated)
+        text = str(stop or exact or ("" if experiment is None else experiment.get("stopTime", "")))
+        end = stop_of(text, self.components.values(), self.path.name, remarks)
+        own = {name: str(table["period"]) for name, table in tables.items() if table.get("period")}
+        periods = periods_of(self.components.values(), own, step, end, remarks)
+        for name, period in periods.items():
+            tables[name]["period"] = own.get(name) or f"{period} s"
+        keys["stop_time"] = f"{end if stop or exact else _whole(end, periods, remarks)} s"
+
+    def _values(self, tables: dict[str, Any], stated: Mapping[End, Stated]) -> None:
+        """Put the values of parameters and inputs in their places; those of driven inputs are their drivers'."""
+        for (element, name), value in stated.items():
+            assert element.fmu
+            scalars = element.fmu.expand(name)
+            variable = element.fmu.variables[scalars[0]]
+            if not settable(variable) or element.fmu.type_of(scalars[0]) is None:
+                value.document.notes.add(NOT_SETTABLE, f"{element.name}.{name} {value.where}")
+            elif variable.causality != "input":
+                tables[element.name]["parameters"][name] = value.value(element, name)
+            elif not self._driven(element, name):
+                tables[element.name]["inputs"][name] = value.value(element, name)
+            self.places[name, f"components.{element.name}"] = value.where
+        for name, component in self.components.items():
+            for scalar, start in self._without_start(component, tables[name]["inputs"]):
+                component.document.notes.add(NO_START, f"{name}.{scalar} {component.document.at(component.xml)}")
+                tables[name]["inputs"][scalar] = start
+
+    def _driven(self, component: Element, name: str) -> bool:
+        """Whether a component drives an input, or the array that it is an element of."""
+        ends = [(component, end) for end in {name, name.split("[")[0]} if (component, end) in self.wires]
+        ends += [end for end in self.wires if end[0] is component and end[1].startswith(f"{name}[")]
+        return any(path_to(self.wires, end)[0].source[0].fmu for end in ends)
+
+    def _without_start(self, component: Element, inputs: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+        """Inputs for which nobody has a value, with what is taken for them."""
+        assert component.fmu
+        for name in component.fmu.names("input"):
+            variable = component.fmu.variables[name]
+            known = name in inputs or name.split("[")[0] in inputs or component.fmu.type_of(name) is None
+            if variable.start is None and not known and not self._driven(component, name):
+                yield name, {"String": "", "Boolean": False}.get(variable.type, start_as_toml(variable))
+
+    def _variants(self, archive: Archive) -> tuple[str, ...]:
+        """That there are further structures in a package."""
+        others = archive.others() if archive.packed else []
+        if not others or "#" in str(self.path):
+            return ()
+        return (f"{self.path.name} holds further structures, {listed(others)}: run {self.path.name}#{others[0]}",)
+
+
+def _told(passed_over: Mapping[str, str]) -> tuple[str, ...]:
+    """That parameters were passed over, those first that were nearly meant."""
+    names = sorted(passed_over, key=lambda name: not passed_over[name].startswith("(did"))
+    if not names:
+        return ()
+    return (f"passed over, since nothing has them: parameters {listed(f'{n} {passed_over[n]}' for n in names)}",)
+
+
+def _whole(stop: Fraction, periods: Mapping[str, Fraction], remarks: list[str]) -> Fraction:
+    return whole_stop(stop, periods.values(), remarks)

@@ -1,39 +1,70 @@
-"""The systems and components of an SSD as a tree, with their connectors."""
+"""The systems and components of an SSD as a tree, with their connectors; nested SSPs are part of it."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
-from ...errors import InputError, nearest
+from ...errors import InputError, nearest, shown
 from ...fmu.fmu import Fmu
+from ...units import Definition
 from .archive import Archive
-from .document import Document, find, local, typed_child
+from .dictionaries import Entry, dictionaries_of, typed_entry
+from .document import Document, find, local
+from .hints import stated_step
+from .rules import NO_SIGNAL, NO_VARIABLE, OTHER_KIND, OTHER_TYPE
+from .sources import Nested, Open, implementation_note, source_of
+from .units import definitions
 
-FMU_TYPES = ("application/x-fmu-sharedlibrary", "")
-MODEL_EXCHANGE = "ModelExchange"  # taken as co-simulation where the FMU can do both
-GIVING, TAKING = ("output", "calculatedParameter"), ("input", "parameter")
+GIVING = ("output", "calculatedParameter", "local", "constant", "independent")
+MOST = 10_000  # elements; systems that hold each other twice grow with every level
+TAKING = ("input", "parameter", "structuralParameter")  # in both directions, as the connections say: all others
 
 
 @dataclass(frozen=True)
 class Connector:
-    """A connector and the unit that it states. `kind` is SSP's: input, output, parameter, calculatedParameter."""
+    """A connector, the unit that it states, and the enumeration. `kind` is SSP's: input, output, parameter, ..."""
 
     kind: str
     unit: str | None = None
+    enumeration: str = ""
+
+    @property
+    def gives(self) -> bool | None:
+        """Whether values come out of it, as its owner's surroundings see it; None: the connections decide."""
+        return True if self.kind in GIVING else False if self.kind in TAKING else None
+
+
+@dataclass(frozen=True)
+class Binding:
+    """A <ParameterBinding>, and the files that it stands in."""
+
+    xml: Any
+    document: Document
+    archive: Archive
 
 
 @dataclass(eq=False)
 class Element:
-    """A component (with its FMU) or a system (with elements). `name` is made of all names from the root down."""
+    """A component (with its FMU), a system (with elements) or a signal dictionary.
+
+    `name` is made of all names from the root down, in letters, digits and _.
+    """
 
     name: str
     xml: Any
-    fmu: Fmu | None
-    connectors: dict[str, Connector]
+    document: Document
+    archive: Archive
+    fmu: Fmu | None = None
+    connectors: dict[str, Connector] = field(default_factory=dict)
     elements: dict[str, Element] = field(default_factory=dict)
+    bindings: list[Binding] = field(default_factory=list)
+    signals: bool = False  # a dictionary: connectors of all its references are one
+    step: str = ""  # s, what other tools' annotations say of it or of what it stands in
+    note: str = ""  # what the user must know of it
 
     def components(self) -> Iterator[Element]:
         """All components, this one or below, in the order of the file."""
@@ -44,10 +75,15 @@ class Element:
 
     def systems(self) -> Iterator[Element]:
         """This system and those below, outer before inner."""
-        yield self
+        if not self.signals and not self.fmu:
+            yield self
         for element in self.elements.values():
-            if not element.fmu:
-                yield from element.systems()
+            yield from element.systems()
+
+    @cached_property
+    def units(self) -> dict[str, Definition]:
+        """What the file in which it stands says of units."""
+        return definitions(self.document)
 
     def connector(self, name: str, label: str) -> Connector:
         """A connector by name; a component has one for each variable of its FMU. Raises InputError."""
@@ -58,82 +94,113 @@ class Element:
             variable = self.fmu.variables[scalars[0]]
             return Connector(variable.causality, variable.unit)
         known = [*self.connectors, *(self.fmu.base_names("input", "output") if self.fmu else ())]
-        raise InputError(f"{label}: '{self.name}' has no connector '{name}'{nearest(name, known)}")
+        raise InputError(f"{label}: '{self.name}' has no connector '{shown(name)}'{nearest(name, known)}")
 
 
 def read_structure(archive: Archive, document: Document) -> Element:
     """The tree of an SSD, its FMUs opened. Raises InputError or FmuError, naming what is not supported."""
-    xml = find(document.root, "ssd:System")[0]
-    root = Element("", xml, None, _connectors(document, xml))
-    _fill(archive, document, root)
-    names = [component.name for component in root.components()]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(
-                f"two components of {archive.path.name} would be called '{name}' (a component in a system is called "
-                f"by both names, and other characters than letters and digits become _); rename one"
-            )
+    xml = find(document.root, "System")[0]
+    root = Element("", xml, document, archive, step=stated_step(xml) or stated_step(document.root))
+    _Reader().fill(root, Open((archive.structure,)), {})
     return root
 
 
-def _fill(archive: Archive, document: Document, parent: Element) -> None:
-    for xml in find(parent.xml, "ssd:Elements/*"):
-        own = str(xml.get("name"))
-        name = re.sub(r"\W", "_", f"{parent.name}_{own}" if parent.name else own)
-        if own in parent.elements:
-            raise document.fail(f"there are two elements '{own}' in one system", xml)
-        connectors = _connectors(document, xml)
-        if local(xml) == "Component":
-            element = Element(name, xml, _fmu(archive, document, xml), connectors)
-            _check_connectors(document, element)
-        else:
-            element = Element(name, xml, None, connectors)
-            _fill(archive, document, element)
-        parent.elements[own] = element
+class _Reader:
+    """Fills the tree; every component gets a name of its own."""
+
+    def __init__(self) -> None:
+        self.taken: set[str] = set()
+        self.count = 0
+
+    def fill(self, system: Element, open_: Open, dictionaries: dict[str, Element]) -> None:
+        """The connectors, bindings and elements of a system. `dictionaries`: those of the systems around it."""
+        document, archive = system.document, system.archive
+        system.connectors |= _connectors(document, system.xml)
+        system.bindings += _bindings(system)
+        dictionaries = dictionaries | {
+            name: Element(f"{system.name}.{name}".strip("."), entry.xml, document, archive, signals=True,
+                          connectors={n: Connector("inout", e.unit, e.enumeration) for n, e in entry.entries.items()})
+            for name, entry in dictionaries_of(document, archive, system.xml).items()
+        }  # fmt: skip
+        for xml in find(system.xml, "Elements/*"):
+            own = str(xml.get("name"))
+            self.count += 1
+            if self.count > MOST:
+                raise document.fail(f"there are more than {MOST} elements", xml)
+            if own in system.elements:
+                raise document.fail(f"there are two elements '{shown(own)}' in one system", xml)
+            name = re.sub(r"\W", "_", f"{system.name}_{own}" if system.name else own)
+            element = Element(name, xml, document, archive, step=stated_step(xml) or system.step)
+            if local(xml) == "SignalDictionaryReference":
+                element = _dictionary(document, xml, dictionaries)
+            elif local(xml) == "System":
+                self.fill(element, open_, dictionaries)
+            else:
+                self._component(element, open_, dictionaries)
+            system.elements[own] = element
+
+    def _component(self, element: Element, open_: Open, dictionaries: dict[str, Element]) -> None:
+        document, xml = element.document, element.xml
+        source = source_of(document, element.archive, xml, open_)
+        if isinstance(source, Nested):
+            own, inner = _connectors(document, xml), _bindings(element)
+            element.xml, element.document, element.archive = source.system, source.document, source.archive
+            element.step = stated_step(source.system) or stated_step(source.document.root) or element.step
+            self.fill(element, source.open_, dictionaries)
+            element.connectors = own | element.connectors
+            element.bindings += inner  # as if they came last in the nested system
+            return
+        element.fmu, element.bindings = source, _bindings(element)
+        element.note = implementation_note(element.name, xml)
+        element.connectors = _of_variables(document, element, _connectors(document, xml))
+        name, count = element.name, 2
+        while element.name in self.taken:
+            element.name = f"{name}_{count}"
+            count += 1
+        self.taken.add(element.name)
 
 
-def _fmu(archive: Archive, document: Document, xml: Any) -> Fmu:
-    label = f"component '{xml.get('name')}'"
-    if xml.get("type", "") not in FMU_TYPES:
-        raise document.fail(f"{label} is of type {xml.get('type')}; only FMUs are supported", xml)
-    wanted = xml.get("implementation", "any")
-    refused = document.fail(f"{label}: {wanted} is not supported; CoSimulation is needed", xml)
-    if wanted not in ("any", "CoSimulation", MODEL_EXCHANGE):
-        raise refused
-    try:
-        fmu = Fmu.open(archive.resolve(xml.get("source", ""), label))
-    except InputError as error:
-        raise document.fail(str(error), xml) from None
-    if wanted == MODEL_EXCHANGE and fmu.description.modelExchange is None:
-        raise refused
-    return fmu
+def _dictionary(document: Document, xml: Any, dictionaries: dict[str, Element]) -> Element:
+    """The dictionary that a reference names: one element for all references to it."""
+    name = xml.get("dictionary") or ""
+    if name not in dictionaries:
+        raise document.fail(f"there is no signal dictionary '{shown(name)}'{nearest(name, dictionaries)}", xml)
+    found = dictionaries[name]
+    for signal, connector in _connectors(document, xml).items():
+        if signal not in found.connectors:
+            document.notes.add(NO_SIGNAL, f"{signal} {document.at(xml)}")
+            found.connectors[signal] = Connector("inout", connector.unit, connector.enumeration)
+    return found
+
+
+def _bindings(element: Element) -> list[Binding]:
+    path = "ParameterBindings/ParameterBinding"
+    return [Binding(xml, element.document, element.archive) for xml in find(element.xml, path)]
 
 
 def _connectors(document: Document, xml: Any) -> dict[str, Connector]:
     connectors = {}
-    for entry in find(xml, "ssd:Connectors/ssd:Connector"):
-        kind, type_ = entry.get("kind"), typed_child(entry)
-        if kind not in (*GIVING, *TAKING):
-            raise document.fail(f"connector '{entry.get('name')}' is of kind {kind}, which is not supported", entry)
-        connectors[entry.get("name")] = Connector(kind, None if type_ is None else type_.get("unit"))
+    for entry in find(xml, "Connectors/Connector"):
+        typed = typed_entry(entry)
+        connectors[entry.get("name")] = Connector(entry.get("kind") or "", typed.unit, typed.enumeration)
     return connectors
 
 
-def _check_connectors(document: Document, component: Element) -> None:
-    """A connector of a component stands for a variable of its FMU, of the same causality."""
-    assert component.fmu
-    for entry in find(component.xml, "ssd:Connectors/ssd:Connector"):
-        name, connector = entry.get("name"), component.connectors[entry.get("name")]
-        scalars = component.fmu.expand(name)
+def _of_variables(document: Document, component: Element, stated: dict[str, Connector]) -> dict[str, Connector]:
+    """Those connectors that stand for a variable of the component's FMU, with its causality."""
+    fmu, found = component.fmu, {}
+    assert fmu
+    for entry in find(component.xml, "Connectors/Connector"):
+        name, place = entry.get("name"), f"{component.name}.{entry.get('name')} {document.at(entry)}"
+        scalars = fmu.expand(name)
         if not scalars:
-            known = component.fmu.base_names("input", "output", "parameter")
-            raise document.fail(
-                f"connector '{name}' of '{component.name}': the FMU has no such variable{nearest(name, known)}", entry
-            )
-        variable = component.fmu.variables[scalars[0]]
+            document.notes.add(NO_VARIABLE, place)
+            continue
+        variable, connector = fmu.variables[scalars[0]], stated[name]
         if variable.causality != connector.kind:
-            raise document.fail(
-                f"connector '{name}' of '{component.name}' is of kind {connector.kind}, "
-                f"the FMU's variable of causality {variable.causality}",
-                entry,
-            )
+            document.notes.add(OTHER_KIND, f"{connector.kind or 'no kind'} of {place}")
+        typed: Entry = typed_entry(entry)
+        if not typed.fits(variable.type):
+            document.notes.add(OTHER_TYPE, f"{typed.type} of {place}")
+        found[name] = Connector(variable.causality, connector.unit, connector.enumeration)
+    return found

@@ -1,0 +1,71 @@
+"""How long an SSP is run and how often its components communicate, where its files, tools or FMUs say so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from math import gcd, lcm
+
+from ...clock import duration, seconds_text
+from ...errors import InputError
+from ..one_fmu import STEPS, STOP, stated_time, whole_part
+from .structure import Element
+
+
+def stop_of(stated: str, components: Iterable[Element], name: str, remarks: list[str]) -> Fraction:
+    """The stop time that is stated, else the longest of the FMUs' experiments, else 1 s. Raises InputError."""
+    if stated:
+        return duration(stated, f"{name}: stop time")
+    own = [time for component in components if (time := _own(component, "stopTime"))]
+    found = max(own, default=STOP)
+    whose = "its FMUs' experiments end then" if own else "so do its FMUs"
+    remarks.append(
+        f'{name} states no stop time and is run for {seconds_text(found)} ({whose}); --stop "10 s" gives it another'
+    )
+    return found
+
+
+def periods_of(
+    components: Iterable[Element], stated: Mapping[str, str], option: str, stop: Fraction, remarks: list[str]
+) -> dict[str, Fraction]:
+    """The period of each component: `stated` in our annotation, else the option `--step`, else what another tool's
+    annotation or the FMU's experiment says, else the shortest of the others, else a 500th of the run.
+
+    Raises InputError for a time that is none.
+    """
+    found, open_ = dict[str, Fraction](), list[str]()
+    for component in components:
+        text = stated.get(component.name) or option or component.step
+        own = duration(text, f"component {component.name}: period") if text else _own(component, "stepSize")
+        if own is None or (not text and own > stop):
+            open_.append(component.name)
+        else:
+            found[component.name] = own if text else whole_part(own, stop)
+    if open_:
+        period = min(found.values(), default=stop / STEPS)
+        remarks.append(
+            f'nothing states a step for {", ".join(open_)}: every {seconds_text(period)} is taken; --step "1 ms" or '
+            f'--period {open_[0]}="1 ms" gives another'
+        )
+        found |= dict.fromkeys(open_, period)
+    return found
+
+
+def whole_stop(stop: Fraction, periods: Iterable[Fraction], remarks: list[str]) -> Fraction:
+    """The first instant at or after the stop at which all components have one."""
+    pairs = [period.as_integer_ratio() for period in periods]
+    common = Fraction(lcm(*(a for a, _ in pairs)), gcd(*(b for _, b in pairs))) if pairs else stop
+    later = -(-stop // common) * common
+    if later == stop:
+        return stop
+    remarks.append(f"{seconds_text(stop)} is no whole number of steps: the run goes on to {seconds_text(later)}")
+    return later
+
+
+def _own(component: Element, key: str) -> Fraction | None:
+    """A time of the default experiment of a component's FMU; None for none."""
+    assert component.fmu
+    try:
+        return stated_time(getattr(component.fmu.description.defaultExperiment, key, None))
+    except InputError:
+        return None
