@@ -107,6 +107,11 @@ def _check(system: System) -> None:
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
     for connection in system.connections:
+        if words := system.conversion(connection).words:
+            raise InputError(
+                f"connection {connection.label} converts {words}, which a container cannot do; put a component "
+                f"between that does it {connection.where}"
+            )
         if (connection.gain, connection.offset) != (1.0, 0.0):
             raise InputError(
                 f"connection {connection.label} converts by {connection.gain:g} x + {connection.offset:g}, which a "

@@ -1,4 +1,4 @@
-"""The variable types of FMI 2.0 and 3.0: their families, sizes and ranges, and which output may drive which input.
+"""The variable types of FMI 2.0 and 3.0: their families, sizes and ranges.
 
 In the run's vector a floating-point signal is a double; every other one is a 64-bit whole number in the same eight
 bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the number of a text (`texts.py`).
@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from fmpy.model_description import ModelVariable
 
 Value = float | int | bool | str  # of a scalar
 REALS = ("Real", "Float64", "Float32")
@@ -70,27 +69,6 @@ def function_type(version: int, name: str) -> str:
     if name == "Enumeration":
         return "Integer" if version == 2 else "Int64"
     return name
-
-
-def mismatch(source: ModelVariable, a: FmiType | None, target: ModelVariable, b: FmiType | None) -> str:
-    """Why an output of one type cannot drive an input of another; empty where it can."""
-    for variable, known in ((source, a), (target, b)):
-        if known is None:
-            return f"signals of type {variable.type} cannot be connected"
-    assert a is not None and b is not None
-    if "Enumeration" in (a.name, b.name):
-        if a.name != b.name:
-            return "an Enumeration goes with an Enumeration only"
-        items = [
-            [(item.name, item.value) for item in v.declaredType.items] if v.declaredType else None
-            for v in (source, target)
-        ]
-        return "" if items[0] == items[1] or None in items else "the items of the two enumerations differ"
-    if a.code != b.code:
-        return "there is no conversion between them"
-    if a.code == WHOLE and not (b.range[0] <= a.range[0] and a.range[1] <= b.range[1]):
-        return f"{b.name} holds {b.range[0]} to {b.range[1]} only"
-    return ""
 
 
 def encode(kind: FmiType, value: float | int | bool) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED = range(6)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT = range(7)
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised, and an instant behind which a component does not want to go on [ticks].

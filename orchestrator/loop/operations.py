@@ -4,11 +4,11 @@ from __future__ import annotations
 
 COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE = range(10)
 QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CONTROL = range(10, 21)
-SERIES, SAMPLE, HALVE, ADVANCE, ESTIMATE, SOLVE = range(21, 27)
+SERIES, SAMPLE, HALVE, ADVANCE, ESTIMATE, SOLVE, NUMBER, FIT = range(21, 29)
 NAMES = (
     *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
     *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),
-    *("series", "sample", "halve", "advance", "estimate", "solve"),
+    *("series", "sample", "halve", "advance", "estimate", "solve", "number", "fit"),
 )
 COLUMNS = ("code", "tick", "component", "a", "b", "p", "q", "k")
 AT_ITS_END, AS_IT_BEGINS, AT_AN_INSTANT = range(3)  # column a of GET: when outputs are read; again: at an instant

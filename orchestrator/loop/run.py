@@ -51,6 +51,7 @@ from .cells import (
     STATUS,
     STEP_TICKS,
     STOP_REQUEST,
+    UNFIT,
     UNTIL,
     VALUES,
 )
@@ -65,6 +66,7 @@ from .operations import (
     CONTROL,
     COPY,
     ESTIMATE,
+    FIT,
     GAUGE,
     GET,
     HALVE,
@@ -74,6 +76,7 @@ from .operations import (
     MEAN,
     MIX,
     MOVE,
+    NUMBER,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -105,8 +108,8 @@ def run(
     states: np.ndarray, state_calls: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
-    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE or
-    NOT_CONVERGED.
+    """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
+    NOT_CONVERGED or UNFIT.
 
     operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
@@ -189,6 +192,23 @@ def run(
                 z[q] = -tail
             elif code in (MOVE, PUSH):
                 z[b] = z[a]
+            elif code == NUMBER:
+                number = float(np.uint64(whole[a])) if p else float(whole[a])
+                z[b] = coefficients[k] * number + coefficients[k + 1]
+            elif code == FIT:
+                number = np.rint(coefficients[k] * z[a] + coefficients[k + 1]) if p else float(whole[a])
+                fit = coefficients[k + 2] <= number < coefficients[k + 3]
+                if fit:
+                    cell = whole[a]
+                    if p:
+                        cell = np.int64(number - 2.0**64 if number >= 2.0**63 else number)
+                    high, low, fit = cell >> 32, cell & 0xFFFFFFFF, q == 0
+                    for j in range(q):
+                        fit = fit or (high == coefficients[k + 4 + 2 * j] and low == coefficients[k + 5 + 2 * j])
+                    whole[b] = cell
+                if not fit:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return UNFIT
             elif code == RECORD:
                 first, columns = groups[a, 0], groups[a, 1]
                 cell = groups[a, 2] + rows[a] * columns

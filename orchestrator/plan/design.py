@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from ..clock import Clock
+from ..fmu.conversions import Conversion
 from ..system.model import Connection, System
 from ..system.series import Series
 from .algorithms.base import Algorithm
@@ -45,6 +46,11 @@ class Design:
         for c in self.system.connections:
             found.setdefault(c.target[0], []).append(c)
         return found
+
+    @cached_property
+    def conversions(self) -> dict[Connection, Conversion]:
+        """What becomes of the values of each connection."""
+        return {c: self.system.conversion(c) for c in self.system.connections}
 
     @property
     def early(self) -> tuple[str, ...]:

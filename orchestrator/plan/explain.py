@@ -51,11 +51,10 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():
-        converted = (
-            ""
-            if (connection.gain, connection.offset) == (1.0, 0.0)
-            else f"; converted: {connection.gain:g} x + {connection.offset:g}"
-        )
+        changes = [words] if (words := plan.conversions[connection].words) else []
+        if (connection.gain, connection.offset) != (1.0, 0.0):
+            changes.append(f"{connection.gain:g} x + {connection.offset:g}")
+        converted = f"; converted: {', '.join(changes)}" if changes else ""
         lines.append(f"  {connection.label:<46} {choice.transfer:<11} {choice.reason}{converted}")
     tables = series_in_words(system)
     lines += ["", "inputs that follow tables", *tables] if tables else []

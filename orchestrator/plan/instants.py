@@ -54,16 +54,13 @@ class Instants:
         while True:
             blocks = blocks_of(connections, self.answers) if connections else ()
             for block in blocks:
-                whole = [c for c in block.connections if not self._real(c)] if block.loop else []
+                whole = [c for c in block.connections if not self.system.is_real(c)] if block.loop else []
                 if whole:
                     self.cuts[whole[-1]] = block.label
                     connections.remove(whole[-1])
                     break
             else:
                 return blocks
-
-    def _real(self, c: Connection) -> bool:
-        return self.system.components[c.source[0]].fmu.is_real(c.source[1])
 
     def answering(self, name: str) -> frozenset[str]:
         """The outputs of a component that are read again: those that answer, of an array all elements."""

@@ -10,13 +10,14 @@ from .schedule.formulas import BOTH_ENDS, CHANGING, Choice, choose
 
 
 def held_by_type(system: System, c: Connection) -> Choice | None:
-    """`hold` for what is no floating-point signal. Raises InputError for another transfer."""
-    return None if system.components[c.source[0]].fmu.is_real(c.source[1]) else _held(system, c)
+    """`hold` where an end is no floating-point signal. Raises InputError for another transfer."""
+    return None if system.is_real(c) else _held(system, c)
 
 
 def _held(system: System, c: Connection) -> Choice:
     """What is no floating-point signal has nothing between its values."""
-    kind = system.components[c.source[0]].fmu.variables[c.source[1]].type
+    name, variable = c.target if system.components[c.source[0]].fmu.is_real(c.source[1]) else c.source
+    kind = system.components[name].fmu.variables[variable].type
     if c.transfer not in ("", "hold"):
         raise InputError(
             f"connection {c.label}: a {kind} is held, '{c.transfer}' has no meaning for it; take 'hold' {c.where}"

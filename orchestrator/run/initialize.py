@@ -76,9 +76,9 @@ class _Propagation:
             before = self.memory.whole.copy()
             for block in self.plan.start:
                 for c in block.connections:
-                    if not block.loop or not self._real(c):
+                    if not block.loop or not self.plan.system.is_real(c):
                         self._set(c, self._received(c))
-                unknowns = [c for c in block.connections if block.loop and self._real(c)]
+                unknowns = [c for c in block.connections if block.loop and self.plan.system.is_real(c)]
                 if unknowns:
                     self._solve(block.label, unknowns)
             self.read_outputs()
@@ -122,9 +122,6 @@ class _Propagation:
             if key[0] in names:
                 self.memory.put(key, slot, self._get(key))
 
-    def _real(self, c: Connection) -> bool:
-        return self.memory.kind(c.source).real
-
     def _get(self, key: Key) -> Value:
         value: Value = self.instances[key[0]].get(key[1])
         if self.memory.kind(key).real and not math.isfinite(float(value)):
@@ -136,7 +133,10 @@ class _Propagation:
     def _received(self, c: Connection) -> Value:
         """What the source of a connection sends."""
         value = self._get(c.source)
-        return c.gain * float(value) + c.offset if self._real(c) else value
+        try:
+            return self.plan.conversions[c].convert(value, c.gain, c.offset)
+        except ValueError as error:
+            raise FmuError(f"connection {c.label}: at time 0 {error} {c.where}".rstrip()) from None
 
     def _set(self, c: Connection, value: Value) -> None:
         self.memory.put(c.target, self.plan.layout.inputs[c.target], value)

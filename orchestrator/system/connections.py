@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..errors import InputError, nearest
+from ..fmu.conversions import LossyError, conversion_of
 from ..fmu.fmu import Fmu
-from ..fmu.types import mismatch
 from ..toml_file import TomlFile
 from ..units import conversion
 from .model import Component, Connection
 from .schema.system import TRANSFERS
+
+ROUND = "round"  # what a connection says where its values may lose what the input's type does not hold
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,7 @@ class Link:
     factor: float | None = None
     offset: float = 0.0
     where: str = ""
+    rounded: bool = False
 
     def __str__(self) -> str:
         return f"{self.source}.{self.output} -> {self.target}.{self.input_}"
@@ -37,7 +40,7 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
     label, where = f"connection {link}", link.where or file.at(str(entry))
     if transfer and transfer not in TRANSFERS:
-        raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, TRANSFERS)} {where}")
+        raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, (*TRANSFERS, ROUND))} {where}")
     ends = []
     for name, variable, causality, article in (
         (source, output, "output", "no output"),
@@ -57,33 +60,44 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
         raise InputError(f"{label}: {len(ends[0])} elements cannot drive {len(ends[1])} {where}")
     found = []
     for a, b in zip(*ends, strict=True):
-        _check_types(components, (source, a), (target, b), label, where)
+        rounded = _loses(components, (source, a), (target, b), link, where)
         units = components[source].fmu.unit(a), components[target].fmu.unit(b)
         try:
             gain, offset = conversion(*units, label) if link.factor is None else (link.factor, link.offset)
         except InputError as error:
             raise InputError(f"{error} {where}") from None
-        found.append(Connection((source, a), (target, b), transfer or "", gain, offset, where))
+        real = components[source].fmu.is_real(a) or components[target].fmu.is_real(b)
+        if (gain, offset) != (1.0, 0.0) and not real:
+            kind = components[target].fmu.variables[b].type
+            raise InputError(f"{label}: a {kind} is not transformed, by {gain:g} x + {offset:g}; remove that {where}")
+        found.append(Connection((source, a), (target, b), transfer, gain, offset, where, rounded))
     return found
 
 
 def _parsed(file: TomlFile, components: Mapping[str, Component], entry: object) -> Link:
     """The ends of a connection: names that the FMUs have, whatever characters are in them."""
     text = str(entry).strip()
-    match = re.fullmatch(r"(.*\S)\s+\((\w+)\)", text)
-    for whole, transfer in ((text, ""), *([(match[1], match[2])] if match else [])):
+    match = re.fullmatch(r"(.*\S)\s+\((\w+(?:\s*,\s*\w+)?)\)", text)
+    for whole, words in ((text, ""), *([(match[1], match[2])] if match else [])):
         for arrow in re.finditer("->", whole):
             ends = [part.strip().partition(".") for part in (whole[: arrow.start()], whole[arrow.end() :])]
             (source, _, output), (target, _, input_) = ends
             if _is(components, source, output, "output") and _is(components, target, input_, "input"):
-                return Link(source, output, target, input_, transfer)
-    match = re.fullmatch(r"(\w+)\.(.+?)\s*->\s*(\w+)\.(.+?)(?:\s+\((\w\S*)\))?", text)
+                return _worded(Link(source, output, target, input_), words)
+    match = re.fullmatch(r"(\w+)\.(.+?)\s*->\s*(\w+)\.(.+?)(?:\s+\((\w[^()]*)\))?", text)
     if match is None:
         raise file.fail(
             f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
         )
-    source, output, target, input_, transfer = match.groups(default="")
-    return Link(source, output, target, input_, transfer)
+    source, output, target, input_, words = match.groups(default="")
+    return _worded(Link(source, output, target, input_), words)
+
+
+def _worded(link: Link, words: str) -> Link:
+    """With what stands in brackets behind it: a transfer, `round`, or both."""
+    said = [word.strip() for word in words.split(",")] if words else []
+    others = [word for word in said if word != ROUND]
+    return replace(link, transfer=", ".join(others), rounded=ROUND in said)
 
 
 def _is(components: Mapping[str, Component], name: str, variable: str, causality: str) -> bool:
@@ -100,18 +114,24 @@ def _other_causality(fmu: Fmu, name: str, wanted: str) -> str:
     return f"; its '{name}' is declared with causality {found}, where {wanted} is needed" if found else ""
 
 
-def _check_types(
-    components: dict[str, Component], source: tuple[str, str], target: tuple[str, str], label: str, where: str
-) -> None:
-    ends = [(components[name].fmu, variable) for name, variable in (source, target)]
-    (a, u), (b, v) = ends
-    reason = mismatch(a.variables[u], a.type_of(u), b.variables[v], b.type_of(v))
-    if reason:
-        types = [fmu.variables[variable].type for fmu, variable in ends]
+def _loses(
+    components: dict[str, Component], source: tuple[str, str], target: tuple[str, str], link: Link, where: str
+) -> bool:
+    """Whether values may lose something, as the link allows. Raises InputError where that is not allowed, or there is
+    no conversion."""
+    (a, u), (b, v) = ((components[name].fmu, variable) for name, variable in (source, target))
+    try:
+        conversion_of(a.variables[u], a.type_of(u), b.variables[v], b.type_of(v))
+    except InputError as error:
+        if link.rounded and isinstance(error, LossyError):
+            return True
+        words = ", ".join(filter(None, (link.transfer, ROUND)))
+        mend = f'; write "{link} ({words})" for the nearest it holds' if isinstance(error, LossyError) else ""
         raise InputError(
-            f"{label}: {'.'.join(source)} is of type {types[0]}, {'.'.join(target)} of type {types[1]}: "
-            f"{reason} {where}"
-        )
+            f"connection {link}: {'.'.join(source)} is of type {a.variables[u].type}, {'.'.join(target)} of type "
+            f"{b.variables[v].type}: {error}{mend} {where}"
+        ) from None
+    return False
 
 
 def check_drivers(file: TomlFile, components: dict[str, Component], connections: tuple[Connection, ...]) -> None:

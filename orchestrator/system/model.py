@@ -16,6 +16,7 @@ from fmpy.model_description import ModelVariable
 
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
+from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
@@ -81,6 +82,7 @@ class Connection:
     gain: float = 1.0
     offset: float = 0.0
     where: str = ""
+    rounded: bool = False  # "round": the nearest value of the input's type
 
     @property
     def label(self) -> str:
@@ -137,6 +139,17 @@ class System:
     def drivers(self) -> dict[tuple[str, str], Connection]:
         """The connections by the inputs that they drive."""
         return {connection.target: connection for connection in self.connections}
+
+    def is_real(self, connection: Connection) -> bool:
+        """Whether both ends of a connection are floating point."""
+        ends = (connection.source, connection.target)
+        return all(self.components[name].fmu.is_real(variable) for name, variable in ends)
+
+    def conversion(self, connection: Connection) -> Conversion:
+        """What becomes of the values of a connection between two types; see `connections` for what is refused."""
+        (a, u), (b, v) = connection.source, connection.target
+        source, target = self.components[a].fmu, self.components[b].fmu
+        return conversion_of(source.variables[u], source.type_of(u), target.variables[v], target.type_of(v), True)
 
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.

@@ -79,10 +79,8 @@ class IteratedSchedule(Schedule):
         for name in self.due(tick):
             if name not in self.design.samplers:
                 for c in self.design.into(name):
-                    if not self._real(c):
-                        yield self.held(
-                            c.target, tick, self.layout.outputs[c.source], self.layout.inputs[c.target], 1, 0
-                        )
+                    if not self.system.is_real(c):
+                        yield self.sent(c, tick, self.layout.outputs[c.source])
 
     def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, what they give to the images, and the values of this instant."""
@@ -104,11 +102,8 @@ class IteratedSchedule(Schedule):
                 step = (c.target, start // self.clock.periods[name])
                 a = self.layout.unknowns.get(step, self.layout.images[step])  # what this pass knows already
                 yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
-            elif name in self.design.samplers or self._real(c):
-                yield self.held(c.target, tick, self.layout.outputs[c.source], b, c.gain, c.offset)
-
-    def _real(self, c: Connection) -> bool:
-        return self.system.components[c.source[0]].fmu.is_real(c.source[1])
+            elif name in self.design.samplers or self.system.is_real(c):
+                yield self.sent(c, tick, self.layout.outputs[c.source])
 
     def _collect(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """What the step from `start` to `tick` adds to the images of the inputs that it drives."""

@@ -15,6 +15,7 @@ from ...loop.operations import (
     CONTROL,
     COPY,
     ESTIMATE,
+    FIT,
     GAUGE,
     GET,
     HALVE,
@@ -24,6 +25,7 @@ from ...loop.operations import (
     MIX,
     MOVE,
     NAMES,
+    NUMBER,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -139,8 +141,10 @@ class OperationText:
             begin = f"{c[k + 3]:g}" if c[k] == 0.0 else s[b]
             return f"{s[b]} = {begin} + {c[k + 1]:g} {s[a]} + {c[k + 2]:g} {s[p]}"
         gain = "" if (c[k], c[k + 1]) == (1.0, 0.0) else f" (times {c[k]:g} plus {c[k + 1]:g})"
-        if code == COPY:
+        if code in (COPY, NUMBER):
             return f"{s[b]} = {s[a]}{gain}"
+        if code == FIT:
+            return f"{s[b]} = {'the whole number nearest to ' * p}{s[a]}{gain}, which its type must hold"
         if code == LINEAR:
             return f"{s[b]} = {s[a]} + {c[k + 2]:g} ({s[a]} - {s[p]}){gain}"
         if code == QUADRATIC:

@@ -12,11 +12,13 @@ from itertools import count
 from ...loop.operations import (
     ACCUMULATE,
     COPY,
+    FIT,
     GET,
     LEDGER,
     LINEAR,
     MEAN,
     MOVE,
+    NUMBER,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -29,7 +31,8 @@ from ...loop.operations import (
 from .steps import Row
 
 FOLLOWED = {
-    ACCUMULATE, COPY, GET, LEDGER, LINEAR, MEAN, MOVE, PUSH, QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP, WORK,
+    ACCUMULATE, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MOVE, NUMBER, PUSH, QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP,
+    WORK,
 }  # fmt: skip
 
 
@@ -65,8 +68,8 @@ def without_repeats(
             values.update((cell, next(fresh)) for cell in outputs[component])
         elif code in (MOVE, PUSH):
             values[b] = value(a)
-        elif code == COPY:
-            copy = value(a), k
+        elif code in (COPY, NUMBER, FIT):
+            copy = code, value(a), k
             values[b] = known.setdefault(copy, next(fresh))
         elif code != RECORD:
             values[b] = next(fresh)

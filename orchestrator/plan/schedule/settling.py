@@ -88,9 +88,7 @@ class Settling:
                 yield from self._solve(tick, block)
                 continue
             c = block.connections[0]
-            yield self.schedule.held(
-                c.target, tick, self.layout.outputs[c.source], self.layout.inputs[c.target], c.gain, c.offset
-            )
+            yield self.schedule.sent(c, tick, self.layout.outputs[c.source])
             waiting.setdefault(c.target[0], set()).add(c.target[1])
         for name, inputs in waiting.items():
             yield from self._again(tick, name, inputs)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...fmu.conversions import How
 from ...loop.operations import (
     ACCUMULATE,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
     AT_ITS_END,
     COPY,
+    FIT,
     GET,
     LINEAR,
     MEAN,
     MOVE,
+    NUMBER,
     PUSH,
     QUADRATIC,
     SAMPLE,
@@ -104,10 +107,10 @@ class Steps:
         h, H = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
         ahead = c.source[0] in self.design.leaders and sample - h <= start < sample  # the source has stepped already
         if transfer == "hold" and not ahead:
-            return self.held(c.target, tick, a, b, c.gain, c.offset)
+            return self.sent(c, tick, a)
         p = layout.previous[c.source]
-        if not self.system.components[c.source[0]].fmu.is_real(c.source[1]):
-            return self.held(c.target, tick, p, b, c.gain, c.offset)
+        if not self.system.is_real(c):
+            return self.sent(c, tick, p)
         if transfer == "quadratic":
             weights = quadratic_weights(sample, h, start, H)
             k = self.constants.at(c.gain, c.offset, *weights)
@@ -123,6 +126,19 @@ class Steps:
         component = self.index[key[0]]
         if self.system.components[key[0]].fmu.is_real(key[1]):
             return (COPY, tick, component, a, b, 0, 0, self.constants.at(gain, offset))
+        return (MOVE, tick, component, a, b, 0, 0, 0)
+
+    def sent(self, c: Connection, tick: int, a: int) -> Row:
+        """Give an input the value of slot a, which is one of its source's; converted where their types differ."""
+        b, component, found = self.layout.inputs[c.target], self.index[c.target[0]], self.design.conversions[c]
+        if found.how is How.REAL:
+            return (COPY, tick, component, a, b, 0, 0, self.constants.at(c.gain, c.offset))
+        if found.how is How.NUMBER:
+            return (NUMBER, tick, component, a, b, int(found.unsigned), 0, self.constants.at(c.gain, c.offset))
+        if found.how is How.FIT:
+            items = (float(part) for item in found.items for part in (item >> 32, item & 0xFFFFFFFF))
+            k = self.constants.at(c.gain, c.offset, *found.bounds, *items)
+            return (FIT, tick, component, a, b, int(found.real), len(found.items), k)
         return (MOVE, tick, component, a, b, 0, 0, 0)
 
     def _get(self, tick: int, name: str, when: int) -> Iterator[Row]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ...fmu.types import decode
 from ...loop import cells, versions
 from ...loop.operations import SOLVE, STEP
 from ...participant.base import Participant
@@ -47,10 +48,23 @@ def failure_of(
             f"{loops.tolerance:g} in {loops.max_iterations} iterations ([loops]); break it with a state, "
             'or forbid reading again with direct = "off" under [components.NAME]'
         )
+    if code == cells.UNFIT:
+        return end, f"{_unfit(plan, row, z)} at t = {at:.9g} s"
     if code == cells.NOT_CONVERGED:
         return end, plan.algorithm.failure(plan, space.loop, at)
     did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] == STEP else "get")
     return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
+
+
+def _unfit(plan: Plan, row: np.ndarray, z: np.ndarray) -> str:
+    """Which connection has a value that its input does not take."""
+    target = next(key for key, slot in plan.layout.inputs.items() if slot == row[4])
+    c = plan.system.drivers[target]
+    found, cell = plan.conversions[c], z[row[3]]
+    kind = plan.system.components[c.source[0]].fmu.type_of(c.source[1])
+    assert kind is not None
+    number = c.gain * float(cell) + c.offset if found.real else decode(kind, z[row[3] : row[3] + 1])[0].item()
+    return f"connection {c.label}: {found.unfit(number)}"
 
 
 def _said(

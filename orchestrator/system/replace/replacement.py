@@ -15,8 +15,9 @@ from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
 from ...fmu.attributes import parse_value
+from ...fmu.conversions import conversion_of
 from ...fmu.fmu import Fmu
-from ...fmu.types import REALS, Value
+from ...fmu.types import REALS, TYPES, Value
 from ...units import Unit, left_open
 from ..model import Component, System, start_as_toml
 from .crossing import Crossing, crossing
@@ -102,7 +103,7 @@ def crossing_between(
         )
     kinds = ["Real" if v.type in REALS else v.type for v in (ours, theirs)]
     loose = ours.causality == "parameter" and "String" not in kinds  # a whole number may be given as a real one
-    if kinds[0] != kinds[1] and not loose:
+    if kinds[0] != kinds[1] and not loose and not _converted(ours, theirs):
         raise InputError(f"{label}: theirs is of type {theirs.type}, {ours.type} is needed {entry.where}".rstrip())
     own, said = units[1], Unit(entry.unit, None, bool(theirs.relativeQuantity)) if entry.unit else None
     if said and own and said.name != own.name and not left_open(own, said):
@@ -116,6 +117,17 @@ def crossing_between(
         return Crossing(theirs.name)
     meant = own if said is None or (own and own.name == said.name) else said
     return crossing(theirs.name, units[0], meant, entry.sign, label)
+
+
+def _converted(ours: ModelVariable, theirs: ModelVariable) -> bool:
+    """Whether a connection converts between the two types, in the direction in which values go, and loses nothing."""
+    ends = (ours, theirs) if ours.causality == "input" else (theirs, ours)
+    (source, a), (target, b) = ((v, TYPES[2].get(v.type) or TYPES[3].get(v.type)) for v in ends)
+    try:
+        conversion_of(source, a, target, b)
+    except InputError:
+        return False
+    return True
 
 
 def _not_used(ours: ModelVariable, theirs: ModelVariable, mapping: VariableMapping) -> bool:

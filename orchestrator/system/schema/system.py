@@ -135,7 +135,8 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     connections: Annotated[
         list[Any],
         Meta(
-            description='`"a.output -> b.input"`, or `"a.output -> b.input (mean)"` with a transfer of your choice',
+            description='`"a.output -> b.input"`, or `"a.output -> b.input (mean)"` with a transfer of your choice: '
+            "hold, linear, quadratic, interpolate, mean; `(round)` allows what the input's type does not hold",
             extra_json_schema={"items": {"type": "string", "pattern": CONNECTION}},
         ),
     ] = []

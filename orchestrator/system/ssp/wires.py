@@ -29,6 +29,7 @@ class Wire:
     linear: Linear
     convert: bool
     transfer: str
+    rounded: bool
     label: str
     where: str
 
@@ -75,9 +76,11 @@ def _wire(system: Element, xml: Any) -> Wire:
     first, last = (0, 1) if start or end is False or start == end else (1, 0)
     _refuse_table(xml, label, where)
     suppressed = xml.get("suppressUnitConversion") in ("true", "1")
-    transfer = str(annotated(document, xml, ("transfer",)).get("transfer", ""))
+    keys = annotated(document, xml, ("transfer", "rounded"))
+    transfer, rounded = str(keys.get("transfer", "")), keys.get("rounded") is True
     return Wire(
-        ends[first], ends[last], system, kinds[last].kind, stated_linear(xml), not suppressed, transfer, label, where
+        ends[first], ends[last], system, kinds[last].kind, stated_linear(xml), not suppressed, transfer, rounded, label,
+        where,
     )  # fmt: skip
 
 
@@ -129,7 +132,14 @@ def links_of(wires: Mapping[End, Wire]) -> Iterator[Link]:
             linear = linear.then(wire.linear)
             unit = there or unit
         transfer = next((wire.transfer for wire in reversed(path) if wire.transfer), "")
-        yield Link(giver.name, output, element.name, name, transfer, linear.factor, linear.offset, last.where)
+        rounded = any(wire.rounded for wire in path) or _both_real(giver, output, element, name)
+        yield Link(giver.name, output, element.name, name, transfer, linear.factor, linear.offset, last.where, rounded)
+
+
+def _both_real(giver: Element, output: str, taker: Element, input_: str) -> bool:
+    """SSP 1.0 has one type of real numbers, so that nobody could say `round` there."""
+    ends = ((element.fmu, name) for element, name in ((giver, output), (taker, input_)))
+    return all(fmu and (found := fmu.expand(name)) and fmu.is_real(found[0]) for fmu, name in ends)
 
 
 def unit_of(element: Element, name: str, wire: Wire) -> Unit | None:

@@ -58,10 +58,10 @@ def test_every_type_of_fmi3_arrives_as_it_was_sent(interpreted: bool, native: Pa
 
 def test_fmi2_and_fmi3_components_exchange_what_fits(native: Path, tmp_path: Path) -> None:
     wires = [
-        "a.y -> b.Float32_in", "b.Float32_out -> c.u", "a.n_out -> b.Int64_in", "a.on_out -> b.Boolean_in",
+        "a.y -> b.Float32_in (round)", "b.Float32_out -> c.u", "a.n_out -> b.Int64_in", "a.on_out -> b.Boolean_in",
         "b.Boolean_out -> c.on_in", "b.Int16_out -> c.n_in", "a.s_out -> b.String_in", "b.String_out -> c.s_in",
     ]  # fmt: skip
-    taken = {wire.split("-> b.")[1] for wire in wires if "-> b." in wire}
+    taken = {wire.split("-> b.")[1].split()[0] for wire in wires if "-> b." in wire}
     rest = {k: v for k, v in FREE3.items() if k[1:] not in taken}
     parts = {
         "a": ("feedthrough2", "1 ms", FREE2), "b": ("feedthrough3", "1 ms", rest),
@@ -89,9 +89,15 @@ def test_a_matrix_parameter_is_set_element_by_element(native: Path, tmp_path: Pa
 @pytest.mark.parametrize(
     ("wire", "words"),
     [
-        ("a.y -> b.n_in", "a.y is of type Real, b.n_in of type Integer: there is no conversion"),
-        ("a.on_out -> b.n_in", "of type Boolean, b.n_in of type Integer"),
-        ("a.n_out -> b.mode_in", "an Enumeration goes with an Enumeration only"),
+        (
+            "a.y -> b.n_in",
+            "a.y is of type Real, b.n_in of type Integer: a Real can lie between whole numbers; "
+            'write "a.y -> b.n_in (round)" for the nearest it holds',
+        ),
+        ("a.n_out -> b.on_in", "a Boolean is true or false only; put an FMU between that compares the value"),
+        ("a.n_out -> b.on_in (round)", "a Boolean is true or false only"),
+        ("a.y -> c.Float32_in", "a Float32 does not hold every Real"),
+        ("c.Int64_out -> b.u", 'a Real does not hold every Int64; write "c.Int64_out -> b.u (round)"'),
         ("a.s_out -> b.u", "of type String, b.u of type Real"),
         ("a.n_out -> c.Int16_in", "Int16 holds -32768 to 32767 only"),
         ("a.n_out -> c.UInt64_in", "UInt64 holds 0 to 18446744073709551615 only"),
