@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import InputError, shown
-from .document import Document, find, local
-from .rules import EMPTY
+from .files.document import Document, find, local
+from .files.rules import EMPTY
 from .structure import Binding, Element
 from .units import definitions, stated_linear, stated_table
 from .values import Stated, stated_value

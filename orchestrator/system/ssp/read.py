@@ -11,12 +11,12 @@ from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
 from ..model import settable, start_as_toml
-from .annotations import annotated
-from .archive import Archive
-from .document import Document, find
 from .experiment import periods_of, stop_of, whole_stop
+from .files.annotations import annotated
+from .files.archive import Archive
+from .files.document import Document, find
+from .files.rules import NO_START, NOT_SETTABLE
 from .parameters import Parameters
-from .rules import NO_START, NOT_SETTABLE
 from .structure import Element, read_structure
 from .values import Stated
 from .wires import End, links_of, path_to, wires_of

@@ -8,9 +8,9 @@ from typing import Any
 
 from ...errors import FmuError, InputError, shown
 from ...fmu.fmu import Fmu
-from .archive import Archive
-from .document import Document, find
-from .rules import KIND_OF_SOURCE
+from .files.archive import Archive
+from .files.document import Document, find
+from .files.rules import KIND_OF_SOURCE
 
 FMU, DEFINITION, PACKAGE = (
     "application/x-fmu-sharedlibrary",

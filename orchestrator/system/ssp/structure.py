@@ -11,11 +11,11 @@ from typing import Any
 from ...errors import InputError, nearest, shown
 from ...fmu.fmu import Fmu
 from ...units import Definition
-from .archive import Archive
-from .dictionaries import Entry, dictionaries_of, typed_entry
-from .document import Document, find, local
-from .hints import stated_step
-from .rules import NO_SIGNAL, NO_VARIABLE, OTHER_KIND, OTHER_TYPE
+from .files.archive import Archive
+from .files.dictionaries import Entry, dictionaries_of, typed_entry
+from .files.document import Document, find, local
+from .files.hints import stated_step
+from .files.rules import NO_SIGNAL, NO_VARIABLE, OTHER_KIND, OTHER_TYPE
 from .sources import Nested, Open, implementation_note, source_of
 from .units import definitions
 

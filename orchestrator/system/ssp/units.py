@@ -7,8 +7,8 @@ from typing import Any
 
 from ...errors import InputError
 from ...units import BASE_UNITS, Definition, Unit, conversion, meaning
-from .document import MAPPINGS, Document, find
-from .rules import UNDEFINED_UNIT
+from .files.document import MAPPINGS, Document, find
+from .files.rules import UNDEFINED_UNIT
 
 SAID = 'where values are to be passed on as they are, state suppressUnitConversion="true" there'
 

@@ -9,7 +9,7 @@ from typing import Any
 from ...errors import InputError, shown
 from ...fmu.attributes import items_of
 from ...units import Definition, Unit
-from .document import Document, find, local, typed_child
+from .files.document import Document, find, local, typed_child
 from .structure import Element
 from .units import IDENTITY, Linear, converted
 

@@ -9,9 +9,9 @@ from typing import Any
 from ...errors import InputError, shown
 from ...units import Unit
 from ..connections import Link
-from .annotations import annotated
-from .document import find
-from .rules import OTHER_UNIT, TWICE
+from .files.annotations import annotated
+from .files.document import find
+from .files.rules import OTHER_UNIT, TWICE
 from .structure import Connector, Element
 from .units import IDENTITY, Linear, converted, stated_linear, stated_table
 

@@ -18,10 +18,10 @@ from ...fmu.fmu import Fmu
 from ..model import Component, Connection, System
 from ..replace.view import crossings_of
 from ..series import refuse_series
-from .annotations import annotate, component_keys, connection_keys, system_keys
-from .document import NAMESPACES, validate
-from .hints import NAMESPACE as OSP
-from .hints import hint_base_step, hint_step
+from .files.annotations import annotate, component_keys, connection_keys, system_keys
+from .files.document import NAMESPACES, validate
+from .files.hints import NAMESPACE as OSP
+from .files.hints import hint_base_step, hint_step
 
 VERSIONS = ("1.0", "2.0")
 EARLIEST = (1980, 1, 1, 0, 0, 0)  # the date of every entry: the same system, the same file

@@ -6,7 +6,7 @@ import math
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.system.ssp import rules
+from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import GAINS, XMLNS, Read, component, connection, connectors, document, system
 
 

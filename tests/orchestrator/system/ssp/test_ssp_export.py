@@ -20,7 +20,7 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system, shipped_systems
-from rovbrush.orchestrator.system.ssp.document import Document, validate
+from rovbrush.orchestrator.system.ssp.files.document import Document, validate
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 # Fields that need not survive: where the files are, and what is said of a swap. Every other one must, new ones too.

@@ -18,7 +18,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import strictly
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.system.ssp import rules
+from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import CHAIN, GAINS, Read, component, connection, connectors, document, system, write_ssp_file
 
 OMS = '<ssd:Annotations><ssc:Annotation type="org.openmodelica"><oms:Annotations xmlns:oms="urn:oms">' \

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...fmu.tolerant.rules import Rule
+from ....fmu.tolerant.rules import Rule
 
 # files and text
 SCHEMA = Rule("not as the XML schema wants it", "read all the same", "correct the file as it says")

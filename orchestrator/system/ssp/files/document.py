@@ -11,9 +11,9 @@ from typing import Any
 import fmpy.ssp
 from lxml import etree
 
-from ...errors import FmuError, InputError, shown
-from ...fmu.tolerant.rules import Notes
-from ...fmu.tolerant.xml import read_xml
+from ....errors import FmuError, InputError, shown
+from ....fmu.tolerant.rules import Notes
+from ....fmu.tolerant.xml import read_xml
 from .rules import FOREIGN, NAMELESS, NAMESPACE, SCHEMA, VERSION
 
 BASE = "http://ssp-standard.org/SSP1/SystemStructure"

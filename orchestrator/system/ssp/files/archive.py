@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from ...errors import InputError, nearest, shown
-from ...fmu.tolerant.rules import Notes
-from ...fmu.unpacked import unpack
+from ....errors import InputError, nearest, shown
+from ....fmu.tolerant.rules import Notes
+from ....fmu.unpacked import unpack
 from .rules import BACKSLASH, CASE, STRUCTURE
 
 SUFFIXES = (".ssp", ".ssd")

@@ -16,9 +16,9 @@ from typing import Any
 from lxml import etree
 from msgspec import to_builtins
 
-from ...clock import seconds_text
-from ..model import Bond, Component, Connection, Requirement, System
-from ..schema.system import Loops
+from ....clock import seconds_text
+from ...model import Bond, Component, Connection, Requirement, System
+from ...schema.system import Loops
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations
