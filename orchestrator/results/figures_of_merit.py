@@ -14,17 +14,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..plan.algorithms.registry import algorithm_of
+from ..system.merits import merit
 from ..system.model import System
 from .signals import Signal, Signals
-
-OPERATIONS = {
-    "mean": 1, "rms": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2, "positive": 1,
-}  # and how many signals  # fmt: skip
 
 
 def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, int, bool]:
@@ -53,7 +51,7 @@ def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, f
 
 def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: float) -> float:
     """One number from one or two signals; see the head of this module."""
-    signal = signals[0]
+    signal = as_numbers(signals[0])
     if operation == "mean":
         return signal.mean(begin, end)
     if operation == "rms":
@@ -73,6 +71,11 @@ def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: fl
         "last": -1,
     }
     return float(signal.values[at[operation]])
+
+
+def as_numbers(signal: Signal) -> Signal:
+    """The signal in floating point: the square or the magnitude of a whole number may not fit its own type."""
+    return replace(signal, values=np.asarray(signal.values, dtype=float))
 
 
 def strongest_frequency(signal: Signal, begin: float, end: float) -> float:
@@ -99,11 +102,12 @@ def figure_units(system: System) -> dict[str, str]:
     units = {}
     for key, text in system.reporting["summary"].items():
         if key != "window":
-            operation, name = str(text).split()[:2]
-            component, _, variable = name.partition(".")
+            operation, names = merit(text)
+            component, _, variable = names[0].partition(".")
             if component in system.components:
                 unit = system.components[component].fmu.variables[variable].unit or "1"
             else:
                 unit = algorithm_of(system).units.get(variable, "J")
             units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
-    return units | ({"coupling_energy_relative": "1"} if system.bonds else {})
+    units |= {"coupling_energy_relative": "1"} if system.bonds else {}
+    return units | ({"energy_balance_relative": "1"} if system.reporting["balance"] else {})

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from pathlib import PurePath
 from typing import Any
 
-from ..errors import InputError, nearest
+from ..errors import InputError, counted, nearest
 from ..system.figure_kinds import figure_kind
+from ..system.merits import OPERATIONS, merit
 from ..system.model import System
-from .figures_of_merit import OPERATIONS
 
 FORMATS = (".png", ".pdf", ".svg")
 ALWAYS = ("real_time_factor", "wall_s", "simulated_s", "start_s", "peak_memory_MB")  # figures of merit of every run
@@ -41,7 +41,7 @@ def check_numeric(system: System, origin: str) -> None:
     wanted += [
         (f"summary {key} = {str(text)!r}", name)
         for key, text in reporting["summary"].items()
-        for name in str(text).split()[1:]
+        for name in merit(text)[1]
         if key != "window"
     ]
     wanted += [(f"balance {key}", str(name)) for key, names in reporting["balance"].items() for name in names]
@@ -77,15 +77,16 @@ def check_summary(run_or_plan_names: set[str], reporting: Mapping[str, Any], ori
         if key == "window":
             names = [text["angle"]] if "angle" in text else []
         else:
-            operation, *names = str(text).split()
+            operation, names = merit(text)
             if operation not in OPERATIONS:
                 raise InputError(
                     f"{origin}: summary {key} = {text!r}: unknown operation '{operation}'"
                     f"{nearest(operation, OPERATIONS)}"
                 )
-            if len(names) != OPERATIONS[operation]:
+            several = len(names) == 1 and names[0] not in run_or_plan_names and len(names[0].split()) > 1
+            if len(names) != OPERATIONS[operation] or several:
                 raise InputError(
-                    f"{origin}: summary {key} = {text!r}: {operation} takes {OPERATIONS[operation]} signals"
+                    f"{origin}: summary {key} = {text!r}: {operation} takes {counted(OPERATIONS[operation], 'signal')}"
                 )
         for name in names:
             if name not in run_or_plan_names:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..processes import peak_memory
+from ..system.merits import merit
 from .energy import balance, ledger, over_limits
 from .figures_of_merit import figure_of_merit, steady_window
 from .signals import Signals
@@ -27,7 +28,7 @@ def summarize(run: Run) -> dict[str, Any]:
     if run.notes:
         result["notes"] = list(run.notes)
     for key, text in specification.items():
-        operation, *names = str(text).split()
+        operation, names = merit(text)
         result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)
     ledgers = [ledger(signals, bond) for bond in run.plan.system.bonds]
     if ledgers:

@@ -232,6 +232,9 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
         what = f"is of causality {kind} and cannot be set" if scalars else "is unknown"
         others = [s for s in fmu.base_names("parameter", "input") if s != name]
         raise InputError(f"{origin}: {component.name}.{name} {what}{nearest(name, others)}")
+    if fmu.type_of(scalars[0]) is None:
+        kind = fmu.variables[scalars[0]].type
+        raise InputError(f"{origin}: {component.name}.{name} is of type {kind}, which cannot be set; leave it out")
     values = list(value) if isinstance(value, (list, tuple)) else [value] * len(scalars)
     if len(values) != len(scalars):
         raise InputError(f"{origin}: {component.name}.{name} has {len(scalars)} elements, not {len(values)}")

@@ -11,6 +11,7 @@ from dataclasses import replace
 from fnmatch import fnmatchcase
 
 from ..errors import InputError, nearest
+from .merits import merit
 from .model import Component, System
 
 OTHERS = ("local", "parameter", "calculatedParameter", "independent")  # what can be recorded beside inputs and outputs
@@ -101,22 +102,22 @@ def select_recorded(system: System, patterns: Sequence[str]) -> System:
         for pattern in map(system.full_name, patterns)
     ]
     record = recorded_names(system.components, full, lambda name, why: InputError(f"--record {name}: {why}"))
-    kept = Recorded((*record, *_needed(system)))
+    kept = Recorded((*record, *reported_names(system)))
     figures = [
         entry
         for entry in system.reporting.get("figures", ())
         if all(str(name).startswith("coupling.") or kept.has(str(name)) for name in entry.get("signals", ()))
     ]
-    record = (*record, *_needed(system))
+    record = (*record, *reported_names(system))
     return replace(system, record=record, reporting={**system.reporting, "figures": figures})
 
 
-def _needed(system: System) -> list[str]:
+def reported_names(system: System) -> list[str]:
     """The signals that summary and balance name."""
     found = []
     for key, text in system.reporting.get("summary", {}).items():
         if key != "window":
-            found += str(text).split()[1:]
+            found += merit(text)[1]
         elif isinstance(text, dict) and "angle" in text:
             found.append(str(text["angle"]))
     for names in system.reporting.get("balance", {}).values():

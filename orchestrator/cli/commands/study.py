@@ -156,6 +156,6 @@ def print_points(table: Table) -> None:
         first, *others = table.column(name).tolist()
         changes = (f"{100 * (value / first - 1):+.3g} %" if first and value == value else "-" for value in others)
         cells.append((f"{name} [{unit}]", f"{first:.5g}", *changes))
-    headings = [f"{value:g}" if isinstance(value, float) else str(value) for value in axis.values]
+    headings = [axis.label(value) for value in axis.values]
     title = f"{table.title}: the first point, and the change from it"
     print_table(title, (f"{axis.name} [{axis.unit}]", *headings), cells)

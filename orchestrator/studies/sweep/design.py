@@ -17,11 +17,8 @@ import numpy as np
 from ...errors import InputError, nearest
 from ...fmu.types import Value
 from ...system.model import System
-from .axis import Axis, checked_axis, listed, range_of
+from .axis import LARGEST, Axis, checked_axis, listed, range_of, spaced
 from .sampling import RANDOM, SAMPLERS, drawn
-
-LARGEST = 1_000_000  # points; a larger design is a typing error
-DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected
 
 
 @dataclass(frozen=True)
@@ -82,7 +79,7 @@ def make_design(
         raise InputError("nothing to vary; give --vary, for instance --vary motor.R=0.07:0.09:7")
     else:
         if not count:
-            columns = {name: _grid(name, text) for name, text in named.items()}
+            columns = {name: _grid(system, name, text) for name, text in named.items()}
             check_count(math.prod(map(len, columns.values())), "the grid of --vary")
         else:
             check_count(count, f"--random {count}")
@@ -101,31 +98,25 @@ def make_design(
 
 
 def vary_entries(options: Sequence[str]) -> dict[str, object]:
-    """`["motor.R=0.07:0.09:7"]` as a mapping. Raises InputError for what is no `component.variable=values`."""
+    """`["motor.R=0.07:0.09:7"]` as a mapping. Raises InputError for what is no `name=values`."""
     entries: dict[str, object] = {}
     for option in options:
         name, equals, text = (part.strip() for part in option.partition("="))
-        if not equals or "." not in name:
-            raise InputError(f"--vary {option}: write component.variable=low:high:count or component.variable=a,b,c")
+        if not (equals and name):
+            raise InputError(
+                f"--vary {option}: write component.variable=low:high:count or component.variable=a,b,c (of an FMU "
+                f"alone the variable's own name will do)"
+            )
         if name in entries:
             raise InputError(f"--vary {option}: {name} is varied twice")
         entries[name] = text
     return entries
 
 
-def _grid(name: str, text: object) -> Sequence[object]:
-    items = listed(name, text)
+def _grid(system: System, name: str, text: object) -> Sequence[object]:
+    items = listed(system, name, text)
     if items is None:
-        form = "low:high:count"
-        low, high, more = range_of(name, text, form)
-        if len(more) not in (1, 2) or more[1:] not in ([], ["log"]) or not more[0].isdecimal():
-            raise InputError(f"--vary {name}={text}: write {form}, for instance {name}={low:g}:{high:g}:5")
-        if int(more[0]) < 2:
-            raise InputError(f"--vary {name}={text}: an empty range; it needs at least 2 values, or write one value")
-        if int(more[0]) > LARGEST:
-            raise InputError(f"--vary {name}={text}: more than {LARGEST} values")
-        spaced = (np.geomspace if more[1:] else np.linspace)(low, high, int(more[0]))
-        items = [float(f"{value:.{DIGITS}g}") for value in spaced]
+        items = spaced(name, text, range_of(system, name, text, "low:high:count", grid=True))
     if len({str(item) for item in items}) < len(items):
         raise InputError(f"--vary {name}={text}: a value is there twice")
     return items

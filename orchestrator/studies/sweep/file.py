@@ -1,7 +1,7 @@
 """Sweeps as TOML files: the shipped ones by name, anyone's own by path.
 
 description = "what for"
-system = "nominal"                 # a shipped system, or a path beside this file
+system = "nominal"                 # a shipped system, or a path beside this file (.toml, .ssp, .ssd, .fmu)
 stop_time = "5 s"                  # optional, as the rest
 random = 50                        # random points in place of a grid, drawn with `seed`
 seed = 1
@@ -9,7 +9,7 @@ design = "sobol"                   # how they are drawn: "random" if not given, 
 [set]                              # values of all points
 "motor.L_a" = 0.001
 [vary]
-"motor.R" = "0.07:0.09:7"          # or a list [0.07, 0.08]
+"motor.R" = "0.07:0.09:7"          # or a list [0.07, 0.08], with units ["70 mOhm"], items of an enumeration by name
 [summary]                          # figures of merit beside those of the system
 i_peak = "peak motor.i"
 """
@@ -58,7 +58,10 @@ def sweep_file(name: str) -> SweepFile:
     if not name.endswith(".toml") and not path.is_file():
         if not (SYSTEMS / f"{name}.toml").is_file():
             known = [*shipped_sweeps(), *shipped_systems()]
-            raise InputError(f"no sweep or system '{name}'{nearest(name, known)}, or give the path of a .toml file")
+            raise InputError(
+                f"no sweep or system '{name}'{nearest(name, known)}, or give the path of a .toml, .ssp, .ssd or .fmu "
+                "file"
+            )
         return SweepFile(name, name)
     file = TomlFile(path)
     if "vary" not in file.data:

@@ -28,7 +28,10 @@ from ...results.summary import summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble
+from ...system.merits import merit, written
 from ...system.model import System
+from ...system.one_fmu import is_fmu
+from ...system.recorded import reported_names
 from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
 
@@ -54,7 +57,28 @@ def job_system(job: Job) -> System:
     """The system of a job with its figures of merit, recording only what these need. Raises InputError, FmuError."""
     system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
     summary = {**system.reporting["summary"], **dict(job.figures)}
+    if is_fmu(Path(job.system)):
+        summary = {key: _in_full(system, text) for key, text in summary.items()} or last_values(system)
     return replace(system, reporting={**system.reporting, "summary": summary})
+
+
+def _in_full(system: System, text: object) -> object:
+    """A figure of merit of an FMU alone, whose variables need no prefix."""
+    if not isinstance(text, str):
+        return text
+    operation, names = merit(text)
+    return written(operation, [system.full_name(name) for name in names])
+
+
+def last_values(system: System) -> dict[str, str]:
+    """What is gathered of an FMU alone where nobody says: the last value of each output; of all locals without any."""
+    (component,) = system.components.values()
+    fmu, found = component.fmu, dict[str, str]()
+    for name in fmu.names("output") or fmu.names("local"):
+        kind = fmu.type_of(name)
+        if kind is not None and kind.name != "String":
+            found[f"{name}_last"] = written("last", [f"{component.name}.{name}"])
+    return found
 
 
 @lru_cache(maxsize=4)
@@ -68,17 +92,15 @@ def load(job: Job) -> Plan:
             "the system file, the parameter file or the FMUs are not those with which the sweep began; restore them, "
             "or begin another sweep in another folder"
         )
-    columns = {".".join(key) for group in make_plan(replace(system, record=("*",))).groups for key in group.columns}
+    everything = make_plan(replace(system, record=("*", *needed(system))))
+    columns = {".".join(key) for group in everything.groups for key in group.columns}
     check_summary(columns, system.reporting, system.path.name)
     return make_plan(replace(system, record=needed(system)))
 
 
 def needed(system: System) -> tuple[str, ...]:
-    """The signals that the summary of a system reads: all that a worker has to keep in memory."""
-    summary = dict(system.reporting["summary"])
-    angle = summary.pop("window", {}).get("angle")
-    names = {name for text in summary.values() for name in str(text).split()[1:]} | ({angle} if angle else set())
-    return tuple(sorted(names))
+    """The signals that the summary and the balance of a system read: all that a worker has to keep in memory."""
+    return tuple(sorted(reported_names(system)))
 
 
 def digest(system: System) -> str:
@@ -90,6 +112,7 @@ def digest(system: System) -> str:
             sorted(c.parameters.items()),
             sorted(c.inputs.items()),
             sorted((name, series.digest) for name, series in c.series.items()),
+            [c.tolerance, c.direct],
             {variable: astuple(crossing) for variable, crossing in crossings_of(c.fmu).items()},
         ]
         for name, c in system.components.items()
@@ -97,7 +120,8 @@ def digest(system: System) -> str:
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
     coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings)]
     bonds = [astuple(bond) for bond in system.bonds]
-    content = [components, wiring, bonds, coupling, str(system.stop), system.reporting["summary"]]
+    reported = [system.reporting["summary"], system.reporting["balance"]]
+    content = [components, wiring, bonds, coupling, str(system.stop), *reported]
     return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()
 
 

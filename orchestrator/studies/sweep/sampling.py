@@ -8,9 +8,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ...errors import InputError
 from ...system.model import System
-from .axis import checked_axis, listed, range_of
+from .axis import Range, checked_axis, listed, range_of
 
 RANDOM = "random"
 SAMPLERS = (RANDOM, "latin", "sobol")
@@ -37,44 +36,37 @@ def drawn(
 
 def _spread(system: System, name: str, text: object, shares: np.ndarray) -> Sequence[object]:
     """Values of a range, or of a list, at `shares` of it in 0 to 1, (count,)."""
-    items = listed(name, text)
+    items = listed(system, name, text)
     if items is not None:
         return [items[int(k)] for k in np.minimum(shares * len(items), len(items) - 1)]
-    low, high, log = _random_range(system, name, text)
-    if _whole(system, name):
-        first, last = int(low), int(high)
-        return [int(k) for k in np.minimum(first + np.floor(shares * (last - first + 1)), last)]
-    values = np.exp(math.log(low) + shares * math.log(high / low)) if log else low + shares * (high - low)
-    return [min(max(float(value), low), high) for value in values]
+    return _random_range(system, name, text).at(shares)
 
 
 def _random(system: System, name: str, text: object, count: int, seed: int) -> Sequence[object]:
     """`count` independent draws; those of one name do not depend on what else is varied."""
     generator = np.random.default_rng([seed, *name.encode()])
-    items = listed(name, text)
+    items = listed(system, name, text)
     if items is not None:
         return [items[k] for k in generator.integers(len(items), size=count)]
-    low, high, log = _random_range(system, name, text)
-    if _whole(system, name):
-        return [int(value) for value in generator.integers(int(low), int(high), size=count, endpoint=True)]
+    ends = _random_range(system, name, text)
+    if ends.items:
+        return [ends.items[k] for k in generator.integers(len(ends.items), size=count)]
+    low, high = ends.low, ends.high
+    if isinstance(low, int) and isinstance(high, int) and not ends.log:  # exact to 64 bits
+        above = generator.integers(high - low, size=count, endpoint=True, dtype=np.uint64)
+        return [low + k for k in above.tolist()]
+    if ends.whole:
+        return ends.at(generator.uniform(0.0, 1.0, count))
     values = (
-        np.exp(generator.uniform(math.log(low), math.log(high), count)) if log else generator.uniform(low, high, count)
+        np.exp(generator.uniform(math.log(low), math.log(high), count))
+        if ends.log
+        else generator.uniform(low, high, count)
     )
     return [min(max(float(value), low), high) for value in values]
 
 
-def _random_range(system: System, name: str, text: object) -> tuple[float, float, bool]:
-    """Ends of a range to draw from, both allowed, and whether in equal ratios."""
-    form = "low:high (or low:high:log) with --random"
-    low, high, more = range_of(name, text, form)
-    if more not in ([], ["log"]):
-        raise InputError(f"--vary {name}={text}: write {form}; the number of points is that of --random")
-    checked_axis(system, name, [low, high])
-    return low, high, bool(more)
-
-
-def _whole(system: System, name: str) -> bool:
-    """Whether a variable takes whole numbers only."""
-    component, _, variable = name.partition(".")
-    fmu = system.components[component].fmu
-    return bool(fmu.variables[fmu.expand(variable)[0]].type != "Real")
+def _random_range(system: System, name: str, text: object) -> Range:
+    """A range to draw from, with both of its ends allowed."""
+    ends = range_of(system, name, text, "low:high (or low:high:log) with --random", grid=False)
+    checked_axis(system, name, [ends.low, ends.high])
+    return ends

@@ -104,8 +104,6 @@ def sweep(
     vary = {} if options.points else {**study.vary, **vary_entries(options.vary)}
     if options.points and options.vary:
         raise InputError("--points lists every point; leave --vary and --random out")
-    for twice in vary.keys() & options.values.keys():
-        raise InputError(f"--set {twice}: it is varied; leave one of the two out")
     count = options.random or (0 if options.points else study.random)
     check_count(count, f"--random {count}" if options.random else f"{study.name}: random = {count}")
     job = Job(
@@ -117,6 +115,8 @@ def sweep(
     require_figures(system, study)
     seed = study.seed if options.seed is None else options.seed
     design = make_design(system, vary, count, seed, options.points, options.design or study.design)
+    for twice in {axis.name for axis in design.axes} & set(map(system.full_name, options.values)):
+        raise InputError(f"--set {twice}: it is varied; leave one of the two out")
     load(job)  # its plan, and its figures of merit
     units = figure_units(system)
     made_with = environment()
@@ -155,7 +155,8 @@ def sweep(
 
 def require_figures(system: System, study: SweepFile) -> None:
     """Raise InputError, with the lines to write, where there is nothing to gather."""
-    if figure_units(system):
+    reporting = system.reporting
+    if system.bonds or reporting["balance"] or reporting["summary"].keys() - {"window"}:
         return
     found = [(name, c.fmu.names("output")) for name, c in system.components.items()]
     output = next((f"{name}.{outputs[0]}" for name, outputs in found if outputs), "component.output")

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...files import write_file
+from ...results.files.netcdf import OWN_NAME, stored_names
 from .design import Design
 
 if TYPE_CHECKING:
@@ -63,8 +64,8 @@ def dataset(table: Table) -> xarray.Dataset:
     coordinates: dict[str, Any] = {
         axis.name: (
             (axis.name,) if design.kind == "grid" else ("point",),
-            np.array(axis.values),
-            {"units": axis.unit, "long_name": axis.description},
+            axis.array(),
+            {"units": axis.unit, "long_name": axis.description, **axis.flags()},
         )
         for axis in design.axes
     }
@@ -84,9 +85,16 @@ def dataset(table: Table) -> xarray.Dataset:
 
 
 def write_table(table: Table, folder: Path) -> xarray.Dataset:
-    """Write sweep.nc and sweep.csv. Raises RunError if the disk refuses."""
+    """Write sweep.nc and sweep.csv. Raises RunError if the disk refuses.
+
+    A name that netCDF forbids is stored as another, as in result.nc.
+    """
     result = dataset(table)
-    write_file(folder / "sweep.nc", lambda path: result.to_netcdf(path, engine="h5netcdf"))
+    others = {str(name): other for name, other in stored_names(map(str, result.variables)).items() if other != name}
+    stored = result.rename(others)
+    for name, other in others.items():
+        stored[other].attrs[OWN_NAME] = name
+    write_file(folder / "sweep.nc", lambda path: stored.to_netcdf(path, engine="h5netcdf"))
     write_file(folder / "sweep.csv", lambda path: _write_csv(table, path))
     return result
 

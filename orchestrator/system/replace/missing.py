@@ -14,6 +14,7 @@ from ...errors import nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
 from ..figure_kinds import figure_kind, figure_kinds
+from ..merits import merit
 from ..model import Component, Connection, System
 from ..series import Series
 from .mapping import VariableMapping
@@ -113,7 +114,7 @@ def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str])
     summary = {}
     for key, text in reporting["summary"].items():
         angle = [text["angle"]] if key == "window" and "angle" in text else []
-        if lost(angle if key == "window" else str(text).split()[1:], f"summary {key}"):
+        if lost(angle if key == "window" else merit(text)[1], f"summary {key}"):
             if key == "window":
                 summary[key] = {k: v for k, v in text.items() if k != "angle"}
             continue

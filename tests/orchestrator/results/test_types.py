@@ -13,8 +13,9 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.results.figures_of_merit import figure_of_merit
 from rovbrush.orchestrator.results.files.writing import write_results
-from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.signals import Signal, Signals
 from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc
@@ -161,3 +162,14 @@ def test_texts_have_one_number_each_and_a_full_pool_is_reported() -> None:
     assert [texts.number(t) for t in ("", "one", "two", "one", "three", "")] == [0, 1, 2, 1, -1, 0]
     assert texts.text(2) == "two"
     assert Texts(count=8, size=6).number("longer") == -1
+
+
+@pytest.mark.parametrize("dtype", ["i1", "u1", "i2", "u8", "?"])
+def test_figures_of_merit_of_whole_numbers_do_not_overflow(dtype: str) -> None:
+    ends = np.iinfo(dtype) if dtype != "?" else None
+    values = np.array([ends.min, ends.max, ends.min] if ends else [False, True, False], dtype=dtype)
+    signal = Signal("a.n", "", "", np.array([0.0, 1.0, 2.0]), values)
+    largest = float(max(abs(int(v)) for v in values))
+    assert abs(figure_of_merit("peak", [signal], 0.0, 2.0)) == largest
+    assert 0.0 < figure_of_merit("rms", [signal], 0.0, 2.0) <= largest
+    assert figure_of_merit("max", [signal], 0.0, 2.0) == float(values[1])
