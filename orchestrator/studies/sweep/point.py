@@ -30,7 +30,6 @@ from ...run.simulation import simulate
 from ...system.assemble import assemble
 from ...system.merits import merit, written
 from ...system.model import System
-from ...system.one_fmu import is_fmu
 from ...system.recorded import reported_names
 from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
@@ -57,13 +56,15 @@ def job_system(job: Job) -> System:
     """The system of a job with its figures of merit, recording only what these need. Raises InputError, FmuError."""
     system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
     summary = {**system.reporting["summary"], **dict(job.figures)}
-    if is_fmu(Path(job.system)):
-        summary = {key: _in_full(system, text) for key, text in summary.items()} or last_values(system)
+    if len(system.components) == 1:
+        summary = {key: _in_full(system, text) for key, text in summary.items()}
+    if not summary and system.path.suffix != ".toml":  # a file in which nobody can say what to gather
+        summary = last_values(system)
     return replace(system, reporting={**system.reporting, "summary": summary})
 
 
 def _in_full(system: System, text: object) -> object:
-    """A figure of merit of an FMU alone, whose variables need no prefix."""
+    """A figure of merit of a component alone, whose variables need no prefix."""
     if not isinstance(text, str):
         return text
     operation, names = merit(text)
@@ -71,13 +72,18 @@ def _in_full(system: System, text: object) -> object:
 
 
 def last_values(system: System) -> dict[str, str]:
-    """What is gathered of an FMU alone where nobody says: the last value of each output; of all locals without any."""
-    (component,) = system.components.values()
-    fmu, found = component.fmu, dict[str, str]()
-    for name in fmu.names("output") or fmu.names("local"):
-        kind = fmu.type_of(name)
-        if kind is not None and kind.name != "String":
-            found[f"{name}_last"] = written("last", [f"{component.name}.{name}"])
+    """What is gathered where nobody says: the last value of each output; of all locals of an FMU without any.
+
+    Of an FMU alone the figures of merit are called by the variable's own name.
+    """
+    found, alone = dict[str, str](), len(system.components) == 1
+    for component in system.components.values():
+        fmu = component.fmu
+        for name in fmu.names("output") or fmu.names("local"):
+            kind = fmu.type_of(name)
+            if kind is not None and kind.name != "String":
+                full = f"{component.name}.{name}"
+                found[f"{name if alone else full}_last"] = written("last", [full])
     return found
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from helpers import system_text
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.ssp.write import write_ssp
+from sweep_cases import PARTS
 
 POINTS = {"alone": "c0\n1\n2\n", "in full": "wave.c0\n1\n2\n"}
 
@@ -40,3 +44,10 @@ def test_a_name_that_begins_like_none_of_its_variables_is_one_clear_error(fmus: 
     (tmp_path / "p.csv").write_text("n.m\n1\n")
     with pytest.raises(InputError, match=r"no component 'n' in 'n\.m'"):
         make_design(load_system(str(fmus / "wave.fmu"), fmus), {}, table=tmp_path / "p.csv")
+
+
+def test_a_sweep_of_an_ssp_of_another_tool_gathers_the_last_value_of_every_output(fmus: Path, tmp_path: Path) -> None:
+    (tmp_path / "two.toml").write_text(system_text(PARTS, ["w.y -> x.u"], stop="10 ms"))
+    write_ssp(load_system(str(tmp_path / "two.toml"), fmus), tmp_path / "two.ssp")
+    result = sweep(str(tmp_path / "two.ssp"), tmp_path, Options(["w.c0=1,2"], workers=1)).require_all()
+    assert {"w.y_last", "x.x_last"} <= set(map(str, result.data_vars))
