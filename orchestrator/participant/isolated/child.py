@@ -93,7 +93,7 @@ class Served:
             if fmu.digest != self.digest:
                 raise ValueError(f"{self.path.name} has changed since the system was read; start again")
             self.instance, self.functions = load(fmu, self.name, *values), functions(fmu.version)
-            return self.instance.pointer
+            return [self.instance.pointer, self.instance.missing]
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")
         if what == "deserialize":

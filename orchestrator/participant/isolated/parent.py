@@ -51,10 +51,11 @@ class IsolatedInstance(Participant):
         self.shared = Shared(memory)
         self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
-            self._pointer = int(self._by_name("start", logging, tolerance, limit=max(timeout, STARTING)))
+            started = self._by_name("start", logging, tolerance, limit=max(timeout, STARTING))
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None
+        self._pointer, self.missing = int(started[0]), tuple(started[1])
 
     @property
     def pointer(self) -> int:

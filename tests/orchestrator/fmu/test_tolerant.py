@@ -135,11 +135,13 @@ def test_a_list_may_be_broken_over_lines(dependencies: str, native: Path, tmp_pa
     assert opened.feedthrough()["y"] == {"u"} and not opened.notes  # the fourth is a parameter
 
 
+@pytest.mark.parametrize("isolation", ["none", "process"])
 def test_functions_that_a_library_lacks_fail_only_when_they_are_called(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    isolation: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     fmu = feedthrough2(tmp_path / "bare.fmu", BARE=1)
-    (tmp_path / "case.toml").write_text(system_text({"a": ("./bare.fmu", "1 ms", FREE2)}, stop="10 ms"))
+    of = {"a": {"isolation": isolation}}
+    (tmp_path / "case.toml").write_text(system_text({"a": ("./bare.fmu", "1 ms", FREE2)}, stop="10 ms", of=of))
     assert rovbrush(monkeypatch, "run", tmp_path / "case.toml", "--out", tmp_path / "out") == 0
     said = " ".join(capfd.readouterr().out.split())
     assert rules.FUNCTIONS.found in said and "fmi2CancelStep" in said
