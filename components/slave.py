@@ -180,7 +180,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         dynamic = []
         for position, argument in enumerate(inspect.signature(getattr(self.kernel, name)).parameters):
             if argument in ("t", "h"):
-                arguments.append(0.0)
+                arguments.append(float(self.cells[self.index[argument]]))
                 dynamic.append((position, self.index[argument]))
             elif argument == "y":
                 arguments.append(self.y)
@@ -195,6 +195,10 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 if declared[argument].causality == "input":
                     dynamic.append((position, self.index[argument]))
         return getattr(self.functions, name), arguments, dynamic
+
+    def setup_experiment(self, start_time: float, stop_time: float | None, tolerance: float | None) -> None:
+        self.cells[-2] = start_time  # outputs at the start may depend on it
+        self.ready = False
 
     def enter_initialization_mode(self) -> None:
         if self.phase != NEW:

@@ -16,7 +16,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from .clock import duration, seconds_text
+from .clock import seconds_text
 from .errors import InputError
 from .plan.explain import explain
 from .plan.plan import Plan
@@ -24,7 +24,7 @@ from .results.result import Result
 from .run.planned import planned
 from .run.recording.observers import Every
 from .run.stepping import Stepping, Time
-from .system.assemble import assemble
+from .system.assemble import assemble, over
 from .system.model import System
 from .system.request import Changes
 from .system.series_file import with_files, with_inputs
@@ -44,11 +44,12 @@ def load(
     record: Sequence[str] = (),
     step: str = "",
     allow_outside: Sequence[str | Path] = (),
+    start: Time = "",
 ) -> Model:
     """A system, by the name of a shipped one or by the path of a .toml, .ssp or .ssd file; FMUs are unpacked once.
 
-    `stop`: another stop time; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component: an
-    FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
+    `start`, `stop`: other times; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component:
+    an FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
     recorded instead of what the system says; `step`: the period where an SSP states none; `allow_outside`: folders
     elsewhere from which an SSP may take files.
     Raises InputError or FmuError, as the command line does.
@@ -60,7 +61,7 @@ def load(
         tuple(str(Path(folder).absolute()) for folder in allow_outside),
     )
     folder = Path(fmus) if fmus else None
-    return Model(assemble(str(name), {}, str(stop), folder, changes, step=step, record=record))
+    return Model(assemble(str(name), {}, str(stop), folder, changes, step=step, record=record, start=str(start)))
 
 
 def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:
@@ -82,7 +83,9 @@ class Model:
         return planned(self.system)
 
     def __repr__(self) -> str:
-        return f"<Model {self.system.name}: {', '.join(self.system.components)}, to {seconds_text(self.system.stop)}>"
+        begin = f"{seconds_text(self.system.start)} " if self.system.start else ""
+        end = seconds_text(self.system.stop)
+        return f"<Model {self.system.name}: {', '.join(self.system.components)}, {begin}to {end}>"
 
     def set(self, name: str | Mapping[str, object], value: object = None) -> Model:
         """With a parameter, or an input that nothing drives: `set("motor.R", 0.1)`, `set({"motor.R": 0.1, ...})`.
@@ -101,11 +104,16 @@ class Model:
 
     def stopping(self, stop: Time) -> Model:
         """With another stop time, "2 s" or 2.0; the same model for an empty one."""
-        return Model(replace(self.system, stop=duration(stop, "stop"))) if stop else self
+        return self.over("", stop)
+
+    def over(self, start: Time = "", stop: Time = "") -> Model:
+        """From another start to another stop, "2 s" or 2.0; an empty one stays as it is. Raises InputError."""
+        return self if start == "" == stop else Model(over(self.system, start, stop, ("start", "stop")))
 
     def run(
         self,
         *,
+        start: Time = "",
         stop: Time = "",
         inputs: Inputs | None = None,
         observe: Observer | None = None,
@@ -113,14 +121,14 @@ class Model:
         signals: Iterable[str] = ("*",),
         progress: Callable[[float], None] | None = None,
     ) -> Result:
-        """Run from time 0 to the stop. Raises RunError if it ends before; its `result` is what was computed until then.
+        """Run from start to stop. Raises RunError if it ends before; its `result` is what was computed until then.
 
-        `stop`, `inputs`: see `stopping` and `with_inputs`. `observe` is called with the time [s] and the values of
-        `signals` (names of outputs, or patterns such as `motor.*`) by name, at time 0 and then `every` so often (a
+        `start`, `stop`, `inputs`: see `over` and `with_inputs`. `observe` is called with the time [s] and the values of
+        `signals` (names of outputs, or patterns such as `motor.*`) by name, at the start and then `every` so often (a
         multiple of the time in which the schedule repeats, which is the default); what it raises ends the run.
         `progress` is called now and then with the time reached [s].
         """
-        model = self.stopping(stop)
+        model = self.over(start, stop)
         model = model.with_inputs(inputs) if inputs is not None else model
         if observe is None and every is not None:
             raise InputError("every = ... says how often to call an observer; give one with observe = ...")
@@ -132,9 +140,9 @@ class Model:
             result = session.result()
         return result.require_good()
 
-    def start(self, *, stop: Time = "") -> Stepping:
+    def start(self, *, start: Time = "", stop: Time = "") -> Stepping:
         """Load and initialize the FMUs, to be stepped by hand; use it in a `with` block."""
-        return Stepping(self.stopping(stop).plan)
+        return Stepping(self.over(start, stop).plan)
 
     def explain(self) -> str:
         """What `rovbrush plan` prints."""

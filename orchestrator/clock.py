@@ -1,12 +1,13 @@
 """Exact time: periods are rational numbers of seconds, instants are integer multiples of one tick.
 
-The tick is the greatest common divisor of all periods and the stop time, so 1/60 s and 1 ms live in one system and
-no time is ever the sum of rounded steps.
+The tick is the greatest common divisor of all periods, the start and the stop, so 1/60 s and 1 ms live in one system
+and no time is ever the sum of rounded steps. Ticks are counted from the start of the run; times are not.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
@@ -20,6 +21,14 @@ SHORTEST, LONGEST = Fraction(1, 10**15), Fraction(10**15)  # s
 
 def duration(value: object, what: str) -> Fraction:
     """A positive time in seconds, exactly: 0.005, "5 ms", "1/60 s", "250 us". Raises InputError."""
+    seconds = instant(value, what)
+    if seconds <= 0:
+        raise InputError(f"{what} = {str(value).strip()} is not a positive time")
+    return seconds
+
+
+def instant(value: object, what: str) -> Fraction:
+    """A time in seconds that may be 0 or negative, exactly: "2 s", -0.5. Raises InputError."""
     text = "" if isinstance(value, bool) or (isinstance(value, int) and value > LONGEST) else str(value).strip()
     match = re.fullmatch(rf"([+-]?{NUMBER})\s*([a-z]*)", text)
     scale = SCALES.get(match[2] or "s") if match else None
@@ -31,15 +40,15 @@ def duration(value: object, what: str) -> Fraction:
         raise InputError(
             f'{what} = {shown(value)!r} is not a time; write a number of seconds, "5 ms", "250 us" or "1/60 s"'
         ) from None
-    if seconds <= 0:
-        raise InputError(f"{what} = {text} is not a positive time")
-    if not SHORTEST <= seconds <= LONGEST:
+    if seconds and not SHORTEST <= abs(seconds) <= LONGEST:
         raise InputError(f"{what} = {text} is no time that can be counted; from 1e-15 s to 1e15 s are")
     return seconds
 
 
 def seconds_text(value: Fraction) -> str:
-    """A time as a person writes it, exactly: `1.5 ms`, `10 s`, `1/60 s`."""
+    """A time as a person writes it, exactly: `1.5 ms`, `10 s`, `1/60 s`, `-2 s`."""
+    if value <= 0:
+        return f"-{seconds_text(-value)}" if value else "0 s"
     for unit in ("s", "ms", "us", "ns"):
         text = f"{float(value / SCALES[unit]):.9g}"
         if value >= SCALES[unit] and "e" not in text and Fraction(text) * SCALES[unit] == value:
@@ -49,43 +58,69 @@ def seconds_text(value: Fraction) -> str:
 
 @dataclass(frozen=True)
 class Clock:
-    """One tick of `numerator / denominator` seconds; periods and stop time as whole numbers of ticks."""
+    """One tick of `numerator / denominator` seconds; periods, start and stop as whole numbers of ticks.
+
+    `stop` is counted from the start, as all instants of a run are; `start` from time 0.
+    """
 
     numerator: int
     denominator: int
     periods: dict[str, int]
     stop: int
     hyperperiod: int
+    start: int = 0
 
     def time(self, tick: int) -> float:
         """The instant in seconds: the double nearest to the exact rational."""
-        return (tick * self.numerator) / self.denominator
+        return ((self.start + tick) * self.numerator) / self.denominator
 
     def seconds(self, ticks: int) -> Fraction:
         """A number of ticks in seconds, exactly."""
         return Fraction(ticks * self.numerator, self.denominator)
 
 
-def make_clock(periods: dict[str, Fraction], stop: Fraction) -> Clock:
-    """The clock of a system. Raises InputError where the stop time is no whole number of some period."""
+def require_span(start: Fraction, stop: Fraction) -> None:
+    """Raise InputError for a run that would end where it begins, or before."""
+    if stop <= start:
+        raise InputError(
+            f"the stop at {seconds_text(stop)} is not after the start at {seconds_text(start)}; stop later, or start "
+            "earlier"
+        )
+
+
+def make_clock(periods: dict[str, Fraction], stop: Fraction, start: Fraction = Fraction(0)) -> Clock:
+    """The clock of a system. Raises InputError where start to stop is no whole number of some period."""
+    span = stop - start
     for name, period in periods.items():
-        if (stop / period).denominator != 1:
+        if (span / period).denominator != 1:
             numerators, denominators = zip(*(p.as_integer_ratio() for p in periods.values()), strict=True)
             common = Fraction(lcm(*numerators), gcd(*denominators))  # all periods divide it
-            below = stop // common * common
-            text = " or ".join(seconds_text(t) for t in (below, below + common) if t > 0)
+            below = span // common * common
+            text = " or ".join(seconds_text(start + t) for t in (below, below + common) if t > 0)
+            whole = f"the stop time {seconds_text(stop)}"
+            whole = f"the time from {seconds_text(start)} to {seconds_text(stop)}" if start else whole
             raise InputError(
-                f"component {name}: period {seconds_text(period)} does not divide the stop time {seconds_text(stop)}; "
+                f"component {name}: period {seconds_text(period)} does not divide {whole}; "
                 f"stop at {text}, or take a period that divides it"
             )
-    all_times = [*periods.values(), stop]
-    denominator = lcm(*(t.denominator for t in all_times))
-    numerator = gcd(*(int(t * denominator) for t in all_times))
-    tick = Fraction(numerator, denominator)
+    tick = common_tick([*periods.values(), start, stop])
     ticks = {name: int(period / tick) for name, period in periods.items()}
-    if max(int(stop / tick) * numerator, denominator) >= 2**53:  # the loop divides them as doubles
+    if not countable(tick, start, stop):
         raise InputError(
             f"the periods have no common tick above {float(tick):.1e} s "
-            f"that counts exactly to {seconds_text(stop)}; round them to microseconds"
+            f"that counts exactly to {seconds_text(max(abs(start), abs(stop)))}; round them to microseconds"
         )
-    return Clock(tick.numerator, tick.denominator, ticks, int(stop / tick), lcm(*ticks.values()))
+    return Clock(tick.numerator, tick.denominator, ticks, int(span / tick), lcm(*ticks.values()), int(start / tick))
+
+
+def common_tick(times: Iterable[Fraction]) -> Fraction:
+    """The largest time of which all are whole multiples; not all of them 0."""
+    found = list(times)
+    denominator = lcm(*(t.denominator for t in found))
+    return Fraction(gcd(*(int(t * denominator) for t in found)), denominator)
+
+
+def countable(tick: Fraction, start: Fraction, stop: Fraction) -> bool:
+    """Whether every instant from start to stop is exact in ticks: the loop divides them as doubles."""
+    largest = max(abs(start), abs(stop), stop - start)
+    return max(int(largest / tick) * tick.numerator, tick.denominator) < 2**53

@@ -73,6 +73,9 @@ OutsideOption = Annotated[
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]
+StartOption = Annotated[
+    str, typer.Option("--start", help='Another start time, for instance "-5 ms"; the stop stays where it is.')
+]
 StepOption = Annotated[
     str, typer.Option("--step", metavar="TIME", help="The period of components for which an SSP states none.")
 ]

@@ -14,7 +14,7 @@ PLAIN_INTERVAL = 5.0  # s between progress lines where there is no terminal
 
 
 @contextmanager
-def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterator[Callable[[float], None]]:
+def progress(total: float, what: str, unit: str = "s", begin: float = 0.0) -> Iterator[Callable[[float], None]]:
     """A bar on a terminal, a line now and then elsewhere; the callback takes what is reached of `total` units."""
     started, first = time.monotonic(), float(begin)
     if not console.is_terminal:
@@ -44,7 +44,7 @@ def progress(total: float, what: str, unit: str = "s", begin: int = 0) -> Iterat
         TimeRemainingColumn(),
     )
     with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(what, total=total, completed=begin)
+        task = bar.add_task(what, total=total, completed=int(begin))
         yield lambda reached: bar.update(task, completed=reached)
 
 

@@ -72,8 +72,13 @@ def _run(
     more = [_boundary(plan, component) for component in request.record_boundary]
     if request.csv:
         more.append((rate_names(plan), rate_files))
-    reached = int(begin.at.time) if begin else 0
-    with progress(float(plan.system.stop), f"running {plan.system.name}", begin=reached) as report:
+    origin = float(plan.system.start)
+    reached = begin.at.time - origin if begin else 0.0
+    with progress(float(plan.system.stop) - origin, f"running {plan.system.name}", begin=reached) as bar:
+
+        def report(time: float) -> None:
+            bar(time - origin)
+
         finished = carry_out(plan, out, request, older, begin, force, report, more)
     show(finished)
     require_good(finished, check)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..clock import seconds_text
 from ..plan.plan import Plan
 from ..system.ssp.write import write_ssp
 from .container import differences, write_container
@@ -30,4 +31,6 @@ def export_container(plan: Plan, path: Path) -> Exported:
     notes = write_container(plan.system, path)
     slowest = max(component.period for component in plan.system.components.values())
     step = f"step it every {float(slowest):g} s"
-    return Exported(path, "one FMU", (step, *differences(plan), *notes))
+    system = plan.system
+    begin = (f"begin its run at {seconds_text(system.start)}",) if system.start else ()
+    return Exported(path, "one FMU", (step, *begin, *differences(plan), *notes))

@@ -6,8 +6,9 @@ from __future__ import annotations
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT = range(7)
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
-# the stop that the FMUs were promised, and an instant behind which a component does not want to go on [ticks].
-STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, CONTROL_CELLS = range(9)
+# the stop that the FMUs were promised, and an instant behind which a component does not want to go on [ticks from
+# the start]; the start itself [ticks from time 0].
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START, CONTROL_CELLS = range(10)
 NEVER = 1 << 62  # ticks
 
 # `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before

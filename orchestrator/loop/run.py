@@ -48,6 +48,7 @@ from .cells import (
     SET_STATE,
     SIZE,
     SLOT,
+    START,
     STATUS,
     STEP_TICKS,
     STOP_REQUEST,
@@ -115,17 +116,19 @@ def run(
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (8): see cells.STOP_REQUEST...;
+    control (9): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
     loops that are solved at an instant; states (n): FMU states; state_calls (n, 3): addresses of the functions that
     get, set and free one.
     """
-    stop = (control[PROMISED] * numerator) / denominator if control[PROMISED] > 0 else FOREVER
+    start_tick = control[START]
+    stop = ((start_tick + control[PROMISED]) * numerator) / denominator if control[PROMISED] > 0 else FOREVER
+    ends_at = start_tick + control[ENDS_AT]
     begin = control[RESUME_AT]
     control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
-        base = cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
+        base = start_tick + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
         last_tick = -1
         m = begin - 1
         begin = 0
@@ -139,7 +142,7 @@ def run(
                 if control[STOP_REQUEST] != 0:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return INTERRUPTED
-                if base + tick > control[ENDS_AT]:
+                if base + tick > ends_at:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return ENDED
             if code == STEP:
@@ -284,7 +287,7 @@ def run(
                 clock[STEP_TICKS] //= 2
             elif code == ADVANCE:
                 clock[OFFSET] = clock[STEP_TICKS]
-                base = cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
+                base = start_tick + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
             elif code == ESTIMATE:
                 z[b + 1] = (2 * clock[STEP_TICKS] * numerator) / denominator
                 verdict = estimate(z, p, q, clock, coefficients, k, work)
@@ -293,7 +296,7 @@ def run(
                     work[REPEATED] = 0.0
                     m = a - 1
                 elif verdict == REJECTED:
-                    base = cycle * cycle_ticks + clock[NOW]
+                    base = start_tick + cycle * cycle_ticks + clock[NOW]
                 else:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return NOT_CONVERGED

@@ -22,7 +22,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     tick, again = seconds_text(clock.seconds(1)), seconds_text(clock.seconds(clock.hyperperiod))
     lines = [
         f"system {system.name}" + (f": {system.description}" if system.description else ""),
-        f"stop {seconds_text(system.stop)}; tick {tick}; "
+        (f"start {seconds_text(system.start)}, " if system.start else "") + f"stop {seconds_text(system.stop)}; "
+        f"tick {tick}; "
         + (f"the first step is {again}" if plan.adaptive else f"the schedule repeats every {again}"),
         f"algorithm {system.algorithm}: {plan.algorithm.explanation()}",
         f"order {', '.join(plan.order)} ({plan.order_reason})",
@@ -72,7 +73,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += ["", "initialization, in this order"]
     lines += [f"  {block.label}{' (solved as a whole)' if block.loop else ''}" for block in plan.start] or ["  nothing"]
     if plan.layout.previous:
-        lines.append("  before the first step every 'previous' value is that of time 0")
+        lines.append("  before the first step every 'previous' value is that of the start")
     lines += ["", "recorded"]
     for group in plan.groups:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ..clock import require_span
 from ..system.model import System
 from ..system.series import check_series
 from .algorithms.registry import algorithm_of
@@ -41,6 +42,7 @@ class Plan(Design):
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
     system = with_processes(system)
+    require_span(system.start, system.stop)
     algorithm = algorithm_of(system)
     algorithm.check(system)
     check_capabilities(system)

@@ -4,7 +4,8 @@
     window = { angle = "motor.angle", start = 5.0 }   # whole turns of an angle, as many as fit behind `start` [s]
     load_mean = "mean motor.load"                     # an operation and its signals
 
-`window` may have an `end` [s] too; that of a run that ends at `start` or before is its second half. Over the window:
+`window` may have an `end` [s] too; both are times as the run counts them. That of a run that ends at `start` or before
+is its second half. Over the window:
 `mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run: `peak`, the
 largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude of a over that of b, both at the end; `positive`,
 for how long it is above 0 [s].
@@ -31,13 +32,13 @@ def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, f
     A run that ends before its window begins, or before a whole turn in it, is a transient: the window is its second
     half then.
     """
-    end = signals.run.end
-    begin = float(window.get("start", 0.0))
+    first, end = signals.run.plan.clock.time(0), signals.run.end
+    begin = max(float(window.get("start", first)), first)
     if "end" in window and begin < float(window["end"]) < end:
         end = float(window["end"])
     steady = begin < end or not window
     if begin >= end:  # a run that was made shorter, or ended early
-        begin = end / 2
+        begin = first + (end - first) / 2
     if "angle" not in window or end <= begin:
         return begin, end, 0, steady
     angle = signals[window["angle"]]

@@ -49,7 +49,9 @@ def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
     for axis, unit in zip(axes, units, strict=True):
         members = [s for s in found if s.unit == unit]
         for signal in members:
-            inside = (signal.time >= entry.get("from", 0.0)) & (signal.time <= entry.get("to", signals.run.end))
+            inside = (signal.time >= entry.get("from", signal.time[0])) & (
+                signal.time <= entry.get("to", signals.run.end)
+            )
             axis.plot(signal.time[inside], signal.values[inside], linewidth=0.9, label=signal.name)
         axis.set_ylabel(members[0].label if len(members) == 1 else f"[{unit}]")
         if "reference" in entry:

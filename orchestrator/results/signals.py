@@ -84,7 +84,7 @@ class Signals:
 
 def instants(clock: Clock, ticks: np.ndarray) -> np.ndarray:
     """The times [s] of instants; bitwise `clock.time`, as all these numbers are below 2**53."""
-    return ticks * clock.numerator / clock.denominator
+    return (ticks + clock.start) * clock.numerator / clock.denominator
 
 
 def typed(plan: Plan, key: tuple[str, str], cells: np.ndarray, texts: Texts | None) -> np.ndarray:

@@ -53,14 +53,17 @@ def summarize(run: Run) -> dict[str, Any]:
     if "angle" in window:
         result["window_turns"] = turns
     result |= coupling(run, signals)
-    result |= {"simulated_s": run.end, "wall_s": run.wall, "real_time_factor": run.end / run.wall if run.wall else 0.0}
+    result |= {
+        "simulated_s": run.simulated, "wall_s": run.wall,
+        "real_time_factor": run.simulated / run.wall if run.wall else 0.0,
+    }  # fmt: skip
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
 
 
 def coupling(run: Run, signals: Signals) -> dict[str, Any]:
     """How many macro steps the run took, and how the algorithm did: iterations, residuals, loops at time 0."""
     clock = run.plan.clock
-    steps = round(run.end / clock.time(min(clock.periods.values())))
+    steps = round(run.simulated / float(clock.seconds(min(clock.periods.values()))))
     found: dict[str, Any] = {"macro_steps": len(run.ticks_of(0)) - 1 if run.plan.adaptive else steps}
     found |= run.plan.algorithm.figures(lambda name: signals[f"coupling.{name}"].values)
     if run.started.loops:

@@ -30,7 +30,7 @@ class Stored(Protocol):
 
 @dataclass
 class Started:
-    """How time 0 was found: the sweeps over all connections, and the residual of every algebraic loop."""
+    """How the start was found: the sweeps over all connections, and the residual of every algebraic loop."""
 
     sweeps: int = 0
     loops: dict[str, float] = field(default_factory=dict)
@@ -44,7 +44,7 @@ class Run:
     plan: Plan
     recorded: list[np.ndarray] | Stored
     failure: str = ""
-    end: float = 0.0  # s
+    end: float = 0.0  # s, the time that was reached
     wall: float = 0.0  # s, in the loop
     start: float = 0.0  # s, from the start of the process to the end of the first block of steps
     started: Started = field(default_factory=Started)
@@ -54,9 +54,14 @@ class Run:
     messages: list[str] = field(default_factory=list)  # what FMUs logged
     ended: str = ""  # who asked to end the run before its stop, and when
 
+    @property
+    def simulated(self) -> float:
+        """How long the run was [s], in its own time."""
+        return self.end - self.plan.clock.time(0)
+
     @cached_property
     def tables(self) -> list[np.ndarray]:
-        """Per group: (rows, columns), row 0 at time 0; of a run that was recorded to a file all of it is read."""
+        """Per group: (rows, columns), row 0 at the start; of a run that was recorded to a file all of it is read."""
         if isinstance(self.recorded, list):
             return self.recorded
         return [self.recorded.table(g) for g in range(len(self.plan.groups))]

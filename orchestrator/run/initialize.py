@@ -1,4 +1,4 @@
-"""From instantiated FMUs to consistent values at time 0."""
+"""From instantiated FMUs to consistent values at the start of a run."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Collection
 
 import numpy as np
 
+from ..clock import Clock
 from ..errors import FmuError, InputError
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
@@ -25,16 +26,17 @@ TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Started:
     """Set parameters and inputs, propagate outputs to inputs, solve algebraic loops, leave initialization mode.
 
-    Fills the cells of `memory` at time 0; outputs as they are behind initialization mode, which may change them.
+    Fills the cells of `memory` at the start; outputs as they are behind initialization mode, which may change them.
     Raises FmuError if an FMU refuses, gives a value that is not finite, or if a loop has no solution; InputError if
-    what the system requires of time 0 is not so.
+    what the system requires of the start is not so.
     """
     system, z = plan.system, memory.z
-    first = {name: component.first_inputs() for name, component in system.components.items()}
+    begin, end = (plan.clock.time(tick) for tick in (0, plan.clock.stop))
+    first = {name: component.first_inputs(begin) for name, component in system.components.items()}
     for name, variables in left_alone(system).items():
         first[name] |= {variable: system.components[name].fmu.start(variable) for variable in variables}
     for name, component in system.components.items():
-        instances[name].set_up(plan.clock.time(plan.clock.stop))
+        instances[name].set_up(end, begin)
         instances[name].set_all({**component.parameters, **first[name]})
         instances[name].enter_initialization()
     for (name, variable), slot in plan.layout.inputs.items():  # of an array some elements may have no driver
@@ -53,13 +55,18 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         if not r.minimum <= value <= r.maximum:
             unit = system.components[r.value[0]].fmu.variables[r.value[1]].unit or "1"
             raise InputError(
-                f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at time 0, allowed are {r.minimum:g} to "
-                f"{r.maximum:g} {unit} ({system.path.name})"
+                f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at {begin_text(plan.clock)}, "
+                f"allowed are {r.minimum:g} to {r.maximum:g} {unit} ({system.path.name})"
             )
     for table in (plan.layout.previous, plan.layout.before, plan.layout.begins):
         for key, slot in table.items():
             z[slot] = z[plan.layout.outputs[key]]
     return started
+
+
+def begin_text(clock: Clock) -> str:
+    """The start of a run as messages name it."""
+    return f"the start, t = {clock.time(0):.9g} s" if clock.start else "time 0"
 
 
 class _Propagation:
@@ -126,7 +133,8 @@ class _Propagation:
         value: Value = self.instances[key[0]].get(key[1])
         if self.memory.kind(key).real and not math.isfinite(float(value)):
             raise FmuError(
-                f"component {key[0]}: output {key[1]} is {value} at time 0{self.instances[key[0]].log_text()}"
+                f"component {key[0]}: output {key[1]} is {value} at {begin_text(self.plan.clock)}"
+                f"{self.instances[key[0]].log_text()}"
             )
         return value
 
@@ -171,9 +179,9 @@ class _Propagation:
 
 
 def loop_residuals(plan: Plan) -> dict[str, float]:
-    """The residual of every algebraic loop at time 0, relative to its inputs; FMUs are loaded only if there is one.
+    """The residual of every algebraic loop at the start, relative to its inputs; FMUs are loaded only if there is one.
 
-    Raises FmuError or InputError if time 0 cannot be reached.
+    Raises FmuError or InputError if the start cannot be reached.
     """
     if not any(block.loop for block in plan.start):
         return {}

@@ -28,7 +28,7 @@ from .recording.recorder import Recorder
 
 
 class Session:
-    """FMUs loaded and initialized at time 0, to be advanced by whole cycles: hyperperiods, with ECCO macro steps.
+    """FMUs loaded and initialized at the start, to be advanced by whole cycles: hyperperiods, with ECCO macro steps.
 
         with Session(plan) as session:
             while session.tick < plan.clock.stop:
@@ -40,7 +40,7 @@ class Session:
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
     `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. Raises
-    FmuError or InputError if time 0 cannot be reached.
+    FmuError or InputError if the start cannot be reached.
     """
 
     def __init__(
@@ -52,10 +52,10 @@ class Session:
         self._over = False
         self.stop_requests = stop_requests or StopRequests()
         self.control = self.stop_requests.control
-        self.control[cells.PROMISED] = plan.clock.stop
+        self.control[cells.PROMISED], self.control[cells.START] = plan.clock.stop, plan.clock.start
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
-        self.at = Position()
+        self.at = Position(time=plan.clock.time(0))
         self.ended_badly = ""  # how components fell down while they were terminated and freed
         self._interrupted = False
         self._closed = False
@@ -214,7 +214,7 @@ class Session:
 
     @property
     def _rows(self) -> list[int]:
-        """Rows of every table, counted from time 0."""
+        """Rows of every table, counted from the start."""
         return [int(a) + b for a, b in zip(self.recorder.rows, self.recorder.before, strict=False)]
 
     def run(self) -> Run:

@@ -12,11 +12,11 @@ __all__ = ["Run", "require_complete", "simulate"]
 
 
 def simulate(plan: Plan, interpreted: bool = False, progress: Callable[[float], None] | None = None) -> Run:
-    """Run a plan from time 0 to its stop.
+    """Run a plan from its start to its stop.
 
     `interpreted` executes the same plan in plain Python, bitwise equal and slow. `progress` is called now and then
     with the time reached [s]. A failing FMU, a value that is not finite and Ctrl-C end the run early; the tables
-    hold what was computed and `failure` says who, what and when. Raises FmuError before time 0.
+    hold what was computed and `failure` says who, what and when. Raises FmuError before the start.
     """
     with Session(plan, interpreted) as session, session.stop_requests.heard():
         session.advance(progress=progress)

@@ -59,7 +59,7 @@ class Stepping(Session):
     @property
     def period(self) -> float:
         """Length of a step [s]; with ECCO that of the first."""
-        return self.plan.clock.time(self.plan.clock.hyperperiod)
+        return float(self.plan.clock.seconds(self.plan.clock.hyperperiod))
 
     @property
     def stop(self) -> float:

@@ -65,13 +65,16 @@ def converge(
     changes: Changes = UNCHANGED,
     tell: Callable[[str], None] = lambda _line: None,
     progress: Callable[[float], None] = lambda _share: None,
+    start: str = "",
+    stop: str = "",
 ) -> Convergence:
     """Run with periods times 1, 1/2 and 1/4, and write what each mean and signal does as JSON, CSV and figure.
 
     `tell` hears what the user must know of replaced components, `progress` the share of the work that is done, 0 to 1.
+    `start`, `stop`: other times than the system's.
     Raises InputError for a system whose steps no period decides.
     """
-    base = planned(assemble(name, {}, fmus=fmus, changes=changes))
+    base = planned(assemble(name, {}, stop, fmus, changes, start=start))
     if base.adaptive:
         raise InputError(
             f"{base.system.path.name}: with algorithm '{base.system.algorithm}' "
@@ -81,13 +84,14 @@ def converge(
     for component in base.system.components.values():
         for note in component.notes:
             tell(note)
-    stop, work, done = float(base.system.stop), float(sum(1 / factor for factor in FACTORS)), 0.0
+    begin, span = float(base.system.start), float(base.system.stop - base.system.start)
+    work, done = float(sum(1 / factor for factor in FACTORS)), 0.0
     summaries, runs = [], []
     for factor in FACTORS:
         share = float(1 / factor) / work
 
         def reached(time: float, done: float = done, share: float = share) -> None:
-            progress(done + share * time / stop)
+            progress(done + share * (time - begin) / span)
 
         plan = make_plan(base.system.with_periods(factor))
         runs.append(Signals(require_complete(simulate(plan, progress=reached))))

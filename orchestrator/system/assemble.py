@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
-from ..clock import duration
+from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
 from .model import System
@@ -30,15 +30,16 @@ def assemble(
     step: str = "",
     record: Sequence[str] = (),
     inputs: Sequence[Path] = (),
+    start: str = "",
 ) -> System:
     """A system by the name of a shipped one or by the path of its file (or of an FMU), with what is to be different.
 
-    `values`: parameters and free inputs, as of `--set`. `stop`: another stop time. `fmus`: the folder of built FMUs.
+    `values`: parameters and free inputs, as of `--set`. `start`, `stop`: other times. `fmus`: the folder of built FMUs.
     `changes`: FMUs in the place of others, and periods. `boundaries`: components of which every input and output is
     recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the system says.
     `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
-    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)))
+    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)), start)
     system = apply_changes(loaded, changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
     if record:
@@ -49,7 +50,18 @@ def assemble(
         once = replace(system.components[component], direct="off")  # a replay sets its inputs, steps, and reads once
         system = system.with_component(once)
     system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
-    return replace(system, stop=duration(stop, "--stop")) if stop and not is_fmu(Path(name)) else system
+    return system if is_fmu(Path(name)) else over(system, start, stop)
+
+
+def over(
+    system: System, start: object = "", stop: object = "", options: Sequence[str] = ("--start", "--stop")
+) -> System:
+    """A copy that runs from `start` to `stop`, "2 s" or 2.0; an empty text leaves it as it is. Raises InputError."""
+    begin = system.start if start == "" else instant(start, options[0])
+    end = system.stop if stop == "" else instant(stop, options[1])
+    if (begin, end) != (system.start, system.stop):
+        require_span(begin, end)
+    return replace(system, start=begin, stop=end)
 
 
 def assemble_request(request: Request) -> System:
@@ -62,7 +74,7 @@ def assemble_request(request: Request) -> System:
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
         changes_of(request.replace, request.map_, periods, request.allow_outside), request.record_boundary, step,
-        request.record, tuple(map(Path, request.input_)),
+        request.record, tuple(map(Path, request.input_)), request.start,
     )  # fmt: skip
 
 

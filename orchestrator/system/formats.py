@@ -25,16 +25,18 @@ def is_ssp(path: Path) -> bool:
     return package.endswith((".ssp", ".ssd")) or os.path.isfile(path / STRUCTURES[0])
 
 
-def opened(path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = ()) -> TomlFile:
+def opened(
+    path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = (), start: str = ""
+) -> TomlFile:  # fmt: skip
     """The data of a file that `is_system_file`. Raises InputError or FmuError.
 
-    `step`, `stop`: for what an SSP of another tool leaves open, or an FMU alone; `outside`: folders elsewhere from
-    which an SSP may take files.
+    `step`, `stop`, `start`: for what an SSP of another tool leaves open, or an FMU alone; `outside`: folders elsewhere
+    from which an SSP may take files.
     """
     if is_ssp(path):
         from .ssp.read import SspFile
 
-        return SspFile(path, step, stop, outside)
+        return SspFile(path, step, stop, outside, start)
     if is_fmu(path):
-        return FmuFile(path, step, stop)
+        return FmuFile(path, step, stop, start)
     return TomlFile(path)

@@ -62,13 +62,13 @@ class Component:
         inputs = {key: value for key, value in self.inputs.items() if key != name}
         return replace(self, inputs=inputs, series={**self.series, name: series})
 
-    def first_inputs(self) -> dict[str, Value]:
-        """The inputs that no connection drives, at time 0."""
+    def first_inputs(self, time: float) -> dict[str, Value]:
+        """The inputs that no connection drives, at the start of the run [s]."""
         found = dict(self.inputs)
         for name, series in self.series.items():
             kind = self.fmu.type_of(name)
             assert kind is not None
-            found[name] = series.first(kind)
+            found[name] = series.first(kind, time)
         return found
 
 
@@ -131,6 +131,7 @@ class System:
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
+    start: Fraction = Fraction(0)  # s; the run goes from here to the stop, both are times of the same clock
     strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from ..clock import duration, seconds_text
+from ..clock import duration, instant, require_span, seconds_text
 from ..errors import InputError
 from ..fmu.fmu import Fmu
 from ..toml_file import TomlFile
@@ -24,28 +25,36 @@ def is_fmu(path: Path) -> bool:
 
 
 class FmuFile(TomlFile):
-    """The data of a system file that has one FMU in it; `step` and `stop` come before the FMU's own.
+    """The data of a system file that has one FMU in it; `step`, `stop` and `start` come before the FMU's own.
 
     Raises FmuError for an FMU that cannot be read, InputError for a time that is none.
     """
 
-    def __init__(self, path: Path, step: str = "", stop: str = "") -> None:
+    def __init__(self, path: Path, step: str = "", stop: str = "", start: str = "") -> None:
         self.path, self.text = path, ""
         fmu = Fmu.open(path)
         self._experiment = fmu.description.defaultExperiment
         self._said: list[str] = []
-        end = duration(stop, "--stop") if stop else self._stated("stopTime")
-        if end is None:
-            end = STOP
+        begin = (
+            instant(start, "--start")
+            if start
+            else stated_time(getattr(self._experiment, "startTime", None), instant) or Fraction(0)
+        )
+        end = instant(stop, "--stop") if stop else self._stated("stopTime")
+        if end is None or (end <= begin and not stop):
+            end = begin + STOP
             self._said.append(f'{path.name} states no stop time and is run for 1 s; --stop "10 s" gives it another')
-        own = duration(step, "--period") if step else self._own_step(fmu, end)
-        if begin := self._stated("startTime"):
-            self._said.append(f"its experiment begins at {seconds_text(begin)}; the run begins at 0")
+        require_span(begin, end)
+        own = duration(step, "--period") if step else self._own_step(fmu, end - begin)
+        if begin:
+            of = "" if start else ", as its experiment does"
+            self._said.append(f"the run begins at {seconds_text(begin)}{of}")
         component = component_name(path)
-        end = end if end % own == 0 else self._whole(end, own)
+        end = end if (end - begin) % own == 0 else self._whole(begin, end, own)
         self.notes = {component: tuple(self._said)}
         self.data: dict[str, Any] = {
             "description": " ".join((fmu.description.description or "").split()),
+            "start_time": _text(begin),
             "stop_time": _text(end),
             "components": {component: {"fmu": str(path.absolute()), "period": _text(own)}},
         }
@@ -53,22 +62,22 @@ class FmuFile(TomlFile):
     def at(self, needle: str, table: str = "") -> str:
         return f"({self.path.name})"
 
-    def _own_step(self, fmu: Fmu, end: Fraction) -> Fraction:
+    def _own_step(self, fmu: Fmu, span: Fraction) -> Fraction:
         """The step of the FMU's experiment, else its fixed internal one, else a 500th of the run."""
         fixed = getattr(fmu.description.coSimulation, "fixedInternalStepSize", None)
         own = self._stated("stepSize") or stated_time(fixed)
-        if own is None or own > end:
+        if own is None or own > span:
             self._said.append(
                 f"{self.path.name} states no step{' below its stop' if own else ''} and is asked every "
-                f"{seconds_text(end / STEPS)}; --period \"1 ms\" gives it another"
+                f"{seconds_text(span / STEPS)}; --period \"1 ms\" gives it another"
             )  # fmt: skip
-            return end / STEPS
-        return whole_part(own, end)
+            return span / STEPS
+        return whole_part(own, span)
 
-    def _whole(self, end: Fraction, own: Fraction) -> Fraction:
+    def _whole(self, begin: Fraction, end: Fraction, own: Fraction) -> Fraction:
         """The end of the step in which the run would end."""
-        later = -(-end // own) * own
-        self._said.append(f"{seconds_text(end)} is no whole number of steps of {seconds_text(own)}: run to "
+        later = begin - (begin - end) // own * own
+        self._said.append(f"{seconds_text(end - begin)} is no whole number of steps of {seconds_text(own)}: run to "
                           f"{seconds_text(later)}")  # fmt: skip
         return later
 
@@ -88,12 +97,12 @@ def whole_part(step: Fraction, end: Fraction) -> Fraction:
     return end / count if count and abs(end / step - count) <= ROUNDING * count else step
 
 
-def stated_time(stated: object) -> Fraction | None:
-    """A time of an experiment; None for none, or for one that is not positive."""
+def stated_time(stated: object, read: Callable[[object, str], Fraction] = duration) -> Fraction | None:
+    """A time of an experiment; None for none, or for one that `read` does not take, by default a negative one or 0."""
     if stated is None:
         return None
     try:
-        return duration(str(stated).strip(), "a time")
+        return read(str(stated).strip(), "a time")
     except InputError:
         return None
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import difflib
 import os
 from collections.abc import Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from ..clock import duration
+from ..clock import instant, require_span
 from ..errors import InputError, nearest
 from ..toml_file import TomlFile
 from .bonds import bonds_of, requirement_of
@@ -34,15 +35,15 @@ def shipped_systems() -> list[str]:
 
 
 def load_system(
-    name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = ()
+    name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = (), start: str = ""
 ) -> System:
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
-    `step` and `stop`: a period and a stop time for what an SSP of another tool leaves open, or an FMU alone;
+    `step`, `stop` and `start`: a period and times for what an SSP of another tool leaves open, or an FMU alone;
     `outside`: folders elsewhere from which an SSP may take files.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
-    file = _opened(name, step, stop, outside)
+    file = _opened(name, step, stop, start, outside)
     further = {key: value for key, value in file.data.items() if key not in KEYS}
     for key in further:  # a table of an algorithm's settings, or a slip
         if difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8):
@@ -58,12 +59,10 @@ def load_system(
         raise file.fail(f"order must name every component once: {', '.join(components)}", "order")
     connections = tuple(c for entry in table.connections for c in connections_of(file, components, entry))
     check_drivers(file, components, connections)
-    try:
-        end = duration(table.stop_time, "stop_time")
-    except InputError as error:
-        raise file.fail(str(error), "stop_time") from None
+    begin, end = _span(file, table)
     system = System(
-        name=file.name, path=file.path, description=table.description, stop=end, algorithm=table.algorithm,
+        name=file.name, path=file.path, description=table.description, start=begin, stop=end,
+        algorithm=table.algorithm,
         order=tuple(table.order), components=components, connections=connections,
         loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
@@ -72,6 +71,19 @@ def load_system(
         settings=further, remarks=file.remarks, breaches=file.breaches,
     )  # fmt: skip
     return require_values(_with_parameter_file(file, system), file.fail)
+
+
+def _span(file: TomlFile, table: SystemTable) -> tuple[Fraction, Fraction]:
+    """Start and stop. Raises InputError for what is no time, and for a stop that is not after the start."""
+    found = {}
+    for key in ("start_time", "stop_time"):
+        try:
+            found[key] = instant(getattr(table, key), key)
+            if key == "stop_time":
+                require_span(found["start_time"], found[key])
+        except InputError as error:
+            raise file.fail(str(error), key) from None
+    return found["start_time"], found["stop_time"]
 
 
 def _recorded(file: TomlFile, components: dict[str, Component], patterns: list[str]) -> tuple[str, ...]:
@@ -112,9 +124,9 @@ def _check_figure(file: TomlFile, entry: dict[str, Any], label: str) -> None:
             raise file.fail(f"{label}: '{key}' is missing", "[[figures]]")
 
 
-def _opened(name: str, step: str, stop: str, outside: Sequence[Path]) -> TomlFile:
+def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]) -> TomlFile:
     if is_system_file(name):
-        return opened(Path(name), step, stop, tuple(outside))
+        return opened(Path(name), step, stop, tuple(outside), start)
     path = SYSTEMS / f"{name}.toml"
     if not os.path.isfile(path):
         raise InputError(

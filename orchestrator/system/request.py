@@ -30,6 +30,7 @@ class Request:
     input_: tuple[str, ...] = ()
     csv: str = ""  # "rates": a CSV file for each rate too
     allow_outside: tuple[str, ...] = ()  # folders from which an SSP may take files
+    start: str = ""
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""

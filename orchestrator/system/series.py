@@ -54,9 +54,9 @@ class Series:
         """Hash of its content."""
         return hashlib.sha256(self.table.tobytes()).hexdigest()
 
-    def first(self, kind: FmiType) -> float | int | bool:
-        """The value at time 0."""
-        cell = held_at(self.table, 0, 0.0) if self.sampled else value_at(self.table, 0, 0.0)
+    def first(self, kind: FmiType, time: float) -> float | int | bool:
+        """The value at the start of a run [s]."""
+        cell = held_at(self.table, 0, time) if self.sampled else value_at(self.table, 0, time)
         found: float | int | bool = decode(kind, np.array([cell]))[0].item()
         return found
 
@@ -125,16 +125,19 @@ def _numbers(values: Any, label: str) -> np.ndarray:
 
 
 def check_series(system: System, clock: Clock) -> None:
-    """Raise InputError where a table does not reach from time 0 to the stop."""
-    stop = clock.time(clock.stop)
+    """Raise InputError where a table does not reach from the start to the stop."""
+    start, stop = clock.time(0), clock.time(clock.stop)
+    near = ROUNDING * max(abs(start), abs(stop))
     for component in system.components.values():
         for name, series in component.series.items():
             first, last = float(series.times[0]), float(series.times[-1])
-            if first > 0.0 or last < stop * (1 - ROUNDING):
-                sooner = f', or stop at "{last:.9g} s"' if first <= 0.0 < last else ""
+            if first > start or last < stop - near:
+                sooner = f', or stop at "{last:.9g} s"' if first <= start < last < stop else ""
+                later = f', or start at "{first:.9g} s"' if start < first < stop <= last else ""
+                begin, end = (seconds_text(clock.seconds(clock.start + tick)) for tick in (0, clock.stop))
                 raise InputError(
                     f"input {component.name}.{name}: {series.origin} holds {first:.9g} s to {last:.9g} s, the run goes "
-                    f"from 0 s to {seconds_text(clock.seconds(clock.stop))}; add rows{sooner}"
+                    f"from {begin} to {end}; add rows{sooner}{later}"
                 )
 
 

@@ -10,7 +10,7 @@ import typer
 from ...errors import InputError, counted
 from ..console import print_table, tell
 from ..guard import sheltered
-from ..options import FmusOption, OutsideOption, SetOption, StepOption, StopOption, SystemName, app
+from ..options import FmusOption, OutsideOption, SetOption, StartOption, StepOption, StopOption, SystemName, app
 from ..progress import share
 
 
@@ -61,6 +61,7 @@ def export(
     ] = None,
     ssp_version: Annotated[str, typer.Option("--ssp-version", help="1.0 or 2.0.")] = "1.0",
     set_: SetOption = [],  # noqa: B006
+    start: StartOption = "",
     stop: StopOption = "",
     step: StepOption = "",
     allow_outside: OutsideOption = [],  # noqa: B006
@@ -74,7 +75,8 @@ def export(
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")
-    plan = planned(assemble(system, assignments(set_), stop, fmus, changes_of((), (), (), allow_outside), step=step))
+    changes = changes_of((), (), (), allow_outside)
+    plan = planned(assemble(system, assignments(set_), stop, fmus, changes, step=step, start=start))
     if ssp:
         found = export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
     else:

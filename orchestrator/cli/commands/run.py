@@ -20,6 +20,7 @@ from ..options import (
     PeriodOption,
     ReplaceOption,
     SetOption,
+    StartOption,
     StepOption,
     StopOption,
     SystemName,
@@ -92,24 +93,28 @@ def plan(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    start: StartOption = "",
+    stop: StopOption = "",
     step: StepOption = "",
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
-    """Print what a run would do, without running it: of the FMUs only algebraic loops at time 0 are tried."""
+    """Print what a run would do, without running it: of the FMUs only algebraic loops at the start are tried."""
     from ...plan.explain import explain
     from ...plan.plan import make_plan
-    from ...run.initialize import loop_residuals
+    from ...run.initialize import begin_text, loop_residuals
     from ...system.assemble import assemble_request
     from ...system.request import Request
 
-    request = Request(system, set_=tuple(set_), replace=tuple(replace), map_=tuple(map_), period=tuple(period),
-                      step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
-                      allow_outside=tuple(map(str, allow_outside)))  # fmt: skip
+    request = Request(
+        system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
+        period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
+        allow_outside=tuple(map(str, allow_outside)),
+    )  # fmt: skip
     planned = make_plan(assemble_request(request))
     tell(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
-        tell(f"\nat time 0, {loop}: residual {residual:.3g}, relative to the inputs")
+        tell(f"\nat {begin_text(planned.clock)}, {loop}: residual {residual:.3g}, relative to the inputs")
 
 
 @app.command()
@@ -118,6 +123,7 @@ def run(
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
     input_: InputOption = [],  # noqa: B006
+    start: StartOption = "",
     stop: StopOption = "",
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
@@ -169,7 +175,7 @@ def run(
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
-        tuple(map(str, allow_outside)),
+        tuple(map(str, allow_outside)), start,
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

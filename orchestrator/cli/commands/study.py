@@ -17,6 +17,7 @@ from ..options import (
     PeriodOption,
     ReplaceOption,
     SetOption,
+    StartOption,
     StopOption,
     SystemName,
     app,
@@ -34,6 +35,8 @@ POINTS_SHOWN = 12  # of a sweep along one axis that are printed as a table
 def converge(
     system: SystemName = "nominal",
     out: OutOption = Path("results"),
+    start: StartOption = "",
+    stop: StopOption = "",
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
@@ -45,7 +48,7 @@ def converge(
     from ...system.request import changes_of
 
     with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
-        found = study(system, out, fmus, changes_of(replace, map_, period, allow_outside), tell, progress)
+        found = study(system, out, fmus, changes_of(replace, map_, period, allow_outside), tell, progress, start, stop)
     print_means(Path(system).stem, found.rows)
     print_signals(Path(system).stem, found.signals)
     wrote(found.paths, out)
@@ -98,6 +101,7 @@ def sweep(
     ] = [],  # noqa: B006
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
+    start: StartOption = "",
     stop: StopOption = "",
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
@@ -132,7 +136,19 @@ def sweep(
 
     changes = changes_of(replace, map_, period, allow_outside)
     options = Options(
-        vary, assignments(set_), stop, random, seed, points, workers, scheduler, fmus, changes, design, force
+        vary,
+        assignments(set_),
+        stop,
+        random,
+        seed,
+        points,
+        workers,
+        scheduler,
+        fmus,
+        changes,
+        design,
+        force,
+        start,
     )
     with counting(f"sweep {Path(name).stem}", "points") as progress:
         found = run_sweep(name, out, options, tell, progress)

@@ -36,7 +36,7 @@ def drive(
         crossings[name].name: _there(fmu, crossings[name], value) for name, value in starts.items() if name in crossings
     }
     begin |= {name: parse_value(fmu.variables[name], value, name) for name, value in own.items()}
-    instance.set_up(recording.options["StopTime"])
+    instance.set_up(recording.options["StopTime"], times[0])
     instance.set_all(begin)
     instance.enter_initialization()
     given, taken = (Port(instance, [crossings[name].name for name in names]) for names in (inputs, outputs))
@@ -48,10 +48,10 @@ def drive(
     for k in range(len(times) - 1):
         given.put([f(column[k]) for f, column in zip(there, columns, strict=True)])
         gap = times[k + 1] - times[k]
-        instance.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, times[k]) else gap)
+        instance.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, abs(times[k])) else gap)
         rows.append([f(value) for f, value in zip(back, taken.take(), strict=True)])
         if k % 1000 == 0:
-            report(times[k] / times[-1])
+            report((times[k] - times[0]) / (times[-1] - times[0]))
     return dict(zip(outputs, np.array(rows).T.reshape(len(outputs), -1), strict=True))
 
 

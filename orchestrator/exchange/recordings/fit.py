@@ -20,7 +20,7 @@ def check_steps(fmu: Fmu, recording: Recording) -> None:
     if fmu.can_vary_step:
         return
     label = f"{fmu.path.name} has fixed steps (canHandleVariableCommunicationStepSize = false)"
-    if np.any(np.abs(steps - step) > 1e-9 * max(step, float(recording.times[-1]))):
+    if np.any(np.abs(steps - step) > 1e-9 * max(step, float(np.max(np.abs(recording.times))))):
         raise InputError(f"{label}, and {recording.name}_ref.csv has steps of several lengths")
     inside, made_for = fmu.internal_step, fmu.recommended_step
     size = inside or made_for

@@ -33,9 +33,10 @@ def write_boundary(run: Run, name: str, folder: Path, title: str = "") -> list[P
     title = title or name
     plan = run.plan
     component = plan.system.components[name]
-    group, table = next((g, t) for g, t in zip(plan.groups, run.tables, strict=True) if name in g.components)
+    at = next(k for k, group in enumerate(plan.groups) if name in group.components)
+    group, table = plan.groups[at], run.tables[at]
     columns = {variable: k for k, (owner, variable) in enumerate(group.columns) if owner == name}
-    times = [plan.clock.time(row * group.period) for row in range(len(table))]
+    times = [plan.clock.time(tick) for tick in run.ticks_of(at).tolist()]
     variables = component.fmu.variables
     # In row k of a table stands the input of the step that ends there; a file of inputs has it where the step begins.
     held = np.concatenate([table[1:], table[-1:]])
@@ -51,7 +52,8 @@ def write_boundary(run: Run, name: str, folder: Path, title: str = "") -> list[P
         for v, value in starts.items()
         if value is not None and not v.startswith(OWN)  # what is another FMU's own means nothing to the next one
     ]
-    settings = {"StartTime": 0.0, "StopTime": times[-1], "StepSize": plan.clock.time(group.period), "RelTol": TOLERANCE}
+    step = float(plan.clock.seconds(group.period))
+    settings = {"StartTime": times[0], "StopTime": times[-1], "StepSize": step, "RelTol": TOLERANCE}
     options = "".join(f"{key}, {value!r}\n" for key, value in settings.items())
     return [
         write_file(folder / f"{title}_in.csv", lambda path: _write_rows(path, _series(times, inputs))),

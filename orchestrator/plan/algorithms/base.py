@@ -55,7 +55,7 @@ class Algorithm:
 
     def clock(self, system: System) -> Clock:
         """Tick, periods and stop. Raises InputError where they do not fit."""
-        return make_clock({name: c.period for name, c in system.components.items()}, system.stop)
+        return make_clock({name: c.period for name, c in system.components.items()}, system.stop, system.start)
 
     def samplers(self, system: System) -> tuple[str, ...]:
         """Components that step at the beginning of their period because all their inputs are sampled."""

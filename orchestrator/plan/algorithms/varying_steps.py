@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import ceil, gcd, lcm
+from math import ceil
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
 from msgspec import Meta
 
-from ...clock import Clock, seconds_text
+from ...clock import Clock, common_tick, countable, seconds_text
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS, MAXIMUM, MINIMUM, STEP_TICKS, STOP
 from ...system.model import Connection, System
@@ -83,18 +83,19 @@ class VaryingSteps(Algorithm):
         fine = Fraction(1)
         while fine * RESOLUTION > minimum:
             fine /= 10
-        times = (fine, first, minimum, maximum, system.stop)
-        denominator = lcm(*(t.denominator for t in times))
-        numerator = gcd(*(int(t * denominator) for t in times))
-        denominator *= self.even
-        stop = int(system.stop * denominator) // numerator
-        if max(stop * numerator, denominator) >= 2**53:  # the loop divides them as doubles
+        start, stop = system.start, system.stop
+        tick = common_tick((fine, first, minimum, maximum, start, stop)) / self.even
+        if not countable(tick, start, stop):
+            largest = seconds_text(max(abs(start), abs(stop)))
             raise InputError(
-                f"no tick as fine as {seconds_text(fine)} counts exactly to {seconds_text(system.stop)}; "
+                f"no tick as fine as {seconds_text(fine)} counts exactly to {largest}; "
                 f"take a larger minimum step {where}"
             )
-        ticks = int(first * denominator) // numerator
-        return Clock(numerator, denominator, dict.fromkeys(periods, ticks), stop, ticks)
+        ticks = int(first / tick)
+        return Clock(
+            tick.numerator, tick.denominator, dict.fromkeys(periods, ticks), int((stop - start) / tick), ticks,
+            int(start / tick),
+        )  # fmt: skip
 
     def require_measure(self, system: System) -> None:
         """Raise InputError where there is nothing by which steps could be judged."""
@@ -103,7 +104,8 @@ class VaryingSteps(Algorithm):
                layout: Layout) -> None:  # fmt: skip
         """Signals of the step controller, one behind the other: the instant, the step, and what it was judged by."""
         tick = seconds_text(clock.seconds(1))
-        layout.extra("tick", "1", f"the instant in ticks of {tick}", clock.hyperperiod)
+        since = f" from {seconds_text(system.start)} on" if system.start else ""
+        layout.extra("tick", "1", f"the instant in ticks of {tick}{since}", clock.hyperperiod)
         layout.extra("step", "s", "length of the step that ends now", clock.hyperperiod)
         layout.extra("indicator", "1", "error indicator of that step, 1 at the tolerance", clock.hyperperiod)
 

@@ -31,7 +31,8 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
         }  # fmt: skip
     return {
         "system": system.name, "description": system.description,
-        "stop_s": float(system.stop), "complete": not run.failure,
+        **({"start_time_s": float(system.start)} if system.start else {}), "stop_s": float(system.stop),
+        "complete": not run.failure,
         **({"ended": run.ended} if run.ended else {}),
         "components": components, "calculated": run.calculated,
         "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],

@@ -194,6 +194,6 @@ def _position(content: Mapping[str, Any]) -> Position:
     """How far the run is. Raises ValueError if that is no position."""
     at = Position(**content)
     whole = all(type(number) is int for number in (at.cycle, at.operation))
-    if not whole or not all(isinstance(t, float) and math.isfinite(t) and t >= 0.0 for t in (at.time, at.wall)):
+    if not whole or not all(isinstance(t, float) and math.isfinite(t) for t in (at.time, at.wall)):
         raise ValueError("the position in the run is none")
     return at

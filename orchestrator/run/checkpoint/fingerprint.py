@@ -26,7 +26,8 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
                 },
             } for name, component in system.components.items()
         },
-        "tick": str(plan.clock.seconds(1)), "stop": str(system.stop), "algorithm": system.algorithm,
+        "tick": str(plan.clock.seconds(1)), "start": str(system.start), "stop": str(system.stop),
+        "algorithm": system.algorithm,
         "recorded": [[".".join(key) for key in group.columns] for group in plan.groups],
         "connections": [c.label for c in system.connections],
         "schedule": operations,

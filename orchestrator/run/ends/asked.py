@@ -46,7 +46,7 @@ def asked_to_end(
     k = int(operation[2])
     name, instance = list(instances.items())[k]
     end = _end(plan, operation, control, space.clock)
-    time, length = plan.clock.time(end[0]), plan.clock.time(end[1])
+    time, length = plan.clock.time(end[0]), float(plan.clock.seconds(end[1]))
     reached = time
     if status == versions.TERMINATE:
         flags = int(components[k, cells.FLAGS])

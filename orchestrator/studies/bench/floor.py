@@ -47,7 +47,7 @@ def floor_loop(plan: Plan) -> float:
     keep, rows = [], []
     for name, instance in instances.items():
         component = plan.system.components[name]
-        instance.set_up(plan.clock.time(plan.clock.stop))
+        instance.set_up(plan.clock.time(plan.clock.stop), plan.clock.time(0))
         instance.set_all({**component.parameters, **component.inputs})
         instance.enter_initialization()
         instance.exit_initialization()
@@ -63,7 +63,7 @@ def floor_loop(plan: Plan) -> float:
              references[0].ctypes.data, len(given), references[1].ctypes.data, len(taken), values.ctypes.data]
         )  # fmt: skip
     table, period = np.array(rows, dtype=np.int64), min(plan.clock.periods.values())
-    steps, step = plan.clock.stop // period, plan.clock.time(period)
+    steps, step = plan.clock.stop // period, float(plan.clock.seconds(period))
     function = _compiled()
     function(table, 1, step)
     begin = time.perf_counter()

@@ -2,7 +2,7 @@
 
 description = "what for"
 system = "nominal"                 # a shipped system, or a path beside this file (.toml, .ssp, .ssd, .fmu)
-stop_time = "5 s"                  # optional, as the rest
+stop_time = "5 s"                  # optional, as the rest; also start_time
 random = 50                        # random points in place of a grid, drawn with `seed`
 seed = 1
 design = "sobol"                   # how they are drawn: "random" if not given, "latin", "sobol"
@@ -43,6 +43,7 @@ class SweepFile:
     vary: dict[str, object] = field(default_factory=dict)
     summary: dict[str, str] = field(default_factory=dict)
     design: str = ""
+    start: str = ""
 
 
 def shipped_sweeps() -> list[str]:
@@ -70,6 +71,10 @@ def sweep_file(name: str) -> SweepFile:
     beside = table.system.endswith(ENDINGS) or is_system_file(str(path.resolve().parent / table.system))
     return SweepFile(
         path.stem, str(path.resolve().parent / table.system) if beside else table.system, table.description,
-        str(table.stop_time or ""), table.random, table.seed, dict(table.set), dict(table.vary), dict(table.summary),
-        table.design,
+        _text(table.stop_time), table.random, table.seed, dict(table.set), dict(table.vary), dict(table.summary),
+        table.design, _text(table.start_time),
     )  # fmt: skip
+
+
+def _text(time: str | float | None) -> str:
+    return "" if time is None else str(time)

@@ -50,11 +50,13 @@ class Job:
     digest: str = ""  # of the system in the process that began the sweep
     versions: tuple[tuple[str, str], ...] = ()  # there
     changes: Changes = UNCHANGED
+    start: str = ""
 
 
 def job_system(job: Job) -> System:
     """The system of a job with its figures of merit, recording only what these need. Raises InputError, FmuError."""
-    system = assemble(job.system, dict(job.values), job.stop, Path(job.fmus) if job.fmus else None, job.changes)
+    fmus = Path(job.fmus) if job.fmus else None
+    system = assemble(job.system, dict(job.values), job.stop, fmus, job.changes, start=job.start)
     summary = {**system.reporting["summary"], **dict(job.figures)}
     if len(system.components) == 1:
         summary = {key: _in_full(system, text) for key, text in summary.items()}
@@ -127,7 +129,7 @@ def digest(system: System) -> str:
     coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings)]
     bonds = [astuple(bond) for bond in system.bonds]
     reported = [system.reporting["summary"], system.reporting["balance"]]
-    content = [components, wiring, bonds, coupling, str(system.stop), *reported]
+    content = [components, wiring, bonds, coupling, [str(system.start), str(system.stop)], *reported]
     return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()
 
 

@@ -15,6 +15,7 @@ from typing import Any, BinaryIO
 
 from ...environment import changes
 from ...errors import InputError, RunError, counted
+from ...system.model import System
 from .design import Design
 
 FILE = "points.jsonl"
@@ -23,11 +24,12 @@ MADE_WITH = "made with"
 
 
 def header(
-    system: str, digest: str, stop: float, design: Design, units: Mapping[str, str], made_with: Mapping[str, str]
+    system: System, digest: str, design: Design, units: Mapping[str, str], made_with: Mapping[str, str]
 ) -> dict[str, Any]:
     """What tells a sweep from another, as it stands in the first line; `made_with`: see `environment`."""
     return {
-        "system": system, "stop_s": stop, "design": design.kind, "seed": design.seed, "points": len(design),
+        "system": system.name, **({"start_time_s": float(system.start)} if system.start else {}),
+        "stop_s": float(system.stop), "design": design.kind, "seed": design.seed, "points": len(design),
         **{f"vary {axis.name}": list(axis.values) for axis in design.axes},
         "figures of merit": dict(units), CONTENT: digest, MADE_WITH: dict(made_with),
     }  # fmt: skip

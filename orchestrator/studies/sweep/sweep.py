@@ -44,6 +44,7 @@ class Options:
     changes: Changes = UNCHANGED
     design: str = ""  # of --random: see `design.SAMPLERS`
     force: bool = False  # go on although another version or processor computed what is there
+    start: str = ""
 
 
 @dataclass(frozen=True)
@@ -110,6 +111,7 @@ def sweep(
         study.system, str(options.fmus.resolve()) if options.fmus else "",
         tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in values.items() if key not in vary),
         tuple(study.summary.items()), options.stop or study.stop, changes=options.changes,
+        start=options.start or study.start,
     )  # fmt: skip
     system = job_system(job)
     require_figures(system, study)
@@ -127,7 +129,7 @@ def sweep(
         for component in system.components.values():
             for note in component.notes:
                 tell(note)
-        head = header(system.name, job.digest, float(system.stop), design, units, made_with)
+        head = header(system, job.digest, design, units, made_with)
         points = Points(out, head, options.force)
         texts = {key: str(text) for key, text in system.reporting["summary"].items()}
         figures = {key: (unit, texts.get(key, key.replace("_", " "))) for key, unit in units.items()}

@@ -15,7 +15,7 @@ class Window(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The steady window of the figures of merit."""
 
     angle: Annotated[str | None, Meta(description="a signal [rad] of which the window holds whole turns")] = None
-    start: Annotated[Number, Meta(description="where it begins [s]")] = 0.0
+    start: Annotated[Number | None, Meta(description="where it begins [s]; else with the run")] = None
     end: Annotated[Number | None, Meta(description="where it ends [s]; else with the run")] = None
 
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
-from .values import FigureOfMerit, Time, Value, Values
+from .values import FigureOfMerit, Instant, Value, Values
 
 Whole = Annotated[int, Meta(ge=0, extra={"says": "{key} must be a whole number, 0 or more"})]
 
@@ -20,7 +20,8 @@ class SweepTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         Meta(description='what is varied: `"low:high:count"`, `"low:high:count:log"` or a list of values'),
     ]
     description: Annotated[str, Meta(description="what it is for")] = ""
-    stop_time: Annotated[Time | None, Meta(description="another stop time than the system's")] = None
+    start_time: Annotated[Instant | None, Meta(description="another start time than the system's")] = None
+    stop_time: Annotated[Instant | None, Meta(description="another stop time than the system's")] = None
     random: Annotated[Whole, Meta(description="so many random points in place of a grid")] = 0
     seed: Annotated[Whole, Meta(description="that they are drawn with")] = 1
     design: Annotated[

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from .report import Balance, Comparison, Figure, Window
-from .values import Count, FigureOfMerit, Number, Positive, Time, Value, Values
+from .values import Count, FigureOfMerit, Instant, Number, Positive, Time, Value, Values
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
 CONNECTION = r"^\s*\w+\..+->\s*\w+\..+$"
@@ -94,7 +94,7 @@ class BondTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What an output must be at time 0."""
+    """What an output must be at the start of a run."""
 
     value: Annotated[str, Meta(description="the output, `component.output`")]
     minimum: Annotated[float | None, Meta(description="its least value")] = None
@@ -114,10 +114,13 @@ class Loops(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A system: components, connections, how they are coupled, and what is reported of a run."""
 
-    stop_time: Annotated[Time, Meta(description="where a run ends; a whole number of every period")]
+    stop_time: Annotated[Instant, Meta(description="where a run ends; a whole number of every period from its start")]
     components: Annotated[
         dict[str, ComponentTable], Meta(description="the FMUs, by the names that the system gives them")
     ]
+    start_time: Annotated[
+        Instant, Meta(description="where a run begins: the time that FMUs and tables see first; may be negative")
+    ] = 0
     description: Annotated[str, Meta(description="what the system is, in a line")] = ""
     algorithm: Annotated[
         str, Meta(description="how the components are coupled", extra={"says": "unknown algorithm {value}"})
@@ -142,7 +145,7 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     ] = []
     loops: Annotated[Loops, Meta(description="loops of direct dependence")] = Loops()
     bonds: Annotated[list[BondTable], Meta(description="power bonds, of which the energy is counted")] = []
-    require: Annotated[list[RequirementTable], Meta(description="what must hold at time 0")] = []
+    require: Annotated[list[RequirementTable], Meta(description="what must hold at the start of a run")] = []
     record: Annotated[
         list[str],
         Meta(

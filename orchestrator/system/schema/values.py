@@ -19,6 +19,15 @@ Time = Annotated[
         extra={"must": 'a time: a number of seconds, "5 ms", "250 us" or "1/60 s"'},
     ),
 ]
+INSTANT = TIME.replace("[+]?", "[+-]?", 1)
+Instant = Annotated[
+    str | int | float,
+    Meta(
+        examples=["2 s", 0, "-0.5 s"],
+        extra_json_schema={"pattern": INSTANT},
+        extra={"must": 'a time, also 0 or a negative one: a number of seconds, "2 s", "-5 ms" or "1/60 s"'},
+    ),
+]
 Span = Fraction  # a time that is read at once, and exact
 Number = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0, le=LARGEST)]

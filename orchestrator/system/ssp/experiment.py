@@ -6,18 +6,23 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import gcd, lcm
 
-from ...clock import duration, seconds_text
+from ...clock import duration, instant, require_span, seconds_text
 from ...errors import InputError
 from ..one_fmu import STEPS, STOP, stated_time, whole_part
 from .structure import Element
 
 
-def stop_of(stated: str, components: Iterable[Element], name: str, remarks: list[str]) -> Fraction:
-    """The stop time that is stated, else the longest of the FMUs' experiments, else 1 s. Raises InputError."""
+def stop_of(stated: str, start: Fraction, components: Iterable[Element], name: str, remarks: list[str]) -> Fraction:
+    """The stop time that is stated, else the longest of the FMUs' experiments, else 1 s after the start.
+
+    Raises InputError for one that is not after the start.
+    """
     if stated:
-        return duration(stated, f"{name}: stop time")
-    own = [time for component in components if (time := _own(component, "stopTime"))]
-    found = max(own, default=STOP)
+        end = instant(stated, f"{name}: stop time")
+        require_span(start, end)
+        return end
+    own = [time for component in components if (time := _own(component, "stopTime")) and time > start]
+    found = max(own, default=start + STOP)
     whose = "its FMUs' experiments end then" if own else "so do its FMUs"
     remarks.append(
         f'{name} states no stop time and is run for {seconds_text(found)} ({whose}); --stop "10 s" gives it another'
@@ -26,10 +31,11 @@ def stop_of(stated: str, components: Iterable[Element], name: str, remarks: list
 
 
 def periods_of(
-    components: Iterable[Element], stated: Mapping[str, str], option: str, stop: Fraction, remarks: list[str]
+    components: Iterable[Element], stated: Mapping[str, str], option: str, span: Fraction, remarks: list[str]
 ) -> dict[str, Fraction]:
     """The period of each component: `stated` in our annotation, else the option `--step`, else what another tool's
-    annotation or the FMU's experiment says, else the shortest of the others, else a 500th of the run.
+    annotation or the FMU's experiment says, else the shortest of the others, else a 500th of the run,
+    which is `span` s long.
 
     Raises InputError for a time that is none.
     """
@@ -37,12 +43,12 @@ def periods_of(
     for component in components:
         text = stated.get(component.name) or option or component.step
         own = duration(text, f"component {component.name}: period") if text else _own(component, "stepSize")
-        if own is None or (not text and own > stop):
+        if own is None or (not text and own > span):
             open_.append(component.name)
         else:
-            found[component.name] = own if text else whole_part(own, stop)
+            found[component.name] = own if text else whole_part(own, span)
     if open_:
-        period = min(found.values(), default=stop / STEPS)
+        period = min(found.values(), default=span / STEPS)
         remarks.append(
             f'nothing states a step for {", ".join(open_)}: every {seconds_text(period)} is taken; --step "1 ms" or '
             f'--period {open_[0]}="1 ms" gives another'
@@ -51,11 +57,11 @@ def periods_of(
     return found
 
 
-def whole_stop(stop: Fraction, periods: Iterable[Fraction], remarks: list[str]) -> Fraction:
+def whole_stop(start: Fraction, stop: Fraction, periods: Iterable[Fraction], remarks: list[str]) -> Fraction:
     """The first instant at or after the stop at which all components have one."""
     pairs = [period.as_integer_ratio() for period in periods]
-    common = Fraction(lcm(*(a for a, _ in pairs)), gcd(*(b for _, b in pairs))) if pairs else stop
-    later = -(-stop // common) * common
+    common = Fraction(lcm(*(a for a, _ in pairs)), gcd(*(b for _, b in pairs))) if pairs else stop - start
+    later = start - (start - stop) // common * common
     if later == stop:
         return stop
     remarks.append(f"{seconds_text(stop)} is no whole number of steps: the run goes on to {seconds_text(later)}")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from ...clock import instant
 from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
@@ -27,13 +27,15 @@ OWN_KEYS = ("components", "connections", "description", "parameters")  # not to 
 class SspFile(TomlFile):
     """The data of an SSP (1.0 or 2.0), and where in its files they stand.
 
-    `step` and `stop` are for what the files leave open: see `experiment`. `outside`: folders elsewhere whose files may
-    be opened. Inputs that nothing drives keep the start values of their FMUs.
+    `step`, `stop` and `start` are for what the files leave open: see `experiment`. `outside`: folders elsewhere whose
+    files may be opened. Inputs that nothing drives keep the start values of their FMUs.
 
     Raises InputError for what is not supported, missing or contradictory; FmuError for FMUs that cannot be read.
     """
 
-    def __init__(self, path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = ()) -> None:
+    def __init__(
+        self, path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = (), start: str = ""
+    ) -> None:  # fmt: skip
         self.path, self.text = path, ""
         self.places: dict[tuple[str, str], str] = {}
         notes, remarks = Notes(), list[str]()
@@ -52,7 +54,7 @@ class SspFile(TomlFile):
         self.places |= {(str(link), ""): link.where for link in links}
         keys = self._own_keys()
         tables = {name: self._component(component) for name, component in self.components.items()}
-        self._times(tables, keys, step, stop, remarks)
+        self._times(tables, keys, step, stop, start, remarks)
         self._values(tables, stated)
         self.data: dict[str, Any] = {
             **keys,
@@ -92,21 +94,23 @@ class SspFile(TomlFile):
         return {**keys, "fmu": str(component.fmu.path.absolute()), "parameters": {}, "inputs": {}}
 
     def _times(
-        self, tables: dict[str, Any], keys: dict[str, Any], step: str, stop: str, remarks: list[str]
+        self, tables: dict[str, Any], keys: dict[str, Any], step: str, stop: str, start: str, remarks: list[str]
     ) -> None:  # fmt: skip
-        """Put the stop time and the periods in their places."""
+        """Put start, stop and the periods in their places."""
         experiment = next(iter(find(self.document.root, "DefaultExperiment")), None)
-        start = "0" if experiment is None else experiment.get("startTime", "0")
-        if float(start) != 0.0:
-            raise self.document.fail(f"a start time of {start} s is not supported; runs begin at 0", experiment)
+        stated = {} if experiment is None else experiment.attrib
+        begin = instant(
+            start or keys.pop("start_time", "") or stated.get("startTime", "0"), f"{self.path.name}: start time"
+        )
         exact = keys.pop("stop_time", None)  # for times that are no double: 1/3 s
-        text = str(stop or exact or ("" if experiment is None else experiment.get("stopTime", "")))
-        end = stop_of(text, self.components.values(), self.path.name, remarks)
+        text = str(stop or exact or stated.get("stopTime", ""))
+        end = stop_of(text, begin, self.components.values(), self.path.name, remarks)
         own = {name: str(table["period"]) for name, table in tables.items() if table.get("period")}
-        periods = periods_of(self.components.values(), own, step, end, remarks)
+        periods = periods_of(self.components.values(), own, step, end - begin, remarks)
         for name, period in periods.items():
             tables[name]["period"] = own.get(name) or f"{period} s"
-        keys["stop_time"] = f"{end if stop or exact else _whole(end, periods, remarks)} s"
+        whole = end if stop or exact else whole_stop(begin, end, periods.values(), remarks)
+        keys |= {"start_time": f"{begin} s", "stop_time": f"{whole} s"}
 
     def _values(self, tables: dict[str, Any], stated: Mapping[End, Stated]) -> None:
         """Put the values of parameters and inputs in their places; those of driven inputs are their drivers'."""
@@ -155,7 +159,3 @@ def _told(passed_over: Mapping[str, str]) -> tuple[str, ...]:
     if not names:
         return ()
     return (f"passed over, since nothing has them: parameters {listed(f'{n} {passed_over[n]}' for n in names)}",)
-
-
-def _whole(stop: Fraction, periods: Mapping[str, Fraction], remarks: list[str]) -> Fraction:
-    return whole_stop(stop, periods.values(), remarks)

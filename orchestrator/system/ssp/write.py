@@ -86,10 +86,12 @@ def structure_of(system: System, files: Mapping[str, str], ssp_version: str) -> 
         for connection in system.connections:
             _connection(connections, system, connection)
     _add_units(root, "ssd:Units", units)
-    stop = repr(float(system.stop))
-    experiment = _add(root, "ssd:DefaultExperiment", startTime="0.0", stopTime=stop)
+    times = {"start": repr(float(system.start)), "stop": repr(float(system.stop))}
+    experiment = _add(root, "ssd:DefaultExperiment", startTime=times["start"], stopTime=times["stop"])
     hint_base_step(experiment, min(component.period for component in system.components.values()))
-    annotate(root, system_keys(system) | ({} if Fraction(stop) == system.stop else {"stop_time": f"{system.stop} s"}))
+    exact = {key: getattr(system, key) for key in times}
+    rounded = {f"{key}_time": f"{time} s" for key, time in exact.items() if Fraction(times[key]) != time}
+    annotate(root, system_keys(system) | rounded)
     return root
 
 

@@ -31,7 +31,7 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
     "unknown top-level key": ('stop_time = "1 s"', 'stop_time = "1 s"\nalgoritm = "jacobi"', ["unknown key 'algoritm'", "did you mean 'algorithm'", "line 4"]),
     "unknown component key": ('period = "20 ms"', 'period = "20 ms"\nperid = 1', ["component i: unknown key 'perid'", "'period'", "line 26"]),
     "no stop time": ('stop_time = "1 s"', "", ["'stop_time' is missing"]),
-    "stop time zero": ('stop_time = "1 s"', "stop_time = 0", ["stop_time = 0 is not a positive time", "line 3"]),
+    "stop time zero": ('stop_time = "1 s"', "stop_time = 0", ["the stop at 0 s is not after the start at 0 s", "line 3"]),
     "stop time no time": ('stop_time = "1 s"', 'stop_time = "soon"', ["stop_time = 'soon' is not a time", "line 3"]),
     "no FMU": ('fmu = "gain"\n', "", ["component g: 'fmu' is missing", "line 14"]),
     "no period": ('fmu = "integrator"\nperiod = "20 ms"', 'fmu = "integrator"', ["component i: 'period' is missing", "line 23"]),

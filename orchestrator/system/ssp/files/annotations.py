@@ -27,7 +27,7 @@ NAMESPACE = "urn:rovbrush:simulation:1"
 
 def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
-    in_ssp = ("name", "path", "description", "stop", "components", "connections")
+    in_ssp = ("name", "path", "description", "start", "stop", "components", "connections")
     return {
         **_stated(system, (*in_ssp, "loops", "bonds", "requirements", "reporting", "settings")),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
