@@ -15,7 +15,7 @@ from ..loop.last_step import length_to
 from .lifecycle import OK, SECTION, STATUS, State, after, allowed, status_text, why_not_settable
 from .messages import Logging, Messages
 
-__all__ = ["STATUS", "CallError", "Participant", "State", "refused"]
+__all__ = ["STATUS", "CallError", "Participant", "State"]
 
 
 ROUNDING = 1e-9  # of a step, by which its end may lie behind the stop without being meant to
@@ -236,12 +236,3 @@ class Participant(ABC):
             raise FmuError(
                 f"component {self.name}: {self.fmu.path.name} cannot save its state (canGetAndSetFMUState = false)"
             )
-
-
-def refused(fmu: Fmu, name: str, error: Exception, log: str) -> FmuError:
-    """The error of an FMU that cannot be instantiated."""
-    tool = ""
-    if fmu.interface.needsExecutionTool:
-        made = fmu.description.generationTool or "the tool that made it"
-        tool = f"; it needs {made} on this machine, installed and licensed (needsExecutionTool = true)"
-    return FmuError(f"component {name}: {fmu.path.name} cannot be instantiated: {error}{tool}{log}")

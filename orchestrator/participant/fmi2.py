@@ -13,12 +13,13 @@ from fmpy import fmi2
 from ..fmu.sharing import made_by_pythonfmu, made_here
 from .apart.library import fresh_library
 from .apart.modules import own_modules
-from .base import AskedToEndError, CallError, refused
+from .base import AskedToEndError, CallError
 from .exit_guard import end_before_library_destructors
 from .library import Judged
 from .lifecycle import DISCARD, allowed
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
+from .refusal import refused
 
 # The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all
 # instances give it the same, which lives as long as the process and finds whose message it is.

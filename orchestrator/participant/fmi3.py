@@ -11,11 +11,12 @@ from fmpy import fmi3
 
 from ..errors import FmuError
 from .apart.library import fresh_library
-from .base import AskedToEndError, CallError, refused
+from .base import AskedToEndError, CallError
 from .library import Judged
 from .lifecycle import DISCARD
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
+from .refusal import refused
 
 _LOGGING: WeakValueDictionary[int, Fmi3Instance] = WeakValueDictionary()  # by what the FMU is told of its environment
 
