@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import shlex
+import zipfile
 from pathlib import Path
 
 import fmpy
@@ -85,10 +87,25 @@ def _there(path: Path, folder: Path, ambiguous: str) -> str:
     there = sorted(p.name for p in (folder / "binaries").glob("*")) or ["none"]
     if ambiguous:
         return ", ".join(there) + ambiguous
-    sources = any((folder / "sources").glob("**/*.c*"))
-    remedy = (
-        f"it carries its sources, which can be compiled: `fmpy compile {path}`"
-        if sources
-        else "ask for a binary of this platform, or for the sources"
-    )
-    return f"{', '.join(there)}; {remedy}"
+    return f"{', '.join(there)}; {remedy(path, folder)}"
+
+
+def remedy(path: Path, folder: Path) -> str:
+    """What helps where an FMU has no library for this machine."""
+    if command := _compiles(path, folder):
+        return f"it carries its sources, which CMake and a C compiler make a library of: `{command}`"
+    if any((folder / "sources").glob("**/*.c*")):
+        return "ask for a binary of this platform: its sources are not complete, or nothing says how to compile them"
+    return "ask for a binary of this platform, or for the sources"
+
+
+def _compiles(path: Path, folder: Path) -> str:
+    """The command that makes a library of an FMU's sources; empty where it would not: it takes sound FMUs only."""
+    try:
+        build = fmpy.read_model_description(path).buildConfigurations[0].sourceFileSets[0]
+        with zipfile.ZipFile(path) as archive:
+            sound = not any("\\" in entry.orig_filename for entry in archive.infolist())
+    except Exception:  # whatever it is that is not as the standard wants it
+        return ""
+    files = [folder / "sources" / name for name in build.sourceFiles]
+    return f"fmpy compile {shlex.quote(str(path))}" if sound and files and all(f.is_file() for f in files) else ""

@@ -35,7 +35,8 @@ def info(
         if found[key]:
             tell(f"  {key:<13} {found[key]}")
     tell(f"  {'interfaces':<13} {', '.join(found['interfaces'])}")
-    tell(f"  {'platforms':<13} {', '.join(found['platforms'])}{', sources' if found['sources'] else ''}")
+    platforms = [*found["platforms"], *(["sources"] if found["sources"] else [])]
+    tell(f"  {'platforms':<13} {', '.join(platforms) or 'none'}")
     experiment = ", ".join(f"{name} {value:g}{'' if name == 'tolerance' else ' s'}"
                            for name, value in found["experiment"].items())  # fmt: skip
     tell(f"  {'experiment':<13} {experiment or 'none stated'}")

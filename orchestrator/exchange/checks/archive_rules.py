@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Iterator
 
 from ...errors import counted, listed
-from ...fmu.binary import LONGEST, is_identifier
+from ...fmu.binary import LONGEST, is_identifier, remedy
 from .rows import Row, judged
 from .subject import PLATFORMS, Subject, suffix
 
@@ -83,7 +83,4 @@ def loadable_row(subject: Subject) -> Row:
     if library in subject.binaries.get(platform, ()):
         return Row("dry run", rule, "pass", f"binaries/{platform}/{library}")
     found = f"none for {platform}; there is {listed(subject.binaries) or 'none at all'}"
-    mend = f"ask for a {platform} binary, or run the check on that platform"
-    if (subject.folder / "sources").is_dir():
-        mend = f"compile its sources/ for {platform} (fmpy compile, or fmutool -compile-sources)"
-    return Row("dry run", rule, "error", found, mend)
+    return Row("dry run", rule, "error", found, remedy(subject.path, subject.folder))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...errors import FmuError
 from ...participant.apart.meeting import meeting
+from ...participant.refusal import NotLoadedError
 from .rows import Row
 from .subject import Subject
 from .tried import Tried
@@ -20,8 +21,13 @@ def runs(subject: Subject) -> Row:
     try:
         instance = Tried(subject)
     except FmuError as error:
-        reason = str(error).partition("cannot be instantiated: ")[2] or str(error)
-        return Row(STAGE, rule, "error", f"it cannot be instantiated: {reason}", "is the GUID that of its binary?")
+        reason, mend = (
+            str(error).partition("cannot be instantiated: ")[2] or str(error),
+            "is the GUID that of its binary?",
+        )
+        if isinstance(error, NotLoadedError):
+            reason, mend = reason.removesuffix(f"; {error.mend}"), error.mend
+        return Row(STAGE, rule, "error", f"it cannot be instantiated: {reason}", mend)
     instance.begin()
     infinite = instance.not_finite()
     for k in range(STEPS):

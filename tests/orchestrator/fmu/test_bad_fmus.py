@@ -38,7 +38,8 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
          "is for model exchange only; export it for co-simulation"),
         (({LIBRARY: None, "binaries/win64/feedthrough2.dll": b"x"}, {}),
          f"no binary for {fmpy.platform}; it has win64; ask for a binary"),
-        (({LIBRARY: None, "sources/all.c": b"int x;"}, {}), "it has none; it carries its sources, which can"),
+        (({LIBRARY: None, "sources/all.c": b"int x;"}, {}),
+         "it has none; ask for a binary of this platform: its sources are"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_opened_says_why(edit: Edit, words: str, native: Path, tmp_path: Path) -> None:
