@@ -60,7 +60,8 @@ def seconds_text(value: Fraction) -> str:
 class Clock:
     """One tick of `numerator / denominator` seconds; periods, start and stop as whole numbers of ticks.
 
-    `stop` is counted from the start, as all instants of a run are; `start` from time 0.
+    `stop` is counted from the start, as all instants of a run are; `start` from time 0. What a run does repeats in
+    every `hyperperiod`; of a shorter run that is all of it.
     """
 
     numerator: int
@@ -69,6 +70,16 @@ class Clock:
     stop: int
     hyperperiod: int
     start: int = 0
+
+    @property
+    def cycles(self) -> int:
+        """How often the hyperperiod fits in a run."""
+        return self.stop // self.hyperperiod
+
+    @property
+    def rest(self) -> int:
+        """What is left behind the last of them [ticks]."""
+        return self.stop % self.hyperperiod
 
     def time(self, tick: int) -> float:
         """The instant in seconds: the double nearest to the exact rational."""
@@ -89,20 +100,7 @@ def require_span(start: Fraction, stop: Fraction) -> None:
 
 
 def make_clock(periods: dict[str, Fraction], stop: Fraction, start: Fraction = Fraction(0)) -> Clock:
-    """The clock of a system. Raises InputError where start to stop is no whole number of some period."""
-    span = stop - start
-    for name, period in periods.items():
-        if (span / period).denominator != 1:
-            numerators, denominators = zip(*(p.as_integer_ratio() for p in periods.values()), strict=True)
-            common = Fraction(lcm(*numerators), gcd(*denominators))  # all periods divide it
-            below = span // common * common
-            text = " or ".join(seconds_text(start + t) for t in (below, below + common) if t > 0)
-            whole = f"the stop time {seconds_text(stop)}"
-            whole = f"the time from {seconds_text(start)} to {seconds_text(stop)}" if start else whole
-            raise InputError(
-                f"component {name}: period {seconds_text(period)} does not divide {whole}; "
-                f"stop at {text}, or take a period that divides it"
-            )
+    """The clock of a system. Raises InputError where no tick counts it exactly."""
     tick = common_tick([*periods.values(), start, stop])
     ticks = {name: int(period / tick) for name, period in periods.items()}
     if not countable(tick, start, stop):
@@ -110,7 +108,16 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction, start: Fraction = F
             f"the periods have no common tick above {float(tick):.1e} s "
             f"that counts exactly to {seconds_text(max(abs(start), abs(stop)))}; round them to microseconds"
         )
-    return Clock(tick.numerator, tick.denominator, ticks, int(span / tick), lcm(*ticks.values()), int(start / tick))
+    span = int((stop - start) / tick)
+    return Clock(tick.numerator, tick.denominator, ticks, span, min(lcm(*ticks.values()), span), int(start / tick))
+
+
+def whole_stops(periods: Iterable[Fraction], start: Fraction, stop: Fraction) -> str:
+    """The stop times around `stop` at which all of these periods have an instant, in words."""
+    numerators, denominators = zip(*(p.as_integer_ratio() for p in periods), strict=True)
+    common = Fraction(lcm(*numerators), gcd(*denominators))  # all periods divide it
+    below = (stop - start) // common * common
+    return " or ".join(seconds_text(start + t) for t in (below, below + common) if t > 0)
 
 
 def common_tick(times: Iterable[Fraction]) -> Fraction:

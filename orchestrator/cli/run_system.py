@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
+from ..plan.explain import last_steps
 from ..plan.plan import Plan
 from ..results.energy import require_energy
 from ..results.figures_of_merit import figure_units
@@ -35,6 +36,8 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     checkpoint_ticks(plan, request.checkpoint)
     folder, older = claim(out, plan.system.name, force)
     print_notes(plan.system)
+    for note in last_steps(plan):
+        tell(note)
     _run(plan, request, folder, check, older)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..clock import seconds_text
+from ..clock import Clock, seconds_text, whole_stops
 from ..errors import InputError
 from ..system.model import Component, System
 
@@ -30,6 +30,24 @@ def _check_step(system: System, component: Component) -> None:
             f'false) of {seconds_text(recommended)}; write period = "{seconds_text(recommended)}" instead of '
             f'"{seconds_text(component.period)}" {where}'
         )
+
+
+def check_last_step(system: System, clock: Clock) -> None:
+    """Raise InputError for a component that would have to end at the stop with a shorter step and cannot."""
+    short = [c for c in system.components.values() if clock.stop % clock.periods[c.name]]
+    fixed = [c for c in short if not c.fmu.can_vary_step]
+    if not fixed:
+        return
+    component, start, stop = fixed[0], system.start, system.stop
+    others = [c.period for c in system.components.values() if not c.fmu.can_vary_step]
+    whole = f"the stop time {seconds_text(stop)}"
+    if start:
+        whole = f"the time from {seconds_text(start)} to {seconds_text(stop)}"
+    raise InputError(
+        f"component {component.name}: period {seconds_text(component.period)} does not divide {whole}, and "
+        f"{component.fmu.path.name} cannot make a shorter last step (canHandleVariableCommunicationStepSize = false); "
+        f"stop at {whole_stops(others, start, stop)}, or take a period that divides it ({system.path.name})"
+    )
 
 
 def require_variable_steps(component: Component, purpose: str) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import inf
 
+import numpy as np
+
 from ..clock import seconds_text
 from ..errors import counted
 from ..system.free_inputs import start_notes
@@ -40,6 +42,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     for name in plan.order:
         lines += [f"  {note}" for note in system.components[name].notes]
     lines += [f"  {note}" for note in start_notes(system)]
+    lines += [f"  {note}" for note in last_steps(plan)]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     for name in plan.leaders:
@@ -78,16 +81,31 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     for group in plan.groups:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))
         lines.append(f"  every {every:<8} {counted(len(group.columns), 'signal')} of {', '.join(group.components)}")
-    total = len(plan.cycle)
-    lines += [
-        "",
-        f"operations ({total}, every {'macro step' if plan.adaptive else again} again)",
-    ]
-    shown = plan.cycle[:operations]
-    names = OperationText(plan)
-    for number, row in enumerate(shown.tolist(), 1):
-        at = seconds_text(clock.seconds(row[1])) if row[1] else "0 s"
-        lines.append(f"{number:>6} {'end' if plan.adaptive and row[1] else at:>10}  {names.text(row)}")
-    if len(shown) < total:
-        lines.append(f"  ... and {total - len(shown)} more (--all shows them)")
+    lines += _listed(plan, plan.cycle, f"every {'macro step' if plan.adaptive else again} again", operations)
+    if len(plan.last):
+        lines += _listed(plan, plan.last, f"in the last {seconds_text(clock.seconds(clock.rest))}", operations)
     return "\n".join(lines)
+
+
+def _listed(plan: Plan, rows: np.ndarray, when: str, most: int | None) -> list[str]:
+    """Operations in words, at most so many."""
+    lines = ["", f"operations ({len(rows)}, {when})"]
+    shown, names, seconds = rows[:most], OperationText(plan), plan.clock.seconds
+    for number, row in enumerate(shown.tolist(), 1):
+        at = seconds_text(seconds(row[1])) if row[1] else "0 s"
+        lines.append(f"{number:>6} {'end' if plan.adaptive and row[1] else at:>10}  {names.text(row)}")
+    if len(shown) < len(rows):
+        lines.append(f"  ... and {len(rows) - len(shown)} more (--all shows them)")
+    return lines
+
+
+def last_steps(plan: Plan) -> list[str]:
+    """Who makes a shorter last step, a line for each length."""
+    found: dict[int, list[str]] = {}
+    for name, length in plan.short_steps().items():
+        found.setdefault(length, []).append(name)
+    return [
+        f"the last step of {', '.join(names)} is a shorter one of {seconds_text(plan.clock.seconds(length))}, which "
+        f"ends at the stop"
+        for length, names in found.items()
+    ]

@@ -10,7 +10,7 @@ from ..clock import require_span
 from ..system.model import System
 from ..system.series import check_series
 from .algorithms.registry import algorithm_of
-from .capabilities import check_capabilities
+from .capabilities import check_capabilities, check_last_step
 from .design import Design
 from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
@@ -23,9 +23,10 @@ from .transfers import held_by_type, rereads_of
 
 @dataclass(frozen=True)
 class Plan(Design):
-    """What the executor does: `cycle`, over and over until the stop."""
+    """What the executor does: `cycle`, over and over, and `last` for what is left before the stop, if anything is."""
 
     cycle: np.ndarray
+    last: np.ndarray
     coefficients: np.ndarray
 
     @property
@@ -38,6 +39,21 @@ class Plan(Design):
         """Ticks of a cycle; 0 where its length is the loop's choice."""
         return 0 if self.adaptive else self.clock.hyperperiod
 
+    def operations(self, cycle: int) -> np.ndarray:
+        """What is done in a cycle; the last one may be a shorter one."""
+        return self.cycle if self.adaptive or cycle < self.clock.cycles else self.last
+
+    def instants_of(self, group: int, first: int, count: int) -> np.ndarray:
+        """The instants [ticks] of some rows of a table, where steps do not vary; the last one is the stop."""
+        return np.minimum(self.groups[group].period * np.arange(first, first + count), self.clock.stop)
+
+    def short_steps(self) -> dict[str, int]:
+        """The lengths [ticks] of last steps that are shorter than the others, by component."""
+        if self.adaptive:
+            return {}
+        rests = {name: self.clock.stop % period for name, period in self.clock.periods.items()}
+        return {name: rest for name, rest in rests.items() if rest}
+
 
 def make_plan(system: System) -> Plan:
     """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
@@ -47,6 +63,8 @@ def make_plan(system: System) -> Plan:
     algorithm.check(system)
     check_capabilities(system)
     clock = algorithm.clock(system)
+    if not algorithm.steps_vary:
+        check_last_step(system, clock)
     samplers = algorithm.samplers(system)
     check_series(system, clock)
     leaders = leaders_of(system, samplers)
@@ -69,6 +87,7 @@ def make_plan(system: System) -> Plan:
         instants,
     )  # fmt: skip
     schedule = algorithm.schedule(design)
-    cycle = schedule.build()
+    cycle = schedule.build(clock.hyperperiod)
+    last = schedule.build(clock.rest) if clock.rest and not algorithm.steps_vary else cycle[:0]
     decided = {field.name: getattr(design, field.name) for field in fields(Design)}
-    return Plan(**decided, cycle=cycle, coefficients=np.array(schedule.constants.values))
+    return Plan(**decided, cycle=cycle, last=last, coefficients=np.array(schedule.constants.values))

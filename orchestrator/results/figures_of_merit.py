@@ -81,10 +81,11 @@ def as_numbers(signal: Signal) -> Signal:
 
 def strongest_frequency(signal: Signal, begin: float, end: float) -> float:
     """The frequency [Hz] of the highest line of the spectrum, the mean taken away; 0 if there are too few samples."""
-    values = signal.values[(signal.time >= begin) & (signal.time < end)]
+    inside = (signal.time >= begin) & (signal.time < end)
+    values = signal.values[inside]
     if len(values) < 4:
         return 0.0
-    steps = np.diff(signal.time)
+    steps = np.diff(signal.time[inside])
     if np.ptp(steps) > 1e-9 * np.mean(steps):  # the spectrum needs equal steps
         even = np.linspace(begin, end, len(values), endpoint=False)
         values = np.interp(even, signal.time, signal.values)

@@ -79,7 +79,7 @@ class Run:
             cells = recorded[0][:, column] if isinstance(recorded, list) else recorded.values(0, column)
             return cells.astype(np.int64)
         rows = len(self.recorded[group]) if isinstance(self.recorded, list) else self.recorded.rows[group]
-        return self.plan.groups[group].period * np.arange(rows)
+        return self.plan.instants_of(group, 0, rows)
 
 
 def require_complete(run: Run) -> Run:

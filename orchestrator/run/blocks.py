@@ -46,8 +46,8 @@ class Blocks:
         self.control[cells.RESUME_AT] = at.operation
         begin = time.perf_counter()
         code = self.function(
-            self.plan.cycle, self.plan.coefficients, self.components, self.blocks, self.memory.z, *self.typed,
-            *self.recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
+            self.plan.operations(at.cycle), self.plan.coefficients, self.components, self.blocks, self.memory.z,
+            *self.typed, *self.recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
             clock.numerator, clock.denominator,
         )  # fmt: skip
         spent = time.perf_counter() - begin

@@ -87,7 +87,7 @@ class Session:
     @property
     def tick(self) -> int:
         """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
-        return int(self.space.clock[cells.NOW]) or (0 if self.plan.adaptive else self.at.cycle * self.plan.cycle_ticks)
+        return int(self.space.clock[cells.NOW]) or min(self.at.cycle * self.plan.cycle_ticks, self.plan.clock.stop)
 
     def advance(
         self,
@@ -127,13 +127,16 @@ class Session:
     def _run_block(self, cycles: int) -> None:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
         plan, clock = self.plan, self.plan.clock
+        if not plan.adaptive and self.at.cycle < clock.cycles:  # what is left behind them is done by itself
+            cycles = min(cycles, clock.cycles - self.at.cycle)
         try:
             size = self._blocks.size(self.at, cycles)
         except RunError as error:  # the disk refuses: what was computed is not to be lost for it
             self.failure = f"t = {self.at.time:.9g} s: {error}"
             return
         code, due = self._blocks.run(self.at, size)
-        self.participants.look_around(f"before t = {clock.time(self.tick + size * plan.cycle_ticks):.9g} s", due)
+        reached = clock.time(min(self.tick + size * plan.cycle_ticks, clock.stop))
+        self.participants.look_around(f"before t = {reached:.9g} s", due)
         if due:
             self.participants.look()
         self.at.operation = 0
@@ -166,7 +169,7 @@ class Session:
         self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
         if asked.whole and not plan.algorithm.saves_states:
             control[cells.ENDS_AT] = min(asked.tick, int(control[cells.ENDS_AT]))
-            if self.at.operation == len(plan.cycle):
+            if self.at.operation == len(plan.operations(self.at.cycle)):
                 self.at.cycle, self.at.operation = self.at.cycle + 1, 0
                 self._over = not plan.adaptive or self.tick >= control[cells.ENDS_AT]
         else:
@@ -183,7 +186,8 @@ class Session:
     def fail(self, why: str) -> None:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
         if not self.failure:
-            ends = [(rows - 1) * group.period for rows, group in zip(self._rows, self.plan.groups, strict=True)]
+            stop = self.plan.clock.stop
+            ends = [min((n - 1) * g.period, stop) for n, g in zip(self._rows, self.plan.groups, strict=True)]
             if ends and not self.plan.adaptive and not self.plan.algorithm.repeats_rows:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
@@ -222,7 +226,7 @@ class Session:
         self.participants.look_around(f"before t = {self.at.time:.9g} s")
         rows = self._rows
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
-            rows = [self.tick // group.period + 1 for group in self.plan.groups]
+            rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated, self.participants.notes,

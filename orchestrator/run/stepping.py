@@ -32,7 +32,8 @@ class Stepping(Session):
                 session.set("motor.V_in", 12.0 - 0.1 * session.get("motor.i"))
                 session.step()
 
-    A step is `period` [s] long, that in which the schedule repeats; with ECCO it is a macro step. What is set counts
+    A step is `period` [s] long, that in which the schedule repeats, the last one maybe shorter; with ECCO it is a macro
+    step. What is set counts
     from the step that comes next; outputs are those of the end of the last one. A name costs more the first time than
     later. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are those of a run: RunError, FmuError.
     """
@@ -46,6 +47,7 @@ class Stepping(Session):
         self._writers: dict[str, Callable[[float], bool]] = {}
         self._counts: dict[Time, int] = {}
         self._last = plan.clock.stop // (1 if plan.adaptive else plan.clock.hyperperiod)  # no step is below a tick
+        self._shorter = int(not plan.adaptive and plan.clock.rest > 0)  # one more, which ends at the stop
         self._guard = ExitStack()
         self._guarded = False
 
@@ -75,7 +77,8 @@ class Stepping(Session):
             self._counts[by] = self.cycles(by, "step")
         count = 1 if by is None else self._counts[by]
         self._require_alive()
-        if self.tick >= self.plan.clock.stop or self.at.cycle + count > self._last:
+        last = self._last + self._shorter if by is None else self._last
+        if self.tick >= self.plan.clock.stop or self.at.cycle + count > last:
             raise self._at_stop()
         self.control[STOP_REQUEST] = 0
         if self.plan.adaptive and by is not None:

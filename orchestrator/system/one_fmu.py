@@ -50,7 +50,8 @@ class FmuFile(TomlFile):
             of = "" if start else ", as its experiment does"
             self._said.append(f"the run begins at {seconds_text(begin)}{of}")
         component = component_name(path)
-        end = end if (end - begin) % own == 0 else self._whole(begin, end, own)
+        if (end - begin) % own and not fmu.can_vary_step:
+            end = self._whole(begin, end, own)
         self.notes = {component: tuple(self._said)}
         self.data: dict[str, Any] = {
             "description": " ".join((fmu.description.description or "").split()),

@@ -113,7 +113,7 @@ def test_results_are_saved_as_by_the_command_line(make: Make, tmp_path: Path, fm
         (lambda m: m.set("gg.k", 1.0), InputError, "set: no component 'gg' in 'gg.k'; did you mean 'g'?"),
         (lambda m: m.set("g.k", "fast"), InputError, "set: g.k = fast is not a finite number"),
         (lambda m: m.set("i.u", 1.0), InputError, "set: i.u is driven by the connection g.y -> i.u; remove that first"),
-        (lambda m: m.run(stop="1.5 ms"), InputError, "does not divide the stop time 1.5 ms"),
+        (lambda m: m.run(stop="-1 s"), InputError, "the stop at -1 s is not after the start at 0 s"),
         (lambda m: m.run(stop="soon"), InputError, "stop = 'soon' is not a time"),
         (lambda m: m.run(inputs={"f.v": 1.0}), InputError, "inputs: f.v is no input"),
         (lambda m: m.run(inputs={"f.u": ([0.0], [1.0])}), InputError, "holds 0 s to 0 s, the run goes from 0 s to 20"),

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from rovbrush.orchestrator.clock import duration, make_clock, seconds_text
+from rovbrush.orchestrator.clock import duration, make_clock, seconds_text, whole_stops
 from rovbrush.orchestrator.errors import InputError
 
 
@@ -79,28 +79,40 @@ def test_three_and_five_milliseconds_have_a_tick_of_one() -> None:
 
 
 @pytest.mark.parametrize(
-    ("period", "stop", "hints"),
+    ("period", "start", "stop", "words"),
     [
-        (Fraction(3, 1000), Fraction(1), ["component a: period 3 ms", "stop time 1 s", "999 ms", "1.002 s"]),
-        (Fraction(1, 60), Fraction(1, 8), ["1/60 s", "125 ms", "7/60 s", "2/15 s"]),
-        (Fraction(2), Fraction(1), ["stop at 2 s"]),
+        ("0.003", "0", "1", "999 ms or 1.002 s"),
+        ("1/60", "0", "1/8", "7/60 s or 2/15 s"),
+        ("2", "0", "1", "2 s"),
+        ("0.3", "-1", "0", "-100 ms or 200 ms"),
     ],
 )
-def test_a_step_that_does_not_divide_the_stop_time_names_times_that_would(
-    period: Fraction, stop: Fraction, hints: list[str]
-) -> None:
-    with pytest.raises(InputError) as error:
-        make_clock({"a": period}, stop)
-    for hint in hints:
-        assert hint in str(error.value)
+def test_stops_that_suit_a_period_are_named(period: str, start: str, stop: str, words: str) -> None:
+    assert whole_stops([Fraction(period)], Fraction(start), Fraction(stop)) == words
 
 
-def test_times_that_are_named_suit_every_period_at_once() -> None:
+def test_stops_that_are_named_suit_every_period_at_once() -> None:
     periods = {"a": Fraction(3, 1000), "b": Fraction(5, 1000)}
-    with pytest.raises(InputError, match=r"stop at 1\.995 s or 2\.01 s"):
-        make_clock(periods, Fraction(2))
+    assert whole_stops(periods.values(), Fraction(0), Fraction(2)) == "1.995 s or 2.01 s"
     for stop in ("1.995", "2.01"):
-        make_clock(periods, Fraction(stop))
+        assert make_clock(periods, Fraction(stop)).rest == 0
+
+
+@given(
+    st.fractions(min_value=-10, max_value=10, max_denominator=10**3),
+    st.fractions(min_value=Fraction(1, 10**3), max_value=10, max_denominator=10**3),
+    st.fractions(min_value=Fraction(1, 10**3), max_value=1, max_denominator=10**3),
+)
+def test_every_instant_from_any_start_is_the_nearest_double(start: Fraction, span: Fraction, period: Fraction) -> None:
+    clock = make_clock({"a": period}, start + span, start)
+    whole = int(span / period)
+    if whole:
+        assert clock.cycles == whole and clock.seconds(clock.rest) == span - whole * period
+    else:
+        assert clock.seconds(clock.hyperperiod) == span and (clock.cycles, clock.rest) == (1, 0)
+    for k in range(min(whole, 5) + 1):
+        assert clock.time(k * clock.periods["a"]) == float(start + k * period)
+    assert clock.time(clock.stop) == float(start + span)
 
 
 def test_periods_without_a_countable_tick_are_refused() -> None:

@@ -7,7 +7,7 @@ gave, a straight line over each step of the source.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
@@ -30,6 +30,7 @@ from .iterated_schedule import IteratedSchedule
 if TYPE_CHECKING:
     from ..plan import Plan
 
+Step = tuple[Key, int]  # an input, and the number of its step in the cycle
 LARGEST_NEWTON = 100  # unknowns: each costs a pass
 
 
@@ -104,36 +105,45 @@ class Iterated(Algorithm):
         """Iterations, residual, unknowns, images. Raises InputError if Newton has many unknowns."""
         layout.extra("iterations", "1", "passes, but those for a Jacobian, that the step took", clock.hyperperiod)
         layout.extra("residual", "1", "largest relative residual of an input at the end", clock.hyperperiod)
-        steps: list[tuple[Key, int]] = []
-        known: list[tuple[Key, int]] = []
-        for c, choice in choices.items():
-            if choice.transfer in ITERATED:
-                for j in range(clock.hyperperiod // clock.periods[c.target[0]]):
-                    (known if self._known(clock, order, c, j) else steps).append((c.target, j))
+        steps, known = self._steps(clock, clock.hyperperiod, order, choices)
         if self.settings.method == "newton" and len(steps) > LARGEST_NEWTON:
             raise InputError(
                 f"iteration: Newton with {len(steps)} unknowns (inputs times steps in "
                 f"{seconds_text(clock.seconds(clock.hyperperiod))}), more than {LARGEST_NEWTON}; "
                 f'take method = "aitken" ({system.path.name})'
             )
-        for table, words in ((layout.unknowns, "unknown"), (layout.images, "image of")):
-            for (component, variable), j in steps:
-                table[(component, variable), j] = layout.slot(f"{words} {component}.{variable}, step {j + 1}")
-        for (component, variable), j in known:
-            words = f"what {component}.{variable} is sent, step {j + 1}"
-            layout.images[(component, variable), j] = layout.slot(words)
+        _place(layout, layout.unknowns, layout.images, steps, known)
+        if clock.rest:
+            layout.last_counted = layout.slot("iterations of the last step")
+            layout.slot("residual of the last step")
+            last = self._steps(clock, clock.rest, order, choices)
+            _place(layout, layout.last_unknowns, layout.last_images, *last)
 
-    def _known(self, clock: Clock, order: tuple[str, ...], c: Connection, j: int) -> bool:
+    def _steps(
+        self, clock: Clock, span: int, order: tuple[str, ...], choices: Mapping[Connection, Choice]
+    ) -> tuple[list[Step], list[Step]]:
+        """The steps of iterated inputs in a span: those whose inputs are unknown, and those that a pass knows."""
+        unknown: list[Step] = []
+        known: list[Step] = []
+        for c, choice in choices.items():
+            if choice.transfer in ITERATED:
+                for j in range(-(-span // clock.periods[c.target[0]])):
+                    (known if self._known(clock, span, order, c, j) else unknown).append((c.target, j))
+        return unknown, known
+
+    def _known(self, clock: Clock, span: int, order: tuple[str, ...], c: Connection, j: int) -> bool:
         """Whether a pass knows all that step j of an input needs when that step is done."""
         end = (j + 1) * clock.periods[c.target[0]]
         before = order.index(c.source[0]) < order.index(c.target[0])
-        return self.settings.sweep == "gauss-seidel" and before and end % clock.periods[c.source[0]] == 0
+        together = end >= span or end % clock.periods[c.source[0]] == 0
+        return self.settings.sweep == "gauss-seidel" and before and together
 
     def schedule(self, design: Design) -> Schedule:
         return IteratedSchedule(design, self.settings)
 
     def arrays(self, plan: Plan) -> LoopArrays:
-        work = workspace(len(plan.layout.unknowns), self.settings.method == "newton")
+        unknowns = max(len(plan.layout.unknowns), len(plan.layout.last_unknowns))
+        work = workspace(unknowns, self.settings.method == "newton")
         return super().arrays(plan)._replace(work=work, saved=np.zeros(plan.layout.size))
 
     def figures(self, values: Callable[[str], np.ndarray]) -> dict[str, Any]:
@@ -146,10 +156,23 @@ class Iterated(Algorithm):
 
     def failure(self, plan: Plan, arrays: LoopArrays, at: float) -> str:
         s, work = self.settings, arrays.work
-        names = [".".join(key) for key, _ in plan.layout.unknowns]
+        last = plan.clock.rest and at > plan.clock.time(plan.clock.cycles * plan.clock.hyperperiod)
+        names = [".".join(key) for key, _ in (plan.layout.last_unknowns if last else plan.layout.unknowns)]
         return (
             f"the coupling did not converge in the step to t = {at:.9g} s: residual {work[RESIDUAL]:.3g} of "
             f"{names[int(work[WORST])]} after {int(work[COUNT])} iterations "
             f"({s.method}, tolerance {s.tolerance:g}); take smaller periods"
             + (', or method = "newton" under [iteration]' if s.method == "aitken" else "")
         )
+
+
+def _place(
+    layout: Layout, unknowns: dict[Step, int], images: dict[Step, int], steps: Iterable[Step], known: Iterable[Step]
+) -> None:
+    """Cells of unknowns, one behind the other, of their images, and of what a pass knows."""
+    steps = list(steps)
+    for table, words in ((unknowns, "unknown"), (images, "image of")):
+        for key, j in steps:
+            table[key, j] = layout.slot(f"{words} {'.'.join(key)}, step {j + 1}")
+    for key, j in known:
+        images[key, j] = layout.slot(f"what {'.'.join(key)} is sent, step {j + 1}")

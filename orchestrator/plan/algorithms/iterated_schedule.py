@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from ...loop.iteration import AITKEN, NEWTON
-from ...loop.operations import COPY, ITERATE, MIX, RECORD, REPEAT, RESTORE, REWIND, SAVE
+from ...loop.operations import COPY, ITERATE, MIX, PUSH, RECORD, REPEAT, RESTORE, REWIND, SAVE
 from ...system.model import Connection
 from ..design import Design
 from ..schedule.formulas import ITERATED
@@ -25,6 +25,7 @@ class IteratedSchedule(Schedule):
     def __init__(self, design: Design, settings: IteratedSettings) -> None:
         super().__init__(design)
         self.settings = settings
+        self.unknowns, self.images = self.layout.unknowns, self.layout.images
         self.begun: set[int] = set()  # images that have their first part
         self.driven: dict[str, list[Connection]] = {}  # iterated connections by their sources
         for c, choice in design.choices.items():
@@ -32,10 +33,16 @@ class IteratedSchedule(Schedule):
                 self.driven.setdefault(c.source[0], []).append(c)
 
     def rows(self) -> Iterator[Row]:
-        layout, end = self.layout, self.clock.hyperperiod
-        unknowns, images = list(layout.unknowns.values()), list(layout.images.values())
+        layout, end = self.layout, self.span
+        whole = end == self.clock.hyperperiod
+        self.unknowns, self.images = (
+            (layout.unknowns, layout.images) if whole else (layout.last_unknowns, layout.last_images)
+        )
+        self.begun.clear()
+        unknowns, images = list(self.unknowns.values()), list(self.images.values())
         signals = layout.extras["coupling", "iterations"].slot  # all but what the iteration itself counts
-        first = signals + 2
+        counted = signals if whole else layout.last_counted
+        first = counted + 2
         rows: list[Row] = [*self._predict(), *((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())]
         rows.append((SAVE, 0, -1, signals, 0, 0, 0, 0))
         again = len(rows)
@@ -51,12 +58,14 @@ class IteratedSchedule(Schedule):
         yield from rows
         yield (ITERATE, end, -1, on, first, image, len(unknowns), self._settings())
         yield from back
+        if not whole:
+            yield from ((PUSH, end, -1, counted + k, signals + k, 0, 0, 0) for k in (0, 1))
         yield from final
 
     def _settings(self) -> int:
         """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""
         s = self.settings
-        nominal = [self.nominal(key) for key, _ in self.layout.unknowns]
+        nominal = [self.nominal(key) for key, _ in self.unknowns]
         method = NEWTON if s.method == "newton" else AITKEN
         return self.constants.at(s.tolerance, float(s.max_iterations), float(method), *nominal)
 
@@ -65,8 +74,8 @@ class IteratedSchedule(Schedule):
         for c, choice in self.design.choices.items():
             if choice.transfer in ITERATED:
                 k, a = self.constants.at(c.gain, c.offset), self.layout.outputs[c.source]
-                for j in range(self.clock.hyperperiod // self.clock.periods[c.target[0]]):
-                    slot = self.layout.unknowns.get((c.target, j))
+                for j in range(self.steps_of(c.target[0])):
+                    slot = self.unknowns.get((c.target, j))
                     if slot is not None:
                         yield (COPY, 0, self.index[c.target[0]], a, slot, 0, 0, k)
 
@@ -87,7 +96,7 @@ class IteratedSchedule(Schedule):
         self.settling.begin()
         for name in self.due(tick):
             if name not in self.design.samplers:
-                start = tick - self.clock.periods[name]
+                start = self.begin_of(name, tick - 1)
                 yield from self._take(tick, name, start)
                 yield from self.advance(tick, name, start)
                 yield from self._collect(tick, name, start)
@@ -100,7 +109,7 @@ class IteratedSchedule(Schedule):
             b = self.layout.inputs[c.target]
             if self.design.choices[c].transfer in ITERATED:
                 step = (c.target, start // self.clock.periods[name])
-                a = self.layout.unknowns.get(step, self.layout.images[step])  # what this pass knows already
+                a = self.unknowns.get(step, self.images[step])  # what this pass knows already
                 yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
             elif name in self.design.samplers or self.system.is_real(c):
                 yield self.sent(c, tick, self.layout.outputs[c.source])
@@ -110,11 +119,12 @@ class IteratedSchedule(Schedule):
         for c in self.driven.get(name, []):
             transfer, H = self.design.choices[c].transfer, self.clock.periods[c.target[0]]
             for j in range(start // H, -(-tick // H)):
-                if transfer != "iterated" and (j + 1) * H > tick:
+                end = min((j + 1) * H, self.span)
+                if transfer != "iterated" and end > tick:
                     continue  # a later step of the source reaches the end of that one
-                parts = self._mean(start, tick, j, H) if transfer == "iterated" else self._end(start, tick, j, H)
+                parts = _mean(start, tick, j * H, end) if transfer == "iterated" else _end(start, tick, end)
                 late, early = map(float, parts)
-                image = self.layout.images[c.target, j]
+                image = self.images[c.target, j]
                 kept = 1.0 if image in self.begun else 0.0
                 self.begun.add(image)
                 weights = (kept, c.gain * late, c.gain * early, 0.0 if kept else c.offset)
@@ -122,14 +132,16 @@ class IteratedSchedule(Schedule):
                 p = a if transfer == "end" else self.layout.start(c.source)
                 yield (MIX, tick, self.index[c.target[0]], a, image, p, 0, self.constants.at(*weights))
 
-    def _mean(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
-        """Weights of the end and of the beginning of a source's step in the mean over step j of length H."""
-        h = tick - start
-        x, y = (Fraction(t - start, h) for t in (max(start, j * H), min(tick, (j + 1) * H)))
-        late = Fraction(h, H) * (y * y - x * x) / 2
-        return late, Fraction(h, H) * (y - x) - late
 
-    def _end(self, start: int, tick: int, j: int, H: int) -> tuple[Fraction, Fraction]:
-        """The same in the value at the end of step j."""
-        late = Fraction((j + 1) * H - start, tick - start)
-        return late, 1 - late
+def _mean(start: int, tick: int, begin: int, end: int) -> tuple[Fraction, Fraction]:
+    """Weights of the end and of the beginning of a source's step in the mean from `begin` to `end`."""
+    h, H = tick - start, end - begin
+    x, y = (Fraction(t - start, h) for t in (max(start, begin), min(tick, end)))
+    late = Fraction(h, H) * (y * y - x * x) / 2
+    return late, Fraction(h, H) * (y - x) - late
+
+
+def _end(start: int, tick: int, end: int) -> tuple[Fraction, Fraction]:
+    """The same in the value at `end`."""
+    late = Fraction(end - start, tick - start)
+    return late, 1 - late

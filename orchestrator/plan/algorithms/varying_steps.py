@@ -125,8 +125,8 @@ class VaryingSteps(Algorithm):
 class VaryingSchedule(Schedule):
     """A Jacobi step of all components; the operations leave its length open (0), the loop knows it."""
 
-    def length(self, name: str) -> int:
+    def length(self, name: str, start: int) -> int:
         return 0  # the loop's own
 
-    def duration(self, name: str) -> float:
+    def duration(self, name: str, start: int) -> float:
         return 0.0  # the loop's own

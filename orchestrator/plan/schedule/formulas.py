@@ -80,12 +80,20 @@ def mean_tail(sample: int, source_period: int, end: int, target_period: int) -> 
     return float((gap + slope) / target_period), float(-slope / target_period)
 
 
-def quadratic_weights(sample: int, source_period: int, start: int, target_period: int) -> tuple[float, float]:
-    """Weights of f - f' and f - 2 f' + f'' in the mean over the step of the parabola through the three samples."""
+def quadratic_weights(
+    sample: int, source_period: int, start: int, target_period: int, last_period: int
+) -> tuple[float, float]:
+    """Weights of f - f' and f - 2 f' + f'' in the mean over the step of the parabola through the three samples.
+
+    f' was taken `last_period` before f, which may be less than the period of the source.
+    """
     x0, x1 = (Fraction(t - sample, source_period) for t in (start, start + target_period))
-    slope = (x0 + x1) / 2
+    r = Fraction(last_period, source_period)
+    mean = (x0 + x1) / 2
     square = (x0 * x0 + x0 * x1 + x1 * x1) / 3  # the mean of x^2
-    return float(slope), float((square + slope) / 2)
+    second = (square + r * mean) / (1 + r)  # of f'': the mean of x (x + r) / (1 + r)
+    first = -(square + (1 + r) * mean) / r  # of f': that of -x (x + 1 + r) / r
+    return float(-first - 2 * second), float(second)
 
 
 def value_ratio(sample: int, source_period: int, at: int) -> float:

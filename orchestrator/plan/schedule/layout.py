@@ -46,6 +46,9 @@ class Layout:
     integrals: dict[Key, int] = field(default_factory=dict)  # by the input that takes the mean
     unknowns: dict[tuple[Key, int], int] = field(default_factory=dict)  # of an iteration: input, step in the cycle
     images: dict[tuple[Key, int], int] = field(default_factory=dict)  # what a pass makes of the unknowns
+    last_unknowns: dict[tuple[Key, int], int] = field(default_factory=dict)  # of a shorter last cycle
+    last_images: dict[tuple[Key, int], int] = field(default_factory=dict)
+    last_counted: int = 0  # how its iteration went, in two cells before its unknowns
     extras: dict[Key, Extra] = field(default_factory=dict)  # recorded whatever the system file says
     named: dict[int, str] = field(default_factory=dict)  # any other slot, in words
     loops: dict[int, str] = field(default_factory=dict)  # loops that are solved at an instant, by their first cell

@@ -1,4 +1,4 @@
-"""The list of operations over one hyperperiod.
+"""The list of operations over one hyperperiod, or over what is left of a run behind the last one.
 
 A component's step from t to t + H is done at the instant t + H, faster components first, so that a slow component
 can receive the mean of what fast ones did over the same interval. Gauss-Seidel forms an input just before its step,
@@ -8,6 +8,8 @@ they need the whole interval).
 Two kinds of components are the exception, their step from t to t + H is done at t: one all of whose connected inputs
 are sampled (a discrete controller), whose outputs are in force from then on; and one whose outputs are interpolated,
 so that those who receive them know both ends.
+
+A step that would end behind the span ends with it: the last one before a stop that is no multiple of its period.
 """
 
 from __future__ import annotations
@@ -33,7 +35,7 @@ LARGEST = 5_000_000  # operations; 320 MB
 
 
 class Schedule(Steps):
-    """Collects the operations of one hyperperiod and their coefficients."""
+    """Collects operations and their coefficients."""
 
     def __init__(self, design: Design) -> None:
         super().__init__(design)
@@ -41,15 +43,13 @@ class Schedule(Steps):
         self.early = set(design.early)
         self.settling = Settling(self)
 
-    def build(self) -> np.ndarray:
-        """The operations of one hyperperiod, (m, 8). Raises InputError if there would be too many."""
-        total = sum(
-            self.clock.hyperperiod // self.clock.periods[name] * (4 + len(self.system.connections))
-            for name in self.design.order
-        )
+    def build(self, span: int) -> np.ndarray:
+        """The operations of the next `span` ticks, (m, 8). Raises InputError if there would be too many."""
+        self.span = span
+        total = sum(self.steps_of(name) * (4 + len(self.system.connections)) for name in self.design.order)
         if total > LARGEST:
             raise InputError(
-                f"the periods repeat only every {seconds_text(self.clock.seconds(self.clock.hyperperiod))}: "
+                f"the periods repeat only every {seconds_text(self.clock.seconds(span))}: "
                 f"more than {LARGEST} operations; choose periods with a common multiple"
             )
         rows = list(self.rows())
@@ -62,20 +62,28 @@ class Schedule(Steps):
         yield from self.begin(0)
         for tick in self.instants():
             yield from self.finish(tick)
-            if tick < self.clock.hyperperiod:
+            if tick < self.span:
                 yield from self.begin(tick)
 
     def instants(self) -> list[int]:
-        """The instants of one hyperperiod at which any step ends, rising."""
+        """The instants of the span at which any step ends, rising."""
         ends = {
-            k * self.clock.periods[name]
+            min(k * self.clock.periods[name], self.span)
             for name in self.design.order
-            for k in range(1, self.clock.hyperperiod // self.clock.periods[name] + 1)
+            for k in range(1, self.steps_of(name) + 1)
         }
         return sorted(ends)
 
+    def steps_of(self, name: str) -> int:
+        """How many steps a component makes in the span."""
+        return -(-self.span // self.clock.periods[name])
+
+    def at_instant(self, tick: int, period: int) -> bool:
+        """Whether something of this period has an instant now; all have one at the end of the span."""
+        return tick % period == 0 or tick == self.span
+
     def due(self, tick: int) -> list[str]:
-        return [name for name in self.design.order if tick % self.clock.periods[name] == 0]
+        return [name for name in self.design.order if self.at_instant(tick, self.clock.periods[name])]
 
     def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, and what is recorded of this instant."""
@@ -105,19 +113,21 @@ class Schedule(Steps):
     def energies(self, tick: int) -> Iterator[Row]:
         """What the coupling made at the bonds that are complete now."""
         for bond in self.design.bonds:
-            if tick % bond.period == 0:
+            if self.at_instant(tick, bond.period):
                 yield (LEDGER, tick, -1, bond.flow_side, bond.made, bond.effort_side, bond.total, 0)
 
     def tables(self, tick: int) -> Iterator[Row]:
         """A row of every table that has one now."""
         for k, group in enumerate(self.design.groups):
-            if tick % group.period == 0 and len(group.slots):
+            if self.at_instant(tick, group.period) and len(group.slots):
                 yield (RECORD, tick, -1, k, 0, 0, 0, 0)
 
     def begin(self, tick: int) -> Iterator[Row]:
         """What steps at this instant, and with Jacobi the inputs of the steps that begin now."""
         due = self.due(tick)
         self.ran = set()
+        for name in due:
+            yield from self.rescaled(tick, name)
         for early in (self.design.samplers, self.design.leaders):
             for name in due:
                 if name in early:
@@ -139,21 +149,22 @@ class Schedule(Steps):
         """The last sample of a source, as known while steps begin at `tick`."""
         period = self.clock.periods[source]
         if source in self.design.leaders:
-            return (tick // period + 1) * period if source in self.ran else -(-tick // period) * period
+            end = (tick // period + 1) * period if source in self.ran else -(-tick // period) * period
+            return min(end, self.span)
         return tick // period * period
 
     def _step(self, tick: int, name: str, done: set[str]) -> Iterator[Row]:
         """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
-        period = self.clock.periods[name]
+        start = self.begin_of(name, tick - 1)
         now = [c for c in self.design.into(name) if not self.formed_at_beginning(c)]
         latest = [c for c in now if c.source[0] in done and self.design.choices[c].transfer != "mean"]
         yield from self.settling.sources_of(tick, frozenset(done), latest)
         for c in now:
             h = self.clock.periods[c.source[0]]
             if c.source[0] in self.design.leaders:
-                sample = -(-tick // h) * h
+                sample = min(-(-tick // h) * h, self.span)
             else:
                 sample = tick if c.source[0] in done else (tick - 1) // h * h
-            yield self._form(c, tick, sample, tick - period)
+            yield self._form(c, tick, sample, start)
         self.settling.formed(now)
-        yield from self.advance(tick, name, tick - period)
+        yield from self.advance(tick, name, start)

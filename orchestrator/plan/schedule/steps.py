@@ -43,6 +43,7 @@ class Steps:
         self.design, self.system, self.clock, self.layout = design, design.system, design.clock, design.layout
         self.index = {name: k for k, name in enumerate(self.system.components)}
         self.constants = Constants([0.0], {})
+        self.span = self.clock.hyperperiod  # of the operations that are listed [ticks]; steps end there at the latest
         layout = self.layout
         self.foreign_inputs, self.foreign_outputs = map(by_component, (layout.foreign_inputs, layout.foreign_outputs))
         self.outputs, self.previous = by_component(layout.outputs), by_component(layout.previous)
@@ -57,8 +58,8 @@ class Steps:
                 self.sides.setdefault(side.component, []).append(side)
 
     def advance(self, tick: int, name: str, start: int) -> Iterator[Row]:
-        """Set inputs, step from `start` over one period, get outputs."""
-        component, period, layout = self.index[name], self.clock.periods[name], self.layout
+        """Set inputs, step from `start` over one period, or to the end of the span, get outputs."""
+        component, layout = self.index[name], self.layout
         yield from self._series(tick, name, start)
         if self.design.into(name) or self.system.components[name].series:
             yield from self.set_inputs(tick, name)
@@ -71,15 +72,27 @@ class Steps:
             for key, slot in self.begins.get(name, {}).items():
                 yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
-        yield (STEP, tick, component, self.length(name), start, 0, 0, 0)
+        yield (STEP, tick, component, self.length(name, start), start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
             yield from self._get(tick, name, AT_ITS_END)
         for c in self.averaged.get(name, []):
-            weight = self.constants.at(period / (2 * self.clock.periods[c.target[0]]))
+            within = tick if start == tick else tick - 1  # of that step of the target
+            whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))
+            weight = self.constants.at(self.ticks(name, start) / (2 * whole))
             a, p = layout.outputs[c.source], layout.start(c.source)
             yield (ACCUMULATE, tick, component, a, layout.integrals[c.target], p, 0, weight)
-        yield from self.works(tick, name)
+        yield from self.works(tick, name, start)
+
+    def rescaled(self, tick: int, name: str) -> Iterator[Row]:
+        """What means have been given already for a step that is shorter than those before it."""
+        period, length = self.clock.periods[name], self.ticks(name, tick)
+        if length != period:
+            scale = self.constants.at(period / length, 0.0)
+            for c in self.design.into(name):
+                if self.design.choices[c].transfer == "mean":
+                    integral = self.layout.integrals[c.target]
+                    yield (COPY, tick, self.index[name], integral, integral, 0, 0, scale)
 
     def set_inputs(self, tick: int, name: str) -> Iterator[Row]:
         """Set a component's inputs, those of a foreign FMU as it has them."""
@@ -96,7 +109,7 @@ class Steps:
     def _series(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs that follow tables, for the step from `start`."""
         for variable, series in self.system.components[name].series.items():
-            code, length = (SAMPLE, 0) if series.sampled else (SERIES, self.length(name))
+            code, length = (SAMPLE, 0) if series.sampled else (SERIES, self.length(name, start))
             b, k = self.layout.inputs[name, variable], self.constants.table(series)
             yield (code, tick, self.index[name], 0, b, start, length, k)
 
@@ -104,7 +117,7 @@ class Steps:
         """Form an input for the step that begins at `start`, from a source last sampled at `sample`."""
         transfer, layout = self.design.choices[c].transfer, self.layout
         a, b, target = layout.outputs[c.source], layout.inputs[c.target], self.index[c.target[0]]
-        h, H = self.clock.periods[c.source[0]], self.clock.periods[c.target[0]]
+        h, H = self.spacing(c.source[0], sample), self.ticks(c.target[0], start)
         ahead = c.source[0] in self.design.leaders and sample - h <= start < sample  # the source has stepped already
         if transfer == "hold" and not ahead:
             return self.sent(c, tick, a)
@@ -112,7 +125,7 @@ class Steps:
         if not self.system.is_real(c):
             return self.sent(c, tick, p)
         if transfer == "quadratic":
-            weights = quadratic_weights(sample, h, start, H)
+            weights = quadratic_weights(sample, self.clock.periods[c.source[0]], start, H, h)
             k = self.constants.at(c.gain, c.offset, *weights)
             return (QUADRATIC, tick, target, a, b, p, layout.before[c.source], k)
         if transfer == "mean":
@@ -151,23 +164,35 @@ class Steps:
     def _crossing(self, key: Key) -> Crossing:
         return crossings_of(self.system.components[key[0]].fmu).get(key[1], Crossing(key[1]))
 
-    def works(self, tick: int, name: str) -> Iterator[Row]:
+    def works(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The work of the step that was just done, at every bond of the component."""
         for side in self.sides.get(name, []):
             weights = (-side.sign, side.sign, 1.0)
             if not side.counter:
-                weights = (side.sign / 2, side.sign / 2, self.duration(name))
+                weights = (side.sign / 2, side.sign / 2, self.duration(name, start))
             a = self.layout.outputs[side.own]
             p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
             yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
 
-    def length(self, name: str) -> int:
-        """Length of a component's step [ticks]."""
-        return self.clock.periods[name]
+    def begin_of(self, name: str, tick: int) -> int:
+        """Where the step of a component begins that goes on at an instant or begins there."""
+        return tick // self.clock.periods[name] * self.clock.periods[name]
 
-    def duration(self, name: str) -> float:
-        """Length of a component's step [s]."""
-        return float(self.clock.seconds(self.clock.periods[name]))
+    def ticks(self, name: str, start: int) -> int:
+        """Length [ticks] of a component's step from `start`, which ends with the span at the latest."""
+        return min(self.clock.periods[name], self.span - start)
+
+    def spacing(self, name: str, sample: int) -> int:
+        """How long before `sample` the one before it was taken [ticks]."""
+        return sample - self.begin_of(name, sample - 1)
+
+    def length(self, name: str, start: int) -> int:
+        """Length of a component's step from `start` as the loop is to know it [ticks]."""
+        return self.ticks(name, start)
+
+    def duration(self, name: str, start: int) -> float:
+        """The same [s]."""
+        return float(self.clock.seconds(self.ticks(name, start)))
 
     def nominal(self, key: Key) -> float:
         """The size of a signal as its FMU states it, otherwise 1."""

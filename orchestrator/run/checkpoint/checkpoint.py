@@ -155,14 +155,16 @@ class Checkpoint:
         """Raise InputError for a position that the plan does not have, or other rows than were recorded until then."""
         clock, at = plan.clock, self.at
         cycles = clock.stop if plan.adaptive else -(-clock.stop // clock.hyperperiod)
-        if not (0 <= at.cycle <= cycles and 0 <= at.operation < max(len(plan.cycle), 1)):
+        if not (0 <= at.cycle <= cycles and 0 <= at.operation < max(len(plan.operations(at.cycle)), 1)):
             raise InputError(f"{self.folder} is damaged: there is no operation {at.operation} of cycle {at.cycle}")
         rows = [int(a) + int(b) for a, b in zip(self.arrays["rows"], self.arrays["before"], strict=False)]
-        each = [1 if plan.adaptive else clock.hyperperiod // group.period for group in plan.groups]
-        within = [count - at.cycle * more - 1 for count, more in zip(rows, each, strict=True)]
+        each = [1 if plan.adaptive else -(-clock.hyperperiod // group.period) for group in plan.groups]
+        done = min(at.cycle * clock.hyperperiod, clock.stop)
+        before = [at.cycle if plan.adaptive else -(-done // group.period) for group in plan.groups]
+        within = [count - least - 1 for count, least in zip(rows, before, strict=True)]
         if not all(0 <= count <= (more if at.operation else 0) for count, more in zip(within, each, strict=True)):
             raise InputError(f"{self.folder} is damaged: it holds other rows than {at.cycle} cycles leave")
-        now = int(self.arrays["clock"][NOW]) if plan.adaptive else at.cycle * clock.hyperperiod
+        now = int(self.arrays["clock"][NOW]) if plan.adaptive else done
         if not (0 <= now <= clock.stop and clock.time(now) <= at.time <= clock.time(now + clock.hyperperiod)):
             raise InputError(f"{self.folder} is damaged: cycle {at.cycle} does not end at t = {at.time:g} s")
 

@@ -14,7 +14,7 @@ from ...plan.plan import Plan
 def fingerprint(plan: Plan) -> dict[str, Any]:
     """Hashes and values of a plan, ready for JSON."""
     system = plan.system
-    operations = hashlib.sha256(plan.cycle.tobytes() + plan.coefficients.tobytes()).hexdigest()
+    operations = hashlib.sha256(plan.cycle.tobytes() + plan.last.tobytes() + plan.coefficients.tobytes()).hexdigest()
     return {
         "components": {
             name: {

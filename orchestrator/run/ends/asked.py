@@ -39,7 +39,7 @@ def asked_to_end(
     plan: Plan, instances: Mapping[str, Participant], control: np.ndarray, space: AlgorithmState, components: np.ndarray
 ) -> Asked | None:
     """What the component that stopped the loop asks for; None if it does not ask to end. Arrays as in `loop.run`."""
-    operation = plan.cycle[control[cells.AT_OPERATION]]
+    operation = plan.operations(int(control[cells.AT_CYCLE]))[control[cells.AT_OPERATION]]
     status = int(control[cells.STATUS])
     if operation[0] != STEP or status not in (versions.TERMINATE, DISCARD):
         return None

@@ -25,12 +25,12 @@ def failure_of(
     space: AlgorithmState,
 ) -> tuple[float, str]:  # fmt: skip
     """The time [s] until which every component is complete, and what happened; arrays as in `loop.run`."""
-    clock, operations = plan.clock, plan.cycle
+    clock, operations = plan.clock, plan.operations(int(control[cells.AT_CYCLE]))
     row = operations[control[cells.AT_OPERATION]]
     begin = int(control[cells.AT_CYCLE]) * clock.hyperperiod
     name = "" if row[0] == SOLVE else list(plan.system.components)[row[2]]
     ahead = clock.periods[name] if row[2] >= 0 and name in plan.early else 0
-    at = clock.time(begin + int(row[1]) + ahead)
+    at = clock.time(min(begin + int(row[1]) + ahead, clock.stop))
     ticks = operations[:, 1]
     end = clock.time(begin + int(np.max(ticks, where=ticks < row[1], initial=0)))
     if plan.adaptive:

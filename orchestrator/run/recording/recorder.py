@@ -29,12 +29,12 @@ class Recorder:
     def __init__(self, plan: Plan, memory: Memory, file: Path | None = None) -> None:
         self.plan, self.memory, self.file = plan, memory, file
         self.stream: Stream | None = None
-        self.per_cycle = [1 if plan.adaptive else plan.clock.hyperperiod // group.period for group in plan.groups]
+        self.per_cycle = [1 if plan.adaptive else -(-plan.clock.hyperperiod // group.period) for group in plan.groups]
         self.columns = [len(group.slots) for group in plan.groups]
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
         self._seen = [0] * len(plan.groups)
-        wanted = CHUNK if plan.adaptive else plan.clock.stop // plan.clock.hyperperiod
+        wanted = CHUNK if plan.adaptive else -(-plan.clock.stop // plan.clock.hyperperiod)
         self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
         for (_, columns, cell), group in zip(self.groups.tolist(), plan.groups, strict=True):
             self.buffer[cell : cell + columns] = memory.z[group.slots]

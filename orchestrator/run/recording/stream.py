@@ -91,7 +91,7 @@ class Stream:
         file = self._opened()
         for g, table in enumerate(tables):
             group, first = group_name(self.plan, g), self.rows[g]
-            ticks = self.plan.groups[g].period * np.arange(first, first + len(table))
+            ticks = self.plan.instants_of(g, first, len(table))
             for k, key in enumerate(self.plan.groups[g].columns):
                 values = typed(self.plan, key, table[:, k], self.texts)
                 file.extend(group, self._names[g][".".join(key)], first, values)

@@ -114,7 +114,10 @@ class Loops(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A system: components, connections, how they are coupled, and what is reported of a run."""
 
-    stop_time: Annotated[Instant, Meta(description="where a run ends; a whole number of every period from its start")]
+    stop_time: Annotated[
+        Instant,
+        Meta(description="where a run ends; a whole number of periods behind its start, where an FMU has fixed steps"),
+    ]
     components: Annotated[
         dict[str, ComponentTable], Meta(description="the FMUs, by the names that the system gives them")
     ]

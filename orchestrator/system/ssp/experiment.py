@@ -58,7 +58,7 @@ def periods_of(
 
 
 def whole_stop(start: Fraction, stop: Fraction, periods: Iterable[Fraction], remarks: list[str]) -> Fraction:
-    """The first instant at or after the stop at which all components have one."""
+    """The first instant at or after the stop at which all components of fixed steps, with these periods, have one."""
     pairs = [period.as_integer_ratio() for period in periods]
     common = Fraction(lcm(*(a for a, _ in pairs)), gcd(*(b for _, b in pairs))) if pairs else stop - start
     later = start - (start - stop) // common * common

@@ -109,7 +109,8 @@ class SspFile(TomlFile):
         periods = periods_of(self.components.values(), own, step, end - begin, remarks)
         for name, period in periods.items():
             tables[name]["period"] = own.get(name) or f"{period} s"
-        whole = end if stop or exact else whole_stop(begin, end, periods.values(), remarks)
+        fixed = [t for name, t in periods.items() if (fmu := self.components[name].fmu) and not fmu.can_vary_step]
+        whole = end if stop or exact else whole_stop(begin, end, fixed, remarks)
         keys |= {"start_time": f"{begin} s", "stop_time": f"{whole} s"}
 
     def _values(self, tables: dict[str, Any], stated: Mapping[End, Stated]) -> None:

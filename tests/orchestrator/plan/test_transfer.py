@@ -119,7 +119,7 @@ def test_coefficients_are_rounded_once() -> None:
     assert linear_ratio(sample=10, source_period=10, start=5, target_period=5) == -0.25
     assert mean_tail(sample=3, source_period=3, end=5, target_period=5) == (2 / 5 + 4 / 30, -4 / 30)
     assert mean_tail(sample=5, source_period=5, end=5, target_period=5) == (0.0, 0.0)
-    assert quadratic_weights(sample=5, source_period=5, start=5, target_period=5) == (0.5, 5 / 12)
+    assert quadratic_weights(sample=5, source_period=5, start=5, target_period=5, last_period=5) == (0.5, 5 / 12)
     assert value_ratio(sample=10, source_period=10, at=4) == -0.6
 
 

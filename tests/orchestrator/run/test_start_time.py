@@ -255,7 +255,7 @@ WRONG = {
     "option behind the stop": ((), ("--start", "1 s"), ["the stop at 1 s is not after the start at 1 s"]),
     "option no time": ((), ("--start", "now"), ["--start = 'now' is not a time"]),
     "too large to count": ((), ("--start", "-1e14 s"), ["no common tick", "round them"]),
-    "no whole period": ((), ("--start", "5 ms"), ["the time from 5 ms to 1 s", "stop at 985 ms or 1.005 s"]),
+    "a list": (("start_time = [1]",), (), ["start_time must be a time"]),
 }  # fmt: skip
 
 

@@ -18,6 +18,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import strictly
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.ssp.experiment import whole_stop
 from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import CHAIN, GAINS, Read, component, connection, connectors, document, system, write_ssp_file
 
@@ -76,10 +77,12 @@ def test_the_innermost_system_says_the_step(read: Read) -> None:
     assert [c.period for c in found.components.values()] == [Fraction(1, 50), Fraction(1, 100)]
 
 
-def test_a_stop_that_is_no_whole_number_of_steps_is_put_off_to_the_next_and_told(read: Read) -> None:
+def test_a_stop_that_is_no_whole_number_of_fixed_steps_is_put_off_to_the_next_and_told(read: Read) -> None:
     found = read(document(CHAIN, experiment='stopTime="0.1005"'))
-    assert found.stop == Fraction(101, 1000)
-    assert "100.5 ms is no whole number of steps: the run goes on to 101 ms" in found.remarks
+    assert found.stop == Fraction(201, 2000) and not found.remarks  # the last step is a shorter one
+    remarks: list[str] = []
+    assert whole_stop(Fraction(-1), found.stop, [Fraction(1, 1000)], remarks) == Fraction(101, 1000)
+    assert remarks == ["100.5 ms is no whole number of steps: the run goes on to 101 ms"]
 
 
 EARLY = OMS.format('FixedStepMaster stepSize="0.001"')  # before the elements, where the schema wants it behind
