@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any
 
-from ..fmu.types import function_type
+from ..fmu.types import Value, function_type
 from .loaded import LoadedInstance
 
 
@@ -34,3 +34,38 @@ class Port:
             return []
         values = self.instance.take(", ".join(self.names), self.kind, self.references, len(self.values))
         return [values[place] for place in self.places]
+
+
+class Ports:
+    """Scalars of any types, exchanged by one call for each type that is there."""
+
+    def __init__(self, instance: LoadedInstance, names: Sequence[str]) -> None:
+        fmu, kinds = instance.fmu, dict[str, list[str]]()
+        for name in names:
+            kinds.setdefault(function_type(fmu.version, fmu.variables[name].type), []).append(name)
+        self.names = names
+        self.ports = [Port(instance, group) for group in kinds.values()]
+
+    def put(self, values: Iterable[Any]) -> None:
+        """Set them, in the order of the names."""
+        given = dict(zip(self.names, values, strict=True))
+        for port in self.ports:
+            port.put(given[name] for name in port.names)
+
+    def take(self) -> list[Value]:
+        """Get them, in the order of the names, as numbers, truth values and texts."""
+        found: dict[str, Value] = {}
+        for port in self.ports:
+            found |= zip(port.names, map(READ.get(port.kind, _same), port.take()), strict=True)
+        return [found[name] for name in self.names]
+
+
+def _same(value: Any) -> Any:
+    return value
+
+
+def _text(value: bytes | str | None) -> str:
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else value or ""
+
+
+READ: dict[str, Callable[[Any], Value]] = {"Boolean": bool, "String": _text}

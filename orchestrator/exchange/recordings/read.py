@@ -10,6 +10,7 @@ import numpy as np
 
 from ...errors import InputError, nearest
 from ...files import csv_rows
+from .values import numbers
 
 REQUIRED = ("StartTime", "StopTime", "StepSize", "RelTol")
 
@@ -25,15 +26,22 @@ class Start:
 
 @dataclass(frozen=True)
 class Recording:
-    """Times [s], inputs held from one time to the next, outputs at the times; all columns (rows,)."""
+    """Times [s], inputs held from one time to the next, outputs at the times.
+
+    Columns are cells as they stand in the files, (rows,): what they mean an FMU's types say, see `values`.
+    """
 
     name: str
     path: Path  # of the inputs
     times: np.ndarray
-    inputs: dict[str, np.ndarray]
-    outputs: dict[str, np.ndarray]
+    inputs: dict[str, list[str]]
+    outputs: dict[str, list[str]]
     options: dict[str, float]
     starts: dict[str, Start]
+
+    def numbers(self, output: str) -> np.ndarray:
+        """An output as real numbers, (rows,). Raises InputError for what is none."""
+        return numbers(self.outputs[output], f"{self.name}_ref.csv: {output}")
 
 
 def read_recording(folder: Path, name: str = "") -> Recording:
@@ -59,7 +67,7 @@ def read_recording(folder: Path, name: str = "") -> Recording:
     return Recording(name, path, times, inputs, outputs, _options(folder / f"{name}_ref.opt"), _starts(folder, name))
 
 
-def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def _series(path: Path) -> tuple[np.ndarray, dict[str, list[str]]]:
     head, *rows = csv_rows(path) or [[""]]
     if head[0].strip().lower() != "time":
         raise InputError(f"{path.name}: the first column must be time, it is '{head[0]}'")
@@ -69,13 +77,10 @@ def _series(path: Path) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     for line, row in enumerate(rows, 2):
         if len(row) != len(head):
             raise InputError(f"{path.name}, line {line}: {len(row)} cells under {len(head)} columns")
-    try:
-        table = np.array([[float(cell) for cell in row] for row in rows]).reshape(-1, len(head))
-    except ValueError as error:
-        raise InputError(f"{path.name}: {error}") from None
-    if not np.all(np.diff(table[:, 0]) > 0):
+    times = numbers([row[0] for row in rows], f"{path.name}: time")
+    if not np.all(np.diff(times) > 0):
         raise InputError(f"{path.name}: the times do not rise from row to row")
-    return table[:, 0], {column: table[:, k] for k, column in enumerate(names) if k}
+    return times, {column: [row[k] for row in rows] for k, column in enumerate(names) if k}
 
 
 def _options(path: Path) -> dict[str, float]:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from ...errors import RunError
 from ...fmu.fmu import Fmu
+from ...fmu.types import Value
 from ...participant.opening import load
 from ...system.replace.mapping import VariableMapping, load_mapping
 from .drive import drive
 from .fit import check_steps, crossings_for
 from .read import Recording, read_recording
+from .values import typed
+
+EXACT = ("Boolean", "Enumeration", "String")  # outputs that are right or wrong, with nothing between
 
 
 @dataclass(frozen=True)
@@ -92,15 +95,25 @@ def compare(
     relative = recording.options["RelTol"] if rtol is None else rtol
     verdicts = []
     for output, values in found.items():
-        reference = recording.outputs[output]
-        error = np.abs(values - reference)
-        error[~np.isfinite(error)] = np.inf
-        k, scale = int(np.argmax(error)), float(np.max(np.abs(reference)))
+        theirs = crossings[output].name
+        reference = typed(recording.outputs[output], fmu, theirs, f"{recording.name}_ref.csv: {output}")
+        exact = fmu.variables[theirs].type in EXACT
+        errors = [_error(value, wanted) for value, wanted in zip(values, reference, strict=True)]
+        k = max(range(len(errors)), key=errors.__getitem__)
+        scale = max((abs(float(wanted)) for wanted in reference if not isinstance(wanted, str)), default=0.0)
         start = recording.starts.get(output)
         verdicts.append(
             Verdict(
-                output, (start.unit if start else None) or "", float(error[k]), float(recording.times[k]), scale,
-                int(np.sum(error != 0)), atol + relative * scale,
+                output, (start.unit if start else None) or "", errors[k], float(recording.times[k]), scale,
+                sum(error != 0.0 for error in errors), 0.0 if exact else atol + relative * scale,
             )
         )  # fmt: skip
     return verdicts, notes
+
+
+def _error(value: Value, wanted: Value) -> float:
+    """The difference of two numbers; infinite where one is none, or where two texts differ."""
+    if isinstance(value, str) or isinstance(wanted, str):
+        return 0.0 if value == wanted else math.inf
+    error = float(abs(value - wanted))  # of whole numbers exact
+    return error if math.isfinite(error) else math.inf

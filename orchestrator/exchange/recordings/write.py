@@ -6,7 +6,8 @@
     motor_parameters.csv  name, causality, value, unit: parameters and inputs as they are set before time 0, and the
                           outputs of time 0
 
-Numbers have all their digits, so that the same FMU, stepped by StepSize, gives the same outputs bit by bit.
+Numbers have all their digits, so that the same FMU, stepped by StepSize, gives the same outputs bit by bit; a Boolean
+is 0 or 1, an Enumeration its value, a text stands in quotes where it must.
 """
 
 from __future__ import annotations
@@ -15,11 +16,15 @@ import csv
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import numpy as np
-
+from ...errors import RunError
 from ...files import write_file
+from ...fmu.fmu import Fmu
+from ...fmu.types import Value
+from ...results.signals import Signals
 from ...results.tables import Run
+from ...system.free_inputs import left_alone
 from ...system.replace.view import OWN
+from .values import cells_of
 
 HEAD = ("name", "causality", "value", "unit")
 TOLERANCE = 1e-6  # RelTol of a recording: between solvers of ordinary accuracy, not between bits
@@ -33,20 +38,22 @@ def write_boundary(run: Run, name: str, folder: Path, title: str = "") -> list[P
     title = title or name
     plan = run.plan
     component = plan.system.components[name]
-    at = next(k for k, group in enumerate(plan.groups) if name in group.components)
-    group, table = plan.groups[at], run.tables[at]
-    columns = {variable: k for k, (owner, variable) in enumerate(group.columns) if owner == name}
-    times = [plan.clock.time(tick) for tick in run.ticks_of(at).tolist()]
-    variables = component.fmu.variables
+    fmu, variables, signals = component.fmu, component.fmu.variables, Signals(run)
+    found = next((g for g, group in enumerate(plan.groups) if name in group.components), None)
+    if found is None:
+        raise RunError(f"--record-boundary {name}: {fmu.path.name} has neither inputs nor outputs that are recorded")
+    group = plan.groups[found]
+    recorded = {v: cells_of(signals[f"{name}.{v}"].values) for owner, v in group.columns if owner == name}
+    times = signals.times(found).tolist()
     # In row k of a table stands the input of the step that ends there; a file of inputs has it where the step begins.
-    held = np.concatenate([table[1:], table[-1:]])
-    inputs = {v: held[:, columns[v]].tolist() for v in component.fmu.names("input") if v in columns}
-    constant = {v: value for v, value in component.inputs.items() if not v.startswith(OWN)}
-    inputs |= {v: [float(value)] * len(times) for v, value in constant.items() if variables[v].type == "Real"}
-    outputs = {v: table[:, columns[v]].tolist() for v in component.fmu.names("output") if v in columns}
-    starts: dict[str, object] = {v: variables[v].start for v in component.fmu.names("parameter")}
+    inputs = {v: [*recorded[v][1:], recorded[v][-1]] for v in fmu.names("input") if v in recorded}
+    alone = {v: fmu.start(v) for v in left_alone(plan.system).get(name, ())}
+    constant = {v: value for v, value in {**alone, **component.inputs}.items() if not v.startswith(OWN)}
+    inputs |= {v: [_number(fmu, v, value)] * len(times) for v, value in constant.items()}
+    outputs = {v: recorded[v] for v in fmu.names("output") if v in recorded}
+    starts: dict[str, object] = {v: variables[v].start for v in fmu.names("parameter") if fmu.type_of(v)}
     starts |= {**component.parameters, **constant}
-    starts |= {v: float(table[0, columns[v]]) for v in (*inputs, *outputs) if v in columns}
+    starts |= {v: recorded[v][0] for v in (*inputs, *outputs) if v in recorded}
     rows = [
         (v, variables[v].causality, _text(value), variables[v].unit or "1")
         for v, value in starts.items()
@@ -72,7 +79,12 @@ def _text(value: object) -> object:
     return str(value).lower() if isinstance(value, bool) else value
 
 
-def _series(times: Sequence[float], columns: dict[str, list[float]]) -> Iterable[Sequence[object]]:
+def _number(fmu: Fmu, name: str, value: Value) -> object:
+    """A constant input as a cell."""
+    return float(value) if fmu.is_real(name) else int(value) if isinstance(value, bool) else value
+
+
+def _series(times: Sequence[float], columns: dict[str, list[object]]) -> Iterable[Sequence[object]]:
     yield ("time", *columns)
     yield from zip(times, *columns.values(), strict=True)
 

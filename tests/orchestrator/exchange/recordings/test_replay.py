@@ -106,7 +106,7 @@ REFUSED = {
     "another name": ({}, "gg", "", ["holds no recording 'gg'", "did you mean 'g'"]),
     "no time": ({"g_in.csv": ("time,u", "t,u")}, "g", "", ["g_in.csv: the first column must be time, it is 't'"]),
     "other times": ({"g_in.csv": ("0.003,", "0.0031,")}, "g", "", ["g_in.csv and g_ref.csv hold different times"]),
-    "a word for a number": ({"g_ref.csv": ("0.003,", "0.003,x")}, "g", "", ["g_ref.csv", "could not convert"]),
+    "a word for a number": ({"g_ref.csv": ("0.003,", "0.003,x")}, "g", "", ["g_ref.csv, line 3: y = 'x", "is not a number"]),
     "a missing option": ({"g_ref.opt": ("StepSize", "Stepsize")}, "g", "", ["g_ref.opt: StepSize is missing", "did you mean 'Stepsize'"]),
     "other columns": ({"g_parameters.csv": ("name,causality", "name,kind")}, "g", "", ["g_parameters.csv: the columns must be"]),
     "a variable that they lack": ({}, "x", "", ["gain.fmu has no output 'x', 'impulse'", '[variables] x = "their name"']),
