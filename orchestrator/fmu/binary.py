@@ -36,7 +36,7 @@ def is_identifier(name: str | None) -> bool:
 
 
 def platform_folder(version: int) -> str:
-    """Name of the folder with the binary for this machine; empty where FMI 2.0 has none for it."""
+    """Name of the folder with the binary for this machine; empty where FMI 1.0 and 2.0 have none for it."""
     if version == 3:
         return str(fmpy.platform_tuple)
     return "" if fmpy.platform_tuple in ("aarch64-linux", "aarch64-windows") else str(fmpy.platform)
@@ -67,7 +67,7 @@ def find_library(path: Path, folder: Path, description: ModelDescription, notes:
         return found
     if not own:
         raise FmuError(
-            f"FMU {path}: FMI 2.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "
+            f"FMU {path}: FMI {version}.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "
             f"export it as FMI 3.0"
         )
     raise FmuError(f"FMU {path} has no binary for {own}; it has {_there(path, folder, ambiguous)}")

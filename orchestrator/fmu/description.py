@@ -17,13 +17,14 @@ from ..units import Definition
 from .attributes import resolve
 from .binary import check_identifiers, find_library
 from .definitions import definitions_of
-from .tolerant.head import mend_head, version_of
-from .tolerant.rules import BUILD, SCHEMA, Note, Notes
+from .fmi1.translate import as_fmi2, negated_names
+from .tolerant.head import mend_head, mend_version, version_of
+from .tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
 from .tolerant.structure import mend_structure
 from .tolerant.variables import mend_variables
 from .tolerant.xml import safe_xml
 
-SCHEMAS = {2: "fmi2/fmi2ModelDescription.xsd", 3: "fmi3/fmi3ModelDescription.xsd"}
+SCHEMAS = {1: "fmi1/fmiModelDescription.xsd", 2: "fmi2/fmi2ModelDescription.xsd", 3: "fmi3/fmi3ModelDescription.xsd"}
 KINDS = {"modelExchange": "model exchange", "scheduledExecution": "scheduled execution"}
 
 
@@ -34,6 +35,7 @@ class Described(NamedTuple):
     texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
     definitions: Mapping[str, Definition]  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
+    negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
 
 
 def read_description(path: Path, folder: Path) -> Described:
@@ -46,7 +48,7 @@ def read_description(path: Path, folder: Path) -> Described:
 
 
 def described(path: Path, folder: Path) -> Described:
-    """The description of an unpacked FMU of FMI 2.0 or 3.0 with a co-simulation interface. Raises FmuError."""
+    """The description of an unpacked FMU of FMI 1.0, 2.0 or 3.0 with a co-simulation interface. Raises FmuError."""
     xml = folder / "modelDescription.xml"
     if not xml.is_file():
         raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
@@ -55,23 +57,33 @@ def described(path: Path, folder: Path) -> Described:
     if root.tag != "fmiModelDescription":
         raise FmuError(f"FMU {path}: its modelDescription.xml begins with <{root.tag}>; it describes no FMU")
     stated = root.get("fmiVersion")
-    version = version_of(stated)
-    if version is None:
-        remedy = "export it again as FMI 2.0 or 3.0 for co-simulation" if stated == "1.0" else "2.0 and 3.x can be run"
-        raise FmuError(f"FMU {path} is of FMI version {stated}; version 2.0 or 3.0 is needed: {remedy}")
+    stated_version = version_of(stated)
+    if stated_version is None:
+        raise FmuError(
+            f"FMU {path} is of FMI version {stated}; version 1.0, 2.0 or 3.0 is needed: these and 3.x can be run"
+        )
+    mend_version(root, stated_version, notes)
+    version = max(stated_version, 2)  # in which it is written from here on
+    if stated_version == 1:
+        if root.find("CoSimulation") is not None or root.find("ModelStructure") is not None:
+            raise FmuError(
+                f"FMU {path} is of FMI version 1.0 and written as a later one; correct fmiVersion, or export it again"
+            )
+        _compare(root, 1, notes)
+        as_fmi2(path, root, notes)
     mend_head(root, version, path.stem, notes)
     stated_variables = len(root.findall("ModelVariables/*"))
     places = mend_variables(root, version, notes)
     if stated_variables and not places:
         raise FmuError(
-            f"FMU {path}: none of its {stated_variables} variables can be understood as FMI {version}.0 writes them; "
-            f"export it again, or correct fmiVersion"
+            f"FMU {path}: none of its {stated_variables} variables can be understood as FMI {stated_version}.0 writes "
+            f"them; export it again, or correct fmiVersion"
         )
     mend_structure(root, version, places, notes)
-    schema = _schema(version)
-    if not schema.validate(root):
-        for error in schema.error_log:
-            notes.add(SCHEMA, f"line {error.line}: {error.message}")
+    if stated_version == 1:
+        notes.leave_out(START_MISSING, UNIT)  # FMI 1.0 does not ask for them
+    else:
+        _compare(root, version, notes)
     try:
         description = fmpy.read_model_description(_packed(path, folder, root, version, notes), validate=False)
     except FmuError:
@@ -82,12 +94,22 @@ def described(path: Path, folder: Path) -> Described:
         there = " and ".join(kind for name, kind in KINDS.items() if getattr(description, name) is not None)
         what = f"is for {there} only" if there else "has no interface at all"
         raise FmuError(f"FMU {path} {what}; export it for co-simulation")
+    description.fmiVersion = f"{stated_version}.0"
     resolve(description, root)
     texts = {
         e.get("name"): [start.get("value") for start in e.iterfind("Start")]
         for e in root.iterfind("ModelVariables/String")
     }
-    return Described(description, texts, definitions_of(root), notes.all())
+    negated = negated_names(root) if stated_version == 1 else frozenset[str]()
+    return Described(description, texts, definitions_of(root), notes.all(), negated)
+
+
+def _compare(root: Any, version: int, notes: Notes) -> None:
+    """Note what is not as the schema of a version wants it."""
+    schema = _schema(version)
+    if not schema.validate(root):
+        for error in schema.error_log:
+            notes.add(SCHEMA, f"line {error.line}: {error.message}")
 
 
 @cache

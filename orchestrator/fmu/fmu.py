@@ -29,7 +29,7 @@ SETTLED = 0.1  # s; a file that was written later could be written again without
 
 @dataclass(frozen=True)
 class Fmu(Capabilities):
-    """An unpacked FMI 2.0 or 3.0 co-simulation FMU and what its model description says."""
+    """An unpacked FMI 1.0, 2.0 or 3.0 co-simulation FMU and what its model description says."""
 
     path: Path
     folder: Path
@@ -38,6 +38,7 @@ class Fmu(Capabilities):
     texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
     definitions: Mapping[str, Definition] = field(default_factory=dict)  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
+    negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
 
     @classmethod
@@ -60,7 +61,7 @@ class Fmu(Capabilities):
 
     @property
     def version(self) -> int:
-        """2 or 3."""
+        """1, 2 or 3."""
         return int(self.description.fmiMajorVersion)
 
     @cached_property
@@ -100,7 +101,7 @@ class Fmu(Capabilities):
     def places(self) -> dict[str, Place]:
         """Where every scalar lives."""
         return {
-            name: Place(v.valueReference, k, len(elements))
+            name: Place(v.valueReference, k, len(elements), name in self.negated)
             for elements in self._elements.values()
             for k, (name, v) in enumerate(elements.items())
         }
@@ -160,7 +161,8 @@ class Fmu(Capabilities):
             if u.dependencies is not None
         }
         owners = {name: v for v, elements in self._elements.items() for name in elements}
-        fixed = {name for name, v in self.variables.items() if initial and v.initial == "exact"}
+        known = initial and self.version > 1  # before FMI 2.0 nothing can be read until all is set
+        fixed = {name for name, v in self.variables.items() if known and v.initial == "exact"}
         return {
             name: given.get(owners[name], frozenset() if name in fixed or not unstated else inputs)
             for name in self.names("output")

@@ -1,4 +1,4 @@
-"""The variable types of FMI 2.0 and 3.0: their families, sizes and ranges.
+"""The variable types of FMI 1.0, 2.0 and 3.0: their families, sizes and ranges.
 
 In the run's vector a floating-point signal is a double; every other one is a 64-bit whole number in the same eight
 bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the number of a text (`texts.py`).
@@ -12,7 +12,8 @@ import numpy as np
 
 Value = float | int | bool | str  # of a scalar
 REALS = ("Real", "Float64", "Float32")
-FLOAT, WHOLE, BOOLEAN, TEXT = range(4)  # how the loop turns a raw value into a cell of the vector, and back
+# how the loop turns a raw value into a cell of the vector, and back; the last two for negated aliases (FMI 1.0)
+FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED, NEGATED_FLOAT = range(6)
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ _FMI2 = (
     _type("Boolean", BOOLEAN, 4, "?"),
     _type("String", TEXT, 8, "O"),
 )
+_FMI1 = tuple(_type("Boolean", BOOLEAN, 1, "?") if t.name == "Boolean" else t for t in _FMI2)  # a char there
 _FMI3 = (
     _type("Float64", FLOAT, 8, "f8"),
     _type("Float32", FLOAT, 4, "f4"),
@@ -60,14 +62,14 @@ _FMI3 = (
     _type("Boolean", BOOLEAN, 1, "?"),
     _type("String", TEXT, 8, "O"),
 )
-TYPES = {2: {t.name: t for t in _FMI2}, 3: {t.name: t for t in _FMI3}}
+TYPES = {1: {t.name: t for t in _FMI1}, 2: {t.name: t for t in _FMI2}, 3: {t.name: t for t in _FMI3}}
 GROUPED = {name: k for k, name in enumerate(dict.fromkeys(t.name for t in (*_FMI2, *_FMI3)))}  # order in a layout
 
 
 def function_type(version: int, name: str) -> str:
     """The name by which FMI functions know a type: in `fmi2SetInteger` an Enumeration is an Integer."""
     if name == "Enumeration":
-        return "Integer" if version == 2 else "Int64"
+        return "Int64" if version == 3 else "Integer"
     return name
 
 

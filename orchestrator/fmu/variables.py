@@ -11,6 +11,7 @@ from attrs import evolve
 from fmpy.model_description import ModelVariable
 
 from ..errors import FmuError
+from .types import Value
 
 MOST_ELEMENTS = 100_000  # of all arrays of an FMU; every one is a signal with a name
 
@@ -19,11 +20,19 @@ Elements = dict[str, dict[str, ModelVariable]]  # the scalars of every variable,
 
 @dataclass(frozen=True)
 class Place:
-    """Where a scalar lives in its FMU: the value reference, and its position in an array of `count` values."""
+    """Where a scalar lives in its FMU: the value reference, and its position in an array of `count` values.
+
+    `negated`: it is what is there with the other sign.
+    """
 
     reference: int
     index: int
     count: int
+    negated: bool = False
+
+    def turned(self, value: Value) -> Value:
+        """A value of the scalar as what is there, or back."""
+        return -value if self.negated and not isinstance(value, str) else value
 
 
 def elements_of(path: Path, variables: list[ModelVariable], texts: dict[str, list[str]]) -> Elements:

@@ -15,8 +15,9 @@ NEVER = 1 << 62  # ticks
 # it, and where in the macro step its second half begins while that is done.
 NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET, CLOCK_CELLS = range(8)
 
-# `components`: version of FMI, instance, address of its step function, what it writes (FMI 3), its blocks,
-# 1 if no state before a step is restored behind it, and the blocks of what is read again at an instant.
+# `components`: whose signatures its functions have (2: FMI 1.0 and 2.0; 3: FMI 3.0), instance, address of its step
+# function, what it writes (FMI 3), its blocks, 1 if no state before a step is restored behind it (FMI 1.0: always), and
+# the blocks of what is read again at an instant.
 FMI, INSTANCE, DO_STEP, FLAGS, FIRST_IN, LAST_IN, FIRST_OUT, LAST_OUT, FINAL, FIRST_AGAIN, LAST_AGAIN = range(11)
 
 # `blocks`: function, value references and their number, address of the values, their number, first slot, place in

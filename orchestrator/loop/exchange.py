@@ -10,9 +10,11 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from ..fmu.types import BOOLEAN, FLOAT, TEXT
+from ..fmu.types import BOOLEAN, FLOAT, NEGATED, NEGATED_FLOAT, TEXT
 from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
+
+SIGN = -(1 << 63)  # the bit that is set in a negative double
 
 
 @register_jitable
@@ -44,6 +46,10 @@ def pack(
             raw32[at // 4 + j] = z[first + j]
         elif code == TEXT:
             put_whole(raw, at + size * j, size, index[ADDRESS] + index[OFFSETS + whole[first + j]])
+        elif code == NEGATED_FLOAT:
+            put_whole(raw, at + size * j, size, whole[first + j] ^ SIGN)
+        elif code == NEGATED:
+            put_whole(raw, at + size * j, size, -whole[first + j])
         else:
             put_whole(raw, at + size * j, size, whole[first + j])
 
@@ -65,6 +71,10 @@ def unpack(
             whole[first + j] = number
         elif code == BOOLEAN:
             whole[first + j] = whole_at(raw, at + size * j, size, 0) != 0
+        elif code == NEGATED_FLOAT:
+            whole[first + j] = whole_at(raw, at + size * j, size, 0) ^ SIGN
+        elif code == NEGATED:
+            whole[first + j] = -whole_at(raw, at + size * j, size, 1)
         else:
             whole[first + j] = whole_at(raw, at + size * j, size, blocks[m, SIGNED])
     return -1

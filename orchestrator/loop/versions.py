@@ -1,5 +1,7 @@
 """Where FMI 2.0 and 3.0 differ below the loop: how values are exchanged, how a step is made and what it reports.
 
+The functions of FMI 1.0 have the signatures of FMI 2.0.
+
 Scalars only: an array as an argument would cost more than the call. One source with two lives, like `run.run`.
 """
 
@@ -12,6 +14,11 @@ from .calls import byte_at, do_step, do_step3, exchange2, exchange3
 REPORTS = 1 << 40  # from here on, where no status of an FMU can be: a C int
 EVENT, TERMINATE, EARLY = REPORTS, REPORTS + 1, REPORTS + 2  # what fmi3DoStep reports beside its status
 NO_ROOM = REPORTS + 3  # for another text
+
+
+def signatures(version: int) -> int:
+    """Whose signatures the functions of a version of FMI have: `fmi` of the functions below."""
+    return max(version, 2)
 
 
 @register_jitable

@@ -40,8 +40,8 @@ class Participant(ABC):
     set, get, step, save and restore. `state` follows both: see `lifecycle.py`. After a fatal error nothing is called.
     """
 
-    prefix: str  # of its functions: fmi2, fmi3
-    state_functions: tuple[str, str, str]  # names of those that save, restore and forget a state
+    prefix: str  # of its functions: see lifecycle.PREFIX
+    state_functions: tuple[str, str, str]  # names of those that save, restore and forget a state; empty in FMI 1.0
 
     def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
         self.fmu, self.name = fmu, name

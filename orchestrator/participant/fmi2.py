@@ -2,38 +2,22 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
 from typing import Any
-from weakref import WeakValueDictionary
 
-import fmpy
 from fmpy import fmi2
 
 from ..fmu.sharing import made_by_pythonfmu, made_here
 from .apart.library import fresh_library
 from .apart.modules import own_modules
 from .base import AskedToEndError, CallError
+from .c_messages import format_messages
 from .exit_guard import end_before_library_destructors
 from .library import Judged
-from .lifecycle import DISCARD, allowed
+from .lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS, allowed
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused
-
-# The proxy that formats the messages of C keeps one logger for the whole process, the last one given to it: all
-# instances give it the same, which lives as long as the process and finds whose message it is.
-_LOGGING: WeakValueDictionary[int, Fmi2Instance] = WeakValueDictionary()  # by what the FMU is told of its environment
-
-
-def _log_of_any(environment: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
-    named = (i for i in _LOGGING.values() if i.name.encode() == name)  # for an FMU that keeps its environment to itself
-    instance = _LOGGING.get(environment) or next(named, None)
-    if instance is not None:
-        instance._log(environment, name, status, category, message)
-
-
-_LOGGER = fmi2.fmi2CallbackLoggerTYPE(_log_of_any)
 
 
 class FMU2Instance(Judged, fmi2.FMU2Slave):  # type: ignore[misc]
@@ -43,8 +27,8 @@ class FMU2Instance(Judged, fmi2.FMU2Slave):  # type: ignore[misc]
 class Fmi2Instance(LoadedInstance):
     """Loaded and instantiated by fmpy."""
 
-    prefix = "fmi2"
-    state_functions = ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
+    prefix = PREFIX[2]
+    state_functions = STATE_FUNCTIONS[2]
 
     def instantiate(self) -> None:
         self.made_by_pythonfmu = made_by_pythonfmu(self.fmu)
@@ -68,14 +52,13 @@ class Fmi2Instance(LoadedInstance):
     def _make_callbacks(self) -> Any:
         callbacks = fmi2.fmi2CallbackFunctions()
         callbacks.componentEnvironment = id(self)
-        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log) if self.made_by_pythonfmu else _LOGGER
+        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._log)  # of pythonfmu, which passes no arguments of printf
         callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
         callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
         # The proxy formats the printf arguments of the FMI logger. pythonfmu passes none, but bare messages as the
         # format: an exception whose text holds %s would end the process there.
         if not self.made_by_pythonfmu:
-            _LOGGING[id(self)] = self
-            fmpy.logging.addLoggerProxy(ctypes.byref(callbacks))
+            format_messages(self, id(self), callbacks)
             self._row = Row(id(self), self.log.logging == "all")
             callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(filtered(2, address_of(callbacks.logger)))
         return callbacks

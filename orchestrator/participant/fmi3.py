@@ -13,7 +13,7 @@ from ..errors import FmuError
 from .apart.library import fresh_library
 from .base import AskedToEndError, CallError
 from .library import Judged
-from .lifecycle import DISCARD
+from .lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused
@@ -38,8 +38,8 @@ class FMU3Instance(Judged, fmi3.FMU3Slave):  # type: ignore[misc]
 class Fmi3Instance(LoadedInstance):
     """Loaded and instantiated by fmpy."""
 
-    prefix = "fmi3"
-    state_functions = ("fmi3GetFMUState", "fmi3SetFMUState", "fmi3FreeFMUState")
+    prefix = PREFIX[3]
+    state_functions = STATE_FUNCTIONS[3]
     span: tuple[float, float | None] | None = None  # s, the start and the stop of the run
 
     def instantiate(self) -> None:

@@ -1,8 +1,9 @@
 """The life of an FMU for co-simulation: which calls are allowed when, and where each leads.
 
-One table for each version, as the standards have it: FMI 2.0.4, section 4.2.4, and FMI 3.0.2, section 4.2.1, without
-what no master here does (configuration and event mode, intermediate update). What a standard leaves to the importer is
-decided here. The order that follows for a run:
+One table for each version, as the standards have it: FMI 1.0 for Co-Simulation, section 2.9; FMI 2.0.4, section 4.2.4;
+FMI 3.0.2, section 4.2.1, without what no master here does (configuration and event mode, intermediate update). What a
+standard leaves to the importer is decided here. FMI 1.0 has no initialization mode: it is the time between the last
+start value and `fmiInitializeSlave`, and ends with the first get. The order that follows for a run:
 
     instantiate -> set up (tolerance, start, stop) -> set parameters and start values -> enter initialization
     -> set inputs, get outputs until they are consistent -> exit initialization -> get the outputs again
@@ -42,8 +43,8 @@ _I, _M, _S, _U, _F, _P, _C, _T, _E = (
 _BETWEEN = frozenset({_S, _U})
 _ANY = frozenset({_I, _M, _S, _U, _F, _C, _T, _E})  # but in a step, and behind a fatal error
 
-# The one deviation from a standard. FMI 2.0, 4.2.4, allows no get after a set before the next step. A coupling by
-# Gauss-Seidel or by bonds reads outputs that inputs act on at once; other masters do so too, and FMI 3.0 allows it.
+# The one deviation from a standard. FMI 1.0 and 2.0 (4.2.4) allow no get after a set before the next step. A coupling
+# by Gauss-Seidel or by bonds reads outputs that inputs act on at once; other masters do so too, and FMI 3.0 allows it.
 GET_AFTER_SET = frozenset({_U})
 
 _COMMON: dict[str, frozenset[State]] = {
@@ -52,6 +53,12 @@ _COMMON: dict[str, frozenset[State]] = {
     "save": _ANY, "restore": _ANY, "forget": _ANY, "serialize": _ANY, "deserialize": _ANY,
 }  # fmt: skip
 ALLOWED: dict[int, dict[str, frozenset[State]]] = {
+    1: _COMMON | dict.fromkeys(("save", "restore", "forget", "serialize", "deserialize"), frozenset[State]()) | {
+        "get": frozenset({_S, _F, _C, _E}) | GET_AFTER_SET,
+        "terminate": _BETWEEN | {_F},
+        "ask": frozenset({_S, _U, _P, _F}),
+        "cancel": frozenset({_P}),
+    },
     2: _COMMON | {
         "get": frozenset({_M, _S, _F, _C, _T, _E}) | GET_AFTER_SET,
         "terminate": _BETWEEN | {_F},
@@ -65,7 +72,13 @@ ALLOWED: dict[int, dict[str, frozenset[State]]] = {
         "cancel": frozenset(),
     },
 }  # fmt: skip
-SECTION = {2: "FMI 2.0, section 4.2.4", 3: "FMI 3.0, section 4.2.1"}
+PREFIX = {1: "fmi", 2: "fmi2", 3: "fmi3"}  # of functions and statuses
+STATE_FUNCTIONS = {  # that save, restore and forget a state
+    1: ("", "", ""),
+    2: ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate"),
+    3: ("fmi3GetFMUState", "fmi3SetFMUState", "fmi3FreeFMUState"),
+}
+SECTION = {1: "FMI 1.0 for Co-Simulation, section 2.9", 2: "FMI 2.0, section 4.2.4", 3: "FMI 3.0, section 4.2.1"}
 
 # Where a call leads that succeeds; the others change nothing.
 _NEXT = {

@@ -1,4 +1,4 @@
-"""What instances of FMI 2.0 and 3.0 in this process have in common: a library loaded by fmpy, and its states."""
+"""What instances of FMI 1.0, 2.0 and 3.0 in this process have in common: a library loaded by fmpy, and its states."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from .message_filter import Row
 from .messages import Logging
 from .surroundings import Surroundings
 
+FREE = {1: "fmi1FreeSlaveInstance", 2: "fmi2FreeInstance", 3: "fmi3FreeInstance"}  # as fmpy calls them
 CATEGORIES = tuple(f"logStatus{name}" for name in ("Warning", "Discard", "Error", "Fatal"))
 
 
@@ -95,7 +96,7 @@ class LoadedInstance(Participant):
         for name, value in values.items():
             self.require_settable(name)
             place, v = fmu.places[name], fmu.variables[name]
-            sent = [value]
+            sent = [place.turned(value)]
             if place.count > 1:
                 known = self.arrays.setdefault(place.reference, [fmu.start(s) for s in fmu.arrays[name]])
                 known[place.index] = value
@@ -108,6 +109,7 @@ class LoadedInstance(Participant):
         value = self.take(name, kind, [place.reference], place.count)[place.index]
         if v.type == "Boolean":
             return bool(value)
+        value = place.turned(value)
         return value.decode("utf-8", "replace") if isinstance(value, bytes) else "" if value is None else value
 
     def exit_initialization(self) -> None:
@@ -143,7 +145,7 @@ class LoadedInstance(Participant):
 
     def free(self) -> None:
         """Free the instance. Its library stays loaded where Python is inside, which is not safe to unload."""
-        free = getattr(self.slave, f"{self.prefix}FreeInstance")
+        free = getattr(self.slave, FREE[self.fmu.version])
         self.call("free", "free it", free, self.slave.component)
         unload(self.fmu, self.slave.dll)
 

@@ -25,8 +25,8 @@ _table = np.zeros((ROWS, COLUMNS), dtype=np.int64)
 _size = np.ones(1, dtype=np.int64)
 _lock = threading.Lock()
 
-# Of both versions: FMI 2.0 gives environment, name, status, category, format and what it takes; FMI 3.0 has no name
-# and one text. `status` is an int.
+# Of all versions: FMI 1.0 and 2.0 give environment, name, status, category, format and what it takes; FMI 3.0 has no
+# name and one text. `status` is an int.
 _TEXT = """
 define void @log{version}({parameters}) {{
 entry:
@@ -123,6 +123,13 @@ class Row:
         """Its number; 0 where the table had no room."""
         found = np.flatnonzero(_table[1 : _size[0], ENVIRONMENT] == self.environment)
         return int(found[0]) + 1 if found.size else 0
+
+    def known_as(self, environment: int) -> None:
+        """From now on its messages come with another environment; until then they may have come with any."""
+        with _lock:
+            at, self.environment = self._at(), environment
+            if at:
+                _table[at, ENVIRONMENT] = environment
 
     def look(self) -> None:
         """Let some more messages pass."""

@@ -9,17 +9,19 @@ from ..fmu.sharing import why_alone
 from ..system.model import Component
 from .apart.library import used_before
 from .base import Participant
+from .fmi1 import Fmi1Instance
 from .fmi2 import Fmi2Instance
 from .fmi3 import Fmi3Instance
 from .loaded import LoadedInstance
 from .messages import Logging
 from .mock import MockFmu
 
+KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: Fmi3Instance}
+
 
 def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> LoadedInstance:
     """An instance in this process. Raises FmuError if the FMU refuses."""
-    kind = Fmi2Instance if fmu.version == 2 else Fmi3Instance
-    return kind(fmu, name, logging, tolerance)
+    return KINDS[fmu.version](fmu, name, logging, tolerance)
 
 
 def why_not_here(component: Component) -> str:

@@ -18,13 +18,14 @@ class Port:
         scalars = list(dict.fromkeys(chain.from_iterable(fmu.arrays[name] for name in names)))
         self.references = [fmu.places[name].reference for name in scalars if fmu.places[name].index == 0]
         self.places = [scalars.index(name) for name in names]
+        self.turned = [fmu.places[name].turned for name in names]
         self.values: list[Any] = [fmu.start(name) for name in scalars]
         self.kind = function_type(fmu.version, fmu.variables[names[0]].type) if names else ""
 
     def put(self, values: Iterable[Any]) -> None:
         """Set them, in the order of the names."""
-        for place, value in zip(self.places, values, strict=True):
-            self.values[place] = value
+        for place, turned, value in zip(self.places, self.turned, values, strict=True):
+            self.values[place] = turned(value)
         if self.names:
             self.instance.put(", ".join(self.names), self.kind, self.references, self.values)
 
@@ -33,7 +34,7 @@ class Port:
         if not self.names:
             return []
         values = self.instance.take(", ".join(self.names), self.kind, self.references, len(self.values))
-        return [values[place] for place in self.places]
+        return [turned(values[place]) for place, turned in zip(self.places, self.turned, strict=True)]
 
 
 class Ports:

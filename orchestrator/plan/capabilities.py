@@ -11,6 +11,11 @@ def check_capabilities(system: System) -> None:
     """Raise InputError for a component that cannot run as the system wants it."""
     for component in system.components.values():
         _check_step(system, component)
+        if component.tolerance is not None and component.fmu.version == 1:
+            raise InputError(
+                f"component {component.name}: FMI 1.0 takes no tolerance for co-simulation; leave it out, or set a "
+                f"parameter of {component.fmu.path.name} if it has one for that ({system.path.name})"
+            )
 
 
 def _check_step(system: System, component: Component) -> None:

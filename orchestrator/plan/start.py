@@ -32,11 +32,18 @@ class Block:
 
 
 def start_order(system: System) -> tuple[Block, ...]:
-    """The blocks of all connections at time 0."""
-    return blocks_of(
-        system.connections,
-        {name: component.fmu.feedthrough(initial=True) for name, component in system.components.items()},
-    )
+    """The blocks of all connections at time 0.
+
+    An FMU of FMI 1.0 can be read only when it is initialized, so all its inputs come first. Where that would close a
+    loop, it is initialized with the start values of what it is not given yet, and given it at once: its outputs depend
+    on what they state then.
+    """
+    fmus = {name: component.fmu for name, component in system.components.items()}
+    answers = {name: fmu.feedthrough(initial=True) for name, fmu in fmus.items()}
+    blocks = blocks_of(system.connections, answers)
+    looped = {c.source[0] for block in blocks if block.loop for c in block.connections}
+    unprepared = {name: fmus[name].feedthrough() for name in looped if fmus[name].version == 1}
+    return blocks_of(system.connections, answers | unprepared) if unprepared else blocks
 
 
 def blocks_of(connections: Sequence[Connection], answers: Answers) -> tuple[Block, ...]:

@@ -1,4 +1,4 @@
-"""Mutated descriptions of FMUs, FMI 2.0 and 3.0."""
+"""Mutated descriptions of FMUs, FMI 1.0, 2.0 and 3.0."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from . import seeded
 from .mutations import mutated
 from .strangers import XML
-from .toys import DESCRIPTION2, DESCRIPTION3, read, write_fmu
+from .toys import DESCRIPTION1, DESCRIPTION2, DESCRIPTION3, read, write_fmu
 
 NAME = "read_description"
 CLAIM = "an FMU with a mutated modelDescription.xml is read whole, or is one error of ours"
@@ -23,7 +23,8 @@ SAMPLE = 100
 def one(index: int, folder: Path) -> str:
     random = seeded(NAME, index)
     os.environ["ROVBRUSH_CACHE"] = str(folder / "cache")  # goes with the folder
-    path = write_fmu(folder / "toy.fmu", mutated(random, random.choice([DESCRIPTION2, DESCRIPTION3]), XML, most=2))
+    good = random.choice([DESCRIPTION1, DESCRIPTION2, DESCRIPTION3])
+    path = write_fmu(folder / "toy.fmu", mutated(random, good, XML, most=2))
 
     def reading() -> None:
         fmu = Fmu.open(path)

@@ -14,7 +14,9 @@ from rovbrush.orchestrator.system.reader import load_system
 
 SYSTEM = 'stop_time = "10 ms"\ncomponents.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }\n'
 SEEDS = Path(__file__).parent / "seeds"
-DESCRIPTION2, DESCRIPTION3 = ((SEEDS / f"toy{version}.xml").read_text(encoding="utf-8") for version in (2, 3))
+DESCRIPTION1, DESCRIPTION2, DESCRIPTION3 = (
+    (SEEDS / f"toy{version}.xml").read_text(encoding="utf-8") for version in (1, 2, 3)
+)
 
 
 def write_fmu(path: Path, description: bytes, more: Mapping[str, bytes] | None = None) -> Path:

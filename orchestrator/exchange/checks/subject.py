@@ -38,6 +38,7 @@ class Subject:
     version: int
     description: ModelDescription
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
+    negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
 
     @property
     def archive(self) -> Path:
@@ -114,4 +115,4 @@ def open_subject(path: Path) -> Subject:
         if is_identifier(found.description.coSimulation.modelIdentifier):
             find_library(path, folder, found.description, notes)
     version = int(found.description.fmiMajorVersion)
-    return Subject(path, folder, version, found.description, (*found.notes, *notes.all()))
+    return Subject(path, folder, version, found.description, (*found.notes, *notes.all()), found.negated)

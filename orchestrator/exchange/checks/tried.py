@@ -38,7 +38,8 @@ class Tried:
 
     def __init__(self, subject: Subject, name: str = "tried") -> None:
         self.subject = subject
-        self.instance = load(Fmu(subject.path, subject.folder, "", subject.description, {}), name)
+        fmu = Fmu(subject.path, subject.folder, "", subject.description, {}, negated=subject.negated)
+        self.instance = load(fmu, name)
         self.ended = False  # whether it asked to end the simulation in the call that was refused last
         self.unguarded = self.instance.unguarded
         self.outputs = [v for v in subject.of("output") if v.type != "Binary"]

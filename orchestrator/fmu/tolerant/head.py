@@ -20,18 +20,24 @@ REAL_TYPES = ("Real", "Float64Type", "Float32Type")
 
 
 def version_of(text: str | None) -> int | None:
-    """2 or 3 for an fmiVersion that can be taken for one; None for any other."""
+    """1, 2 or 3 for an fmiVersion that can be taken for one; None for any other."""
+    if text is not None and re.fullmatch(r"1(\.0([.-].*)?)?", text.strip()):
+        return 1
     if text is not None and re.fullmatch(r"2(\.0([.-].*)?)?", text.strip()):
         return 2
     return 3 if text is not None and re.fullmatch(r"3([.-].*)?", text.strip()) else None
 
 
-def mend_head(root: Any, version: int, stem: str, notes: Notes) -> None:
-    """All that stands before the variables; `stem`: what to call a model without a name."""
+def mend_version(root: Any, version: int, notes: Notes) -> None:
+    """Write the version as the standard does."""
     stated = root.get("fmiVersion")
     if stated != f"{version}.0":
         notes.add(VERSION, f"fmiVersion={stated[:40]!r}, taken for {version}.0")
         root.set("fmiVersion", f"{version}.0")
+
+
+def mend_head(root: Any, version: int, stem: str, notes: Notes) -> None:
+    """All that stands before the variables; `stem`: what to call a model without a name."""
     token = "guid" if version == 2 else "instantiationToken"
     for attribute, default in (("modelName", stem), (token, "")):
         if root.get(attribute) is None:

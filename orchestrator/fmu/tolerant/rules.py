@@ -30,7 +30,7 @@ ENCODING = Rule("bytes that are not of the declared encoding", "taken for Window
 BEFORE = Rule("blank space before the XML declaration", "passed over", "begin the file with <?xml")
 PREFIX = Rule("namespace prefixes that nothing declares", "taken for a part of the name", "declare each with xmlns:")
 # the whole
-VERSION = Rule("an fmiVersion that is not one of the standard's", "taken for 2.0 or 3.0", "write 2.0 or 3.0")
+VERSION = Rule("an fmiVersion that is not one of the standard's", "taken for the nearest", "write 1.0, 2.0 or 3.0")
 MISSING = Rule("elements and attributes that must be there", "taken for empty", "write them")
 BOOLEAN = Rule("attributes that are neither true nor false", "taken as they are meant", "write true or false")
 NUMBER = Rule("attributes that are no numbers", "passed over", "write numbers, with a point and without units")
@@ -53,6 +53,7 @@ COMBINATION = Rule(
 START_MISSING = Rule("start values that are missing", "0, false or empty where one is needed", "give start values")
 START_SURPLUS = Rule("start values of what is calculated", "not set", "leave start out, or correct initial")
 START_OUTSIDE = Rule("start values outside of min and max", "taken as they are", "correct min, max or start")
+ALIAS = Rule("negated aliases that are no numbers", "taken as aliases", "negate in the model, or leave the alias out")
 STARTS = Rule("arrays with neither one start value nor one per element", "passed over", "give one per element")
 RANGE = Rule("min above max", "taken for no range", "correct min and max")
 UNIT = Rule("units that nothing defines", "taken by their names", "define them in UnitDefinitions")
@@ -87,6 +88,11 @@ class Notes:
     def add(self, rule: Rule, place: str) -> None:
         """Note that a rule is broken at a place."""
         self._places.setdefault(rule, {})[place if len(place) < 200 else f"{place[:200]}..."] = None
+
+    def leave_out(self, *rules: Rule) -> None:
+        """Forget rules that are none here."""
+        for rule in rules:
+            self._places.pop(rule, None)
 
     def all(self) -> tuple[Note, ...]:
         """Each rule once."""

@@ -111,7 +111,7 @@ class Served:
         native, pointer, at = self.loaded[number], instance.pointer, self.shared.values
         version, kind = instance.fmu.version, function.kind
         if kind == "step":
-            ends = [int(final)] if version == 2 else [final, at, at + 1, at + 2, at + 8]
+            ends = [final, at, at + 1, at + 2, at + 8] if version == 3 else [int(final)]
             status = native(pointer, time, length, *ends)
         elif kind in ("save", "forget"):
             status = native(pointer, at)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...fmu.types import TYPES, function_type
+from ..lifecycle import PREFIX
 
 POINTER, DOUBLE, SIZE_T, INT, BOOL = ctypes.c_void_p, ctypes.c_double, ctypes.c_size_t, ctypes.c_int, ctypes.c_bool
 IN_C = {POINTER: "uintptr_t", DOUBLE: "double", SIZE_T: "size_t", INT: "int", BOOL: "_Bool"}
@@ -35,7 +36,7 @@ class Function:
 
 def functions(version: int) -> list[Function]:
     """All of one version, in the order of their numbers."""
-    prefix = f"fmi{version}"
+    prefix = PREFIX[version]
     exchange = (POINTER, POINTER, SIZE_T, POINTER, *([SIZE_T] if version == 3 else []))
     found = [
         Function(f"{prefix}{verb}{name}", verb.lower(), kind.size, name == "String", exchange)
@@ -44,8 +45,10 @@ def functions(version: int) -> list[Function]:
         if name == kind.name
         for verb in ("Set", "Get")
     ]
-    step = (POINTER, DOUBLE, DOUBLE, *([INT] if version == 2 else [BOOL, *(POINTER,) * 4]))
+    step = (POINTER, DOUBLE, DOUBLE, *([BOOL, *(POINTER,) * 4] if version == 3 else [INT]))
     found.append(Function(f"{prefix}DoStep", "step", 0, False, step))
+    if version == 1:
+        return found
     state = "FMUstate" if version == 2 else "FMUState"
     return found + [
         Function(f"{prefix}{verb}{state}", kind, 0, False, (POINTER, POINTER))

@@ -21,7 +21,7 @@ from ...fmu.sharing import made_by_pythonfmu
 from ...fmu.types import Value
 from ...processes import how_ended
 from ..base import CallError, Participant, State
-from ..lifecycle import FATAL
+from ..lifecycle import FATAL, PREFIX, STATE_FUNCTIONS
 from ..messages import Logging
 from .callbacks import Callbacks
 from .channel import SIZE, STATUS, Shared
@@ -39,9 +39,8 @@ class IsolatedInstance(Participant):
     ) -> None:
         super().__init__(fmu, name, logging, tolerance)
         self._unread = 0  # messages that the process has counted only
-        self.prefix = f"fmi{fmu.version}"
-        state = "FMUstate" if fmu.version == 2 else "FMUState"
-        self.state_functions = (f"{self.prefix}Get{state}", f"{self.prefix}Set{state}", f"{self.prefix}Free{state}")
+        self.prefix = PREFIX[fmu.version]
+        self.state_functions = STATE_FUNCTIONS[fmu.version]
         self.timeout = timeout
         self.compiles = made_by_pythonfmu(fmu)  # perhaps, until its first step
         memory, path = tempfile.mkstemp(dir="/dev/shm" if os.path.isdir("/dev/shm") else None)

@@ -165,9 +165,10 @@ def by_component(table: Mapping[Key, int]) -> dict[str, dict[Key, int]]:
 
 
 def _by_type(fmu: Fmu, names: list[str]) -> list[str]:
-    """Variables that can be exchanged, by type, and otherwise in the order of the description."""
+    """Variables that can be exchanged, by type and sign, and otherwise in the order of the description."""
     typed = [(fmu.type_of(name), name) for name in names]
-    return [name for kind, name in sorted(((k, n) for k, n in typed if k), key=lambda entry: GROUPED[entry[0].name])]
+    known = ((GROUPED[kind.name], fmu.places[name].negated, name) for kind, name in typed if kind)
+    return [name for *_, name in sorted(known, key=lambda entry: entry[:2])]
 
 
 def _leading(choices: dict[Connection, Choice]) -> set[str]:

@@ -38,7 +38,8 @@ def make_state(plan: Plan, instances: dict[str, Participant]) -> AlgorithmState:
     )  # fmt: skip
     if plan.algorithm.saves_states:
         for k, instance in enumerate(instances.values()):
-            state.state_calls[k] = [instance.address(function) for function in instance.state_functions]
+            if instance.fmu.can_save_state:
+                state.state_calls[k] = [instance.address(function) for function in instance.state_functions]
     return state
 
 

@@ -7,11 +7,12 @@ from itertools import groupby
 
 import numpy as np
 
-from ...fmu.types import TEXT, FmiType, Value, decode, encode, function_type
+from ...fmu.types import NEGATED, NEGATED_FLOAT, TEXT, FmiType, Value, decode, encode, function_type
 from ...loop.calls import STEP_FLAGS
 from ...loop.cells import IN_PLACE
 from ...loop.operations import RESTORE
 from ...loop.texts import Texts
+from ...loop.versions import signatures
 from ...participant.base import Participant
 from ...plan.plan import Plan
 
@@ -58,7 +59,8 @@ class Memory:
         final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
-            row = [instance.fmu.version, instance.pointer, instance.address(f"{instance.prefix}DoStep"), flags]
+            do_step = instance.address(f"{instance.prefix}DoStep")
+            row = [signatures(instance.fmu.version), instance.pointer, do_step, flags]
             given, taken = self.plan.layout.exchanged(name)
             answering = self.plan.instants.answering(name)
             again = {variable: slot for variable, slot in taken.items() if variable in answering}
@@ -69,7 +71,8 @@ class Memory:
                     blocks.append(block)
                     raw += used
                 row.append(len(blocks))
-            components.append([*row[:-2], final, *row[-2:]])
+            ends = 1 if instance.fmu.version == 1 else final  # there: a new step, none that is repeated
+            components.append([*row[:-2], ends, *row[-2:]])
         self.raw = np.zeros(max(raw, 1), dtype=np.uint8)
         base = self.raw.ctypes.data
         for row in components:
@@ -81,8 +84,10 @@ class Memory:
 
     def _together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
         """What one call can exchange: of one type, in cells one behind the other."""
+        places = self.plan.system.components[name].fmu.places
         numbered = [(slot - k, slot, (name, variable)) for k, (variable, slot) in enumerate(table.items())]
-        for (kind, _), found in groupby(numbered, key=lambda entry: (self.kind(entry[2]), entry[0])):
+        alike = groupby(numbered, key=lambda e: (self.kind(e[2]), e[0], places[e[2][1]].negated))
+        for (kind, *_), found in alike:
             yield kind, [(slot, key) for _, slot, key in found]
 
     def _block(
@@ -95,9 +100,12 @@ class Memory:
         self.keep.append(references)
         function = f"{instance.prefix}{verb}{function_type(fmu.version, kind.name)}"
         first, size = slots[0][0], len(slots)
-        in_place = kind.real and kind.size == 8
+        code, negated = kind.code, places[0].negated
+        in_place = kind.real and kind.size == 8 and not negated
+        if negated:
+            code = NEGATED_FLOAT if kind.real else NEGATED
         used = 0 if in_place else -(-size * kind.size // 16) * 16
         return [
             instance.address(function), references.ctypes.data, len(references), 8 * first if in_place else raw,
-            size, first, IN_PLACE if in_place else raw, kind.code, kind.size, int(kind.signed),
+            size, first, IN_PLACE if in_place else raw, code, kind.size, int(kind.signed),
         ], used  # fmt: skip

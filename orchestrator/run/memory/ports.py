@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...fmu.types import function_type
-from ...loop.versions import exchange
+from ...loop.versions import exchange, signatures
 from ...participant.base import Participant
 from ...participant.lifecycle import good
 from ...plan.plan import Plan
@@ -37,14 +37,16 @@ def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
     low = float(bounds[0]) if bounds[0] is not None else -LARGEST
     high = float(bounds[1]) if bounds[1] is not None else LARGEST
     function = instance.address(f"{instance.prefix}Set{function_type(fmu.version, kind.name)}")
+    sign = -1.0 if fmu.places[variable].negated else 1.0
     reference, cell = np.array([fmu.places[variable].reference], dtype=np.uint32), np.zeros(1)
     at, to, pointer = reference.ctypes.data, cell.ctypes.data, instance.pointer
+    version = signatures(fmu.version)
     arrays = (reference, cell)  # alive as long as their addresses are in use
 
     def write(value: float) -> bool:
         if not low <= value <= high:
             return False
-        arrays[1][0] = value
-        return good(exchange(fmu.version, function, pointer, at, 1, to, 1))
+        arrays[1][0] = sign * value
+        return good(exchange(version, function, pointer, at, 1, to, 1))
 
     return write

@@ -33,7 +33,7 @@ def native_fmu(
     gcc = compiler()
     if gcc is None:
         raise RunError("no C compiler found; install gcc")
-    platform = fmpy.platform if version == 2 else fmpy.platform_tuple
+    platform = fmpy.platform_tuple if version == 3 else fmpy.platform
     with tempfile.TemporaryDirectory() as folder:
         library = Path(folder) / f"{target.stem}{fmpy.sharedLibraryExtension}"
         options = [f"-D{key}={value}" for key, value in (defines or {}).items()]

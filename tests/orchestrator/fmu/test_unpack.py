@@ -112,9 +112,9 @@ def test_a_missing_description_is_refused(fmus: Path, tmp_path: Path) -> None:
         (
             'fmiVersion="2.0"',
             'fmiVersion="1.0"',
-            ["is of FMI version 1.0; version 2.0 or 3.0 is needed", "export it again"],
+            ["is of FMI version 1.0 and written as a later one", "export it again"],
         ),
-        ('fmiVersion="2.0"', 'fmiVersion="4.0"', ["is of FMI version 4.0; version 2.0 or 3.0 is needed"]),
+        ('fmiVersion="2.0"', 'fmiVersion="4.0"', ["is of FMI version 4.0; version 1.0, 2.0 or 3.0 is needed"]),
         ('fmiVersion="2.0"', 'fmiVersion="3.0"', ["none of its 9 variables can be understood as FMI 3.0 writes them"]),
         ("</fmiModelDescription>", "", ["not well-formed"]),
     ],

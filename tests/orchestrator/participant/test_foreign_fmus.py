@@ -58,7 +58,7 @@ BAD = {
     "a value out of their range": ({'min="1" max="9"': 'min="1" max="4"'}, "", ["--replace g=their.fmu: g.count = 5", "1 to 4"]),
     "a parameter of theirs that is none": ({}, "[variables]\nheld = ''\n[parameters]\nheld = 1.0", ["[parameters]: 'held' of their.fmu is of causality output"]),
     "steps of one size": ({**FIXED, 'stepSize="0.001"': 'stepSize="0.002"'}, "", ["their.fmu", "2 ms", "10 ms"]),
-    "of FMI 1.0": (FMI1, "", ["is of FMI version 1.0", "2.0"]),
+    "of FMI 1.0 that is none": (FMI1, "", ["is of FMI version 1.0", "correct fmiVersion"]),
 }  # fmt: skip
 
 

@@ -18,6 +18,7 @@ class Answers:
     """An FMU that says only on which inputs its outputs depend."""
 
     dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
+    version: int = 2
 
     def feedthrough(self, initial: bool) -> dict[str, frozenset[str]]:
         return self.dependencies

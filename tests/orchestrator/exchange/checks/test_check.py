@@ -176,7 +176,7 @@ def test_a_binary_for_windows_only_is_one_clear_row_with_a_remedy(gain: Edit) ->
 @pytest.mark.parametrize(
     ("changes", "replacements", "found", "mend"),
     [
-        ({}, {'fmiVersion="2.0"': 'fmiVersion="1.0"'}, "FMI version 1.0", "FMI 2.0 or 3.0"),
+        ({}, {'fmiVersion="2.0"': 'fmiVersion="1.0"'}, "FMI version 1.0", "correct fmiVersion"),
         ({}, {"<CoSimulation": "<ModelExchange"}, "model exchange only", "co-simulation"),
         ({"modelDescription.xml": None}, None, "no modelDescription.xml", "not an FMU"),
         ({"../evil.txt": b""}, None, "would leave the unpack folder", "inside the archive"),
