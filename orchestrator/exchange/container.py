@@ -104,6 +104,11 @@ def differences(plan: Plan) -> list[str]:
 def _check(system: System) -> None:
     refuse_series(system, "a container cannot hold")
     for name, component in system.components.items():
+        if component.fmu.version == 1:
+            raise InputError(
+                f"component {name}: {component.fmu.path.name} is of FMI 1.0, and a container can hold FMI 2.0 and 3.0 "
+                f"only; export it again as FMI 2.0, or the system as SSP"
+            )
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
     for connection in system.connections:

@@ -12,8 +12,8 @@ import numpy as np
 
 Value = float | int | bool | str  # of a scalar
 REALS = ("Real", "Float64", "Float32")
-# how the loop turns a raw value into a cell of the vector, and back; the last two for negated aliases (FMI 1.0)
-FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED, NEGATED_FLOAT = range(6)
+# How the loop turns a raw value into a cell of the vector, and back; NEGATED: whole numbers of negated aliases.
+FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED = range(5)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from ..fmu.types import BOOLEAN, FLOAT, NEGATED, NEGATED_FLOAT, TEXT
+from ..fmu.types import BOOLEAN, FLOAT, NEGATED, TEXT
 from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
 
@@ -42,12 +42,12 @@ def pack(
     """The cells of block m as the FMU wants them; arrays as in `run.run`."""
     at, first, size, code = blocks[m, AT], blocks[m, FIRST_SLOT], blocks[m, BYTES], blocks[m, CODE]
     for j in range(blocks[m, SIZE]):
-        if code == FLOAT:
+        if code == FLOAT and size == 8:  # doubles that are not in place: those of negated aliases
+            put_whole(raw, at + size * j, size, whole[first + j] ^ SIGN)
+        elif code == FLOAT:
             raw32[at // 4 + j] = z[first + j]
         elif code == TEXT:
             put_whole(raw, at + size * j, size, index[ADDRESS] + index[OFFSETS + whole[first + j]])
-        elif code == NEGATED_FLOAT:
-            put_whole(raw, at + size * j, size, whole[first + j] ^ SIGN)
         elif code == NEGATED:
             put_whole(raw, at + size * j, size, -whole[first + j])
         else:
@@ -62,7 +62,9 @@ def unpack(
     """What the FMU gave for block m into its cells; -1, or the cell of a text for which there is no room."""
     at, first, size, code = blocks[m, AT], blocks[m, FIRST_SLOT], blocks[m, BYTES], blocks[m, CODE]
     for j in range(blocks[m, SIZE]):
-        if code == FLOAT:
+        if code == FLOAT and size == 8:
+            whole[first + j] = whole_at(raw, at + size * j, size, 0) ^ SIGN
+        elif code == FLOAT:
             z[first + j] = raw32[at // 4 + j]
         elif code == TEXT:
             number = number_of(whole_at(raw, at + size * j, size, 0), pool, index)
@@ -71,8 +73,6 @@ def unpack(
             whole[first + j] = number
         elif code == BOOLEAN:
             whole[first + j] = whole_at(raw, at + size * j, size, 0) != 0
-        elif code == NEGATED_FLOAT:
-            whole[first + j] = whole_at(raw, at + size * j, size, 0) ^ SIGN
         elif code == NEGATED:
             whole[first + j] = -whole_at(raw, at + size * j, size, 1)
         else:

@@ -9,7 +9,7 @@ from math import isfinite
 
 import numpy as np
 
-from ..fmu.types import FLOAT, NEGATED_FLOAT
+from ..fmu.types import FLOAT
 from .calls import call_state
 from .cells import (
     AT,
@@ -178,7 +178,7 @@ def run(
                     if not good(status):
                         control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
                         return BAD_STATUS
-                    if code == GET and (blocks[n, CODE] == FLOAT or blocks[n, CODE] == NEGATED_FLOAT):
+                    if code == GET and blocks[n, CODE] == FLOAT:
                         for j in range(blocks[n, FIRST_SLOT], blocks[n, FIRST_SLOT] + blocks[n, SIZE]):
                             if not isfinite(z[j]):
                                 control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j

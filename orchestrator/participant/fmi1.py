@@ -16,12 +16,13 @@ from fmpy import fmi1
 
 from ..errors import FmuError
 from .apart.library import fresh_library
-from .base import CallError, refused
+from .base import CallError
 from .c_messages import format_messages, known_as
 from .library import Judged
 from .lifecycle import PREFIX, STATE_FUNCTIONS, State, allowed
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
+from .refusal import refused
 
 TEXTS = ("fmi1GetVersion", "fmi1GetTypesPlatform")  # functions that answer with text; fmpy says so of too many
 KIND = "application/x-fmu-sharedlibrary"

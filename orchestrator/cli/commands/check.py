@@ -27,7 +27,7 @@ STYLES = {
 
 @app.command()
 def check(
-    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="The files to check, FMI 2.0 or 3.0.")],
+    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="The files to check, FMI 1.0, 2.0 or 3.0.")],
     strict: Annotated[
         bool, typer.Option("--strict", help="Exit with 1 for findings too, not only for errors.")
     ] = False,
@@ -71,7 +71,7 @@ def print_report(report: Report) -> None:
 
 @app.command("test-component")
 def test_component(
-    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to test, FMI 2.0 or 3.0.")],
+    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to test, FMI 1.0, 2.0 or 3.0.")],
     component: Annotated[str, typer.Option("--as", metavar="NAME", help="The component that it claims to be.")],
     map_: Annotated[Path | None, typer.Option("--map", help="Mapping file, where it has other names.")] = None,
     tolerance: Annotated[

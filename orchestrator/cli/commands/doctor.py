@@ -50,7 +50,7 @@ def _platform() -> Iterator[Line]:
 
     yield "Python", f"{platform.python_version()} ({sys.executable})", ""
     yield "system", f"{platform.platform()}, {os.cpu_count()} processors", ""
-    yield "FMI platform", f"{fmpy.platform} (2.0), {fmpy.platform_tuple} (3.0)", ""
+    yield "FMI platform", f"{fmpy.platform} (1.0 and 2.0), {fmpy.platform_tuple} (3.0)", ""
 
 
 def _packages() -> Iterator[Line]:

@@ -16,7 +16,7 @@ from ..progress import share
 
 @app.command()
 def replay(
-    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to drive alone, FMI 2.0 or 3.0.")],
+    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to drive alone, FMI 1.0, 2.0 or 3.0.")],
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where `run --record-boundary` wrote its files.")],
     name: Annotated[str, typer.Option("--name", help="Which recording, where DIR holds several.")] = "",
     map_: Annotated[Path | None, typer.Option("--map", help="Mapping file, where it has other names.")] = None,

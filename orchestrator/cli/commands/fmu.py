@@ -16,7 +16,7 @@ SHOWN = 30  # variables of a causality, where not all are asked for
 
 @app.command()
 def info(
-    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to look into, FMI 2.0 or 3.0.")],
+    fmu: Annotated[Path, typer.Argument(metavar="FMU", help="The file to look into, FMI 1.0, 2.0 or 3.0.")],
     json_: Annotated[bool, typer.Option("--json", help="As JSON, everything.")] = False,
     all_: Annotated[bool, typer.Option("--all", help="Every variable, however many there are.")] = False,
 ) -> None:

@@ -54,7 +54,7 @@ def _sources(subject: Subject) -> Row:
     missing = [name[:100] for name in named if posixpath.normpath(name) not in there]
     if not named:
         missing = ["a list of the source files"]
-    where = "SourceFiles of modelDescription.xml" if subject.version == 2 else "sources/buildDescription.xml"
+    where = "SourceFiles of modelDescription.xml" if subject.version < 3 else "sources/buildDescription.xml"
     mend = f"let {where} and sources/ agree"
     return judged(STAGE, rule, missing, f"{counted(len(named), 'file')} to compile", "missing", mend, "finding")
 

@@ -20,10 +20,12 @@ def description_rows(subject: Subject) -> Iterator[Row]:
     yield from _ranges(subject)
     yield from _structure(subject)
     guid = subject.description.guid or ""
-    what = "guid" if subject.version == 2 else "instantiationToken"
+    what = "instantiationToken" if subject.version == 3 else "guid"
     bad = [] if re.fullmatch(TOKEN, guid) else [guid or "empty"]
     mend = "use a UUID or a hash of the content, in braces"
     yield judged(STAGE, f"{what} identifies the content", bad, f"{len(guid)} characters", "neither", mend, "finding")
+    if subject.version == 1:  # which has no word for it
+        return
     experiment = subject.description.defaultExperiment
     yield judged(
         STAGE, "a step size is suggested", [] if experiment and experiment.stepSize else ["no stepSize"],
@@ -63,6 +65,14 @@ def _ranges(subject: Subject) -> Iterator[Row]:
 
 def _structure(subject: Subject) -> Iterator[Row]:
     described = subject.description
+    if subject.version == 1:
+        silent = [u.variable.name for u in described.outputs if u.dependencies is None and u.variable]
+        yield judged(
+            STAGE, "dependencies are declared", silent, "for every output", "without DirectDependency",
+            "add DirectDependency, an empty one where there are none; without it a host must assume algebraic loops",
+            "finding",
+        )  # fmt: skip
+        return
     outputs = [v for v in subject.of("output") if v.alias is None]
     listed_outputs = {u.variable.name for u in described.outputs if u.variable}
     yield judged(
@@ -94,11 +104,14 @@ def _structure(subject: Subject) -> Iterator[Row]:
 def capability_rows(subject: Subject) -> Iterator[Row]:
     """One row per capability flag that a host of several FMUs needs."""
     flags = subject.interface
-    rules = (
+    states = (
         ("states can be saved", flags.canGetAndSetFMUstate, "canGetAndSetFMUstate is false",
          "without it no step can be repeated: no iteration, no adaptive steps"),
         ("states can be serialized", flags.canSerializeFMUstate, "canSerializeFMUstate is false",
          "without it no run can be continued in another process"),
+    )  # fmt: skip
+    rules = (
+        *(states if subject.version > 1 else ()),  # FMI 1.0 has none
         ("steps may vary", flags.canHandleVariableCommunicationStepSize,
          "canHandleVariableCommunicationStepSize is false", "the host must step at the FMU's own step size"),
         ("several instances per process", not flags.canBeInstantiatedOnlyOncePerProcess,

@@ -16,6 +16,7 @@ from .tried import Tried
 WIDE = ("Integer", "Int32", "Int64", "Enumeration")
 LARGEST_REAL, LARGEST_INTEGER = 1e37, 2.0**31  # Float32 and Int32 can hold them
 ORDER, RANGE = "wrong call order", "out of range"
+WITHOUT_MODE = "FMI 1.0 has no initialization mode"
 MEND = "return Error and log why; a host with a mistake must not get numbers"
 
 
@@ -29,6 +30,8 @@ def step_before_initialization(subject: Subject) -> Row:
 
 def exit_before_enter(subject: Subject) -> Row:
     """exitInitializationMode without enterInitializationMode."""
+    if subject.version == 1:
+        return Row(ORDER, "exitInitializationMode without enter", "not applicable", WITHOUT_MODE)
     instance = Tried(subject)
     instance.must("setupExperiment", instance.setup())
     with instance.unguarded():
@@ -38,6 +41,8 @@ def exit_before_enter(subject: Subject) -> Row:
 
 def enter_twice(subject: Subject) -> Row:
     """enterInitializationMode once more after initialization."""
+    if subject.version == 1:
+        return Row(ORDER, "enterInitializationMode after initialization", "not applicable", WITHOUT_MODE)
     instance = Tried(subject)
     instance.begin()
     with instance.unguarded():

@@ -1,4 +1,4 @@
-"""The FMU under check: what its files say, of FMI 2.0 or 3.0, before anything of it is run."""
+"""The FMU under check: what its files say, of FMI 1.0, 2.0 or 3.0, before anything of it is run."""
 
 from __future__ import annotations
 
@@ -21,8 +21,10 @@ from ...fmu.unpacked import archive_of, unpack
 
 STEP = 1e-3  # s, where the FMU suggests none
 # folder names of binaries, by FMI version: the one of this machine's and all that the standards name
+EARLY = ("darwin64", "linux32", "linux64", "win32", "win64")
 PLATFORMS = {
-    2: ("darwin64", "linux32", "linux64", "win32", "win64"),
+    1: EARLY,
+    2: EARLY,
     3: ("aarch64-darwin", "aarch64-linux", "aarch64-windows", "x86-linux", "x86-windows", "x86_64-darwin",
         "x86_64-linux", "x86_64-windows"),
 }  # fmt: skip
@@ -31,7 +33,7 @@ SUFFIXES = {"darwin": ".dylib", "linux": ".so", "win": ".dll"}
 
 @dataclass(frozen=True)
 class Subject:
-    """An unpacked FMU of FMI 2.0 or 3.0 with a co-simulation interface."""
+    """An unpacked FMU of FMI 1.0, 2.0 or 3.0 with a co-simulation interface."""
 
     path: Path
     folder: Path
@@ -56,7 +58,7 @@ class Subject:
 
     @property
     def interface(self) -> Any:
-        """The CoSimulation element; its flags have the same names for FMI 2.0 and 3.0."""
+        """The CoSimulation element; its flags have the same names for all versions."""
         return self.description.coSimulation
 
     @cached_property
@@ -81,7 +83,7 @@ class Subject:
     @property
     def platform(self) -> str:
         """This machine's folder name in the FMU's version of the standard."""
-        return platform_folder(self.version) or str(fmpy.platform_tuple)  # FMI 2.0 has no name for Linux on ARM
+        return platform_folder(self.version) or str(fmpy.platform_tuple)  # FMI 1.0 and 2.0 have none for Linux on ARM
 
 
 def suffix(platform: str) -> str:
@@ -106,7 +108,7 @@ def bounds(variable: ModelVariable) -> tuple[float | None, float | None]:
 
 
 def open_subject(path: Path) -> Subject:
-    """Unpack and read. Raises FmuError: not readable, FMI 1.0, no co-simulation; the text says how to go on."""
+    """Unpack and read. Raises FmuError: not readable, no co-simulation; the text says how to go on."""
     folder, _ = unpack(path)
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pint
@@ -32,20 +32,18 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
         f"{len(used)} variables, {len(units)} units", "without a unit",
         'give each a unit, "1" for pure numbers', "finding",
     )  # fmt: skip
+    if subject.version == 1:  # where only display units are defined
+        units = {unit: Unit(name=unit) for unit in used.values() if unit}
+    yield from _understood(units) if subject.version == 1 else _defined(units, used)
+
+
+def _defined(units: dict[str, Unit], used: dict[str, str | None]) -> Iterator[Row]:
     yield judged(
         STAGE, "units are defined", sorted({u for u in used.values() if u and u not in units}),
         "all in UnitDefinitions", "not in UnitDefinitions", "add a Unit element for each", "finding",
     )  # fmt: skip
-    known, unknown = {}, []
-    for name, unit in units.items():
-        try:
-            known[name] = (unit, parse_unit(name))
-        except InputError:
-            unknown.append(name)
-    yield judged(
-        STAGE, "units are understood", unknown, "pint reads every name", "pint cannot read",
-        "write them as in N.m, kg.m2, rad/s", "finding",
-    )  # fmt: skip
+    yield from _understood(units)
+    known = {name: (unit, meant) for name, unit in units.items() if (meant := _meaning(name)) is not None}
     missing = [name for name, (unit, meant) in known.items() if unit.baseUnit is None and _whole(meant)]
     yield judged(
         STAGE, "BaseUnit is given", missing, "wherever its exponents are whole", "without BaseUnit",
@@ -56,6 +54,21 @@ def unit_rows(subject: Subject) -> Iterator[Row]:
         STAGE, "BaseUnit fits the name", wrong, "exponents and factors are those of pint", "not the unit of that name",
         "correct exponents, factor or offset of BaseUnit, or the name", "finding",
     )  # fmt: skip
+
+
+def _understood(units: Iterable[str]) -> Iterator[Row]:
+    yield judged(
+        STAGE, "units are understood", [name for name in units if _meaning(name) is None], "pint reads every name",
+        "pint cannot read", "write them as in N.m, kg.m2, rad/s", "finding",
+    )  # fmt: skip
+
+
+def _meaning(name: str) -> Any:
+    """A unit as pint has it; None for one that it does not know."""
+    try:
+        return parse_unit(name)
+    except InputError:
+        return None
 
 
 def _whole(meant: pint.Unit) -> bool:

@@ -29,6 +29,7 @@ class Binding:
     ours: Declared
     theirs: tuple[ModelVariable, ...]
     crossings: tuple[Crossing, ...]  # one per element
+    negated: tuple[bool, ...] = ()  # of theirs, which lie behind their references with the other sign (FMI 1.0)
 
     @property
     def name(self) -> str:
@@ -58,6 +59,12 @@ class Binding:
         if self.ours.size:
             return np.array(numbers)
         return round(numbers[0]) if self.ours.kind == "Integer" else numbers[0]
+
+    def turned(self, values: Sequence[Any]) -> list[Any]:
+        """Their values as they lie behind the references, or back."""
+        if not any(self.negated):
+            return list(values)
+        return [-x if negated else x for x, negated in zip(values, self.negated, strict=True)]
 
     def starts(self) -> list[float] | None:
         """Their start values, or None where one is not stated."""
@@ -93,7 +100,7 @@ def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
         raise InputError(f"it has {count} elements, {max(ours.size, 1)} are expected")
     crossings = []
     for v, entry in found:
-        # FMI 2.0 writes units on numbers with decimals only.
+        # FMI 1.0 and 2.0 write units on numbers with decimals only.
         own = v.unit or (None if v.type in REALS else ours.unit)
         theirs = Unit(own, fmu.definitions.get(own), bool(v.relativeQuantity)) if own else None
         said = Unit(entry.unit, None, bool(v.relativeQuantity)) if entry.unit else None
@@ -101,4 +108,5 @@ def bind(ours: Declared, fmu: Fmu, mapping: VariableMapping) -> Binding | None:
             raise InputError(f"the mapping says {said}, their FMU says {theirs} {entry.where}")
         meant = theirs if said is None or (theirs and theirs.name == said.name) else said
         crossings += [crossing(v.name, ours.unit, meant, entry.sign, ours.name)] * elements_of(v)
-    return Binding(ours, tuple(v for v, _ in found), tuple(crossings))
+    negated = tuple(v.name in fmu.negated for v, _ in found)
+    return Binding(ours, tuple(v for v, _ in found), tuple(crossings), negated)

@@ -111,7 +111,7 @@ class RunningFmu:
         self._check_alive()
         binding = self.unit.binding(name)
         kind, count = function_type(self.unit.fmu.version, binding.type), len(binding.crossings)
-        return binding.back(self.instance.take(binding.name, kind, binding.references, count))
+        return binding.back(binding.turned(self.instance.take(binding.name, kind, binding.references, count)))
 
     def save(self) -> Any:
         """The FMU's state and the time."""
@@ -135,7 +135,7 @@ class RunningFmu:
     def _write(self, binding: Binding, value: Any) -> None:
         self._check_alive()
         kind = function_type(self.unit.fmu.version, binding.type)
-        self.instance.put(binding.name, kind, binding.references, binding.there(value))
+        self.instance.put(binding.name, kind, binding.references, binding.turned(binding.there(value)))
 
     def _set_own(self, values: Mapping[str, Value], table: str) -> None:
         """Values for variables of theirs: scalars, elements `a[2]`, or one value for a whole array `a`."""

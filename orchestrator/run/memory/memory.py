@@ -7,7 +7,7 @@ from itertools import groupby
 
 import numpy as np
 
-from ...fmu.types import NEGATED, NEGATED_FLOAT, TEXT, FmiType, Value, decode, encode, function_type
+from ...fmu.types import NEGATED, TEXT, FmiType, Value, decode, encode, function_type
 from ...loop.calls import STEP_FLAGS
 from ...loop.cells import IN_PLACE
 from ...loop.operations import RESTORE
@@ -102,8 +102,8 @@ class Memory:
         first, size = slots[0][0], len(slots)
         code, negated = kind.code, places[0].negated
         in_place = kind.real and kind.size == 8 and not negated
-        if negated:
-            code = NEGATED_FLOAT if kind.real else NEGATED
+        if negated and not kind.real:
+            code = NEGATED
         used = 0 if in_place else -(-size * kind.size // 16) * 16
         return [
             instance.address(function), references.ctypes.data, len(references), 8 * first if in_place else raw,

@@ -10,6 +10,7 @@ from ...errors import InputError
 from ...system.components import fmu_folder
 from ...system.model import System
 from ...system.reader import load_system
+from .mixed import mixed_ring
 from .native_fmu import ring
 
 TRIVIAL_FMU = """
@@ -58,6 +59,7 @@ def cases(folder: Path, fmus: Path | None) -> list[Case]:
         Case("signals20", load_system(str(ring(folder, 2, 20, stop="200 s"))), 20_000),
         Case("chain400", load_system(str(ring(folder, 400, stop="5 s"))), 300),
         Case("python4", trivial_system(folder), 3_000),
+        Case("feedthrough4 of FMI 1.0, 2.0, 3.0", load_system(str(mixed_ring(folder, stop="200 s")))),
     ]
     return [
         *(replace(case, system=replace(case.system, algorithm="jacobi")) for case in alike),

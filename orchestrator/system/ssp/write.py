@@ -133,7 +133,7 @@ def _connection(parent: Any, system: System, connection: Connection) -> None:
 
 
 def _type(variable: ModelVariable) -> str:
-    """The SSP type of an FMI 2.0 or 3.0 variable: enumerations by their numbers."""
+    """The SSP type of an FMI variable: enumerations by their numbers."""
     return TYPES.get(variable.type, "Integer")
 
 

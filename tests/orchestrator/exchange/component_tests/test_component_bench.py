@@ -176,7 +176,8 @@ def test_fmus_that_cannot_be_used_give_one_message_that_says_what_to_ask_for(
     fmus: Path, native: Path, tmp_path: Path
 ) -> None:
     old = edited(fmus / "dc_motor.fmu", tmp_path / "old.fmu", {}, {'fmiVersion="2.0"': 'fmiVersion="1.0"'})
-    with pytest.raises(FmuError, match=r"is of FMI version 1\.0; .*export it again as FMI 2\.0 or 3\.0"):
+    words = r"is of FMI version 1\.0 and written as a later one; correct fmiVersion, or export it again"
+    with pytest.raises(FmuError, match=words):
         make_bench(old, "dc_motor", None)
     library = f"binaries/{fmpy.platform_tuple}/dc_motor{fmpy.sharedLibraryExtension}"
     bare = edited(native / "fmi3" / "dc_motor.fmu", tmp_path / "bare.fmu", {library: None})
