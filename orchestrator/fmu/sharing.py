@@ -16,6 +16,7 @@ import numpy as np
 
 from .fmu import Fmu
 
+HOSTS = ("pythonfmu", "pythonfmu3")  # packages that run such FMUs, which each of them brings
 EXTENSIONS = (".so", ".pyd", ".dylib")
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 BY_NAME = frozenset({"pickle", "dill", "cloudpickle", "shelve", "multiprocessing", "concurrent", "joblib", "importlib"})
@@ -64,7 +65,7 @@ def bundled(resources: Path) -> frozenset[str]:
 @cache
 def _late(resources: Path) -> str:
     own = bundled(resources)
-    files = [path for path in sorted(resources.rglob("*")) if path.relative_to(resources).parts[0] != "pythonfmu"]
+    files = [path for path in sorted(resources.rglob("*")) if path.relative_to(resources).parts[0] not in HOSTS]
     for path in files:
         if path.suffix in EXTENSIONS:
             return f"it brings Python modules in machine code ({path.name}), which a process loads once"

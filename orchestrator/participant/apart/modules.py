@@ -17,10 +17,9 @@ from pathlib import Path
 from types import ModuleType
 
 from ...fmu.fmu import Fmu
-from ...fmu.sharing import bundled, imports_late, made_by_pythonfmu, made_here
+from ...fmu.sharing import HOSTS, bundled, imports_late, made_by_pythonfmu, made_here
 from .meeting import may_meet
 
-SHARED = "pythonfmu"  # what every such FMU brings; one of the same version serves all
 _lock = threading.RLock()
 
 
@@ -32,7 +31,7 @@ def own_modules(fmu: Fmu) -> Iterator[None]:
         return
     folder = fmu.folder / "resources"
     with _lock:
-        names = {name for name in bundled(folder) if name != SHARED or not _same_version(folder)}
+        names = {name for name in bundled(folder) if name not in HOSTS or not _same_version(name, folder)}
         hidden = _taken(lambda name, _: name.split(".")[0] in names)
         path = list(sys.path)
         importlib.invalidate_caches()
@@ -60,13 +59,13 @@ def _inside(module: ModuleType, folder: Path) -> bool:
     return any(str(place).startswith(f"{folder}{os.sep}") for place in places if place)
 
 
-def _same_version(folder: Path) -> bool:
-    """Whether the pythonfmu that is loaded is the one that an FMU brings."""
-    loaded = sys.modules.get(SHARED)
+def _same_version(host: str, folder: Path) -> bool:
+    """Whether the pythonfmu that is loaded is the one that an FMU brings: it serves all."""
+    loaded = sys.modules.get(host)
     file = getattr(loaded, "__file__", None)
     if not file:
         return False
-    return _contents(Path(file).parent) == _contents(folder / SHARED)
+    return _contents(Path(file).parent) == _contents(folder / host)
 
 
 def _contents(package: Path) -> dict[str, bytes]:

@@ -56,7 +56,7 @@ class Callbacks:
             if sets and function.text:
                 if not shared.put_texts(texts_at(values, number_of_values)):
                     return self.refuse("its texts are longer than the memory shared with it")
-            elif sets:
+            elif not function.text:  # of a get, too: what an FMU does not write stays as it was
                 ctypes.memmove(shared.base + AT_VALUES, values, room)
             status = self.ask(function.kind, CALL.pack(number, count, number_of_values, 0.0, 0.0, False))
             if not sets and good(status):

@@ -25,6 +25,7 @@ CALL = struct.Struct(
     "<HxxxxxxQQdd?"
 )  # function, references, values; for a step its time, length and whether it is final
 STATUS = struct.Struct("<i")
+ENDS = 16  # bytes: the three flags of fmi3DoStep, and from byte 8 the last time reached
 LONGEST = 1 << 30  # bytes of a message: a state as text
 REFERENCES, VALUES, TEXT_ROOM = 1 << 20, 1 << 20, 1 << 20  # bytes; offsets follow from them
 SIZE = REFERENCES + VALUES + TEXT_ROOM

@@ -21,7 +21,7 @@ from ..base import CallError, State
 from ..lifecycle import ERROR
 from ..loaded import LoadedInstance
 from ..opening import load
-from .channel import CALL, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
+from .channel import CALL, ENDS, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions
 
 BY_NAME = ("set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save", "restore",
@@ -112,6 +112,7 @@ class Served:
         version, kind = instance.fmu.version, function.kind
         if kind == "step":
             ends = [final, at, at + 1, at + 2, at + 8] if version == 3 else [int(final)]
+            ctypes.memset(at, 0, ENDS)  # some FMUs write only what they have to report
             status = native(pointer, time, length, *ends)
         elif kind in ("save", "forget"):
             status = native(pointer, at)

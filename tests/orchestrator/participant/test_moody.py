@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import column, python, read_system, system_text
-from native_build import moody, needs_gcc
+from native_build import FREE3, feedthrough3, moody, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.isolated import parent
@@ -239,6 +239,27 @@ def test_the_component_is_known_where_it_is_alone(tmp_path: Path) -> None:
 def test_nothing_is_said_of_fmus_that_leave_things_alone(tmp_path: Path) -> None:
     assert run(tmp_path, isolate=False).notes == [] and run(tmp_path).notes == []
     assert Surroundings().restore() == []
+
+
+@pytest.mark.parametrize("isolate", [False, True])
+def test_what_a_getter_does_not_write_stays_as_it_was(isolate: bool, tmp_path: Path) -> None:
+    """Not what another call has left in the memory that is shared with a process."""
+    found = run(tmp_path, isolate=isolate, ON_GET="if (m->steps > 3) return fmi2OK")
+    assert not found.failure
+    for name in ("m.x", "m.y"):
+        values = column(found, name)[1]
+        assert values[3:].tolist() == [values[3]] * len(values[3:]) and values[3] > values[2]
+
+
+@pytest.mark.parametrize("isolation", ["none", "process"])
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_what_a_step_does_not_report_is_nothing(isolation: str, interpreted: bool, tmp_path: Path) -> None:
+    """Of an FMI 3.0 FMU that leaves the flags of fmi3DoStep alone, as some do."""
+    feedthrough3(tmp_path / "f.fmu", SILENT=1)
+    of = {"f": {"isolation": isolation}}
+    system = read_system(tmp_path, tmp_path, {"f": ("f", "1 ms", FREE3)}, stop="10 ms", of=of)
+    found = simulate(make_plan(system), interpreted)
+    assert not found.failure and len(found.tables[0]) == 11
 
 
 def test_memory_shared_with_a_process_is_given_back(tmp_path: Path) -> None:
