@@ -57,7 +57,9 @@ MapOption = Annotated[
 PeriodOption = Annotated[
     list[str],
     typer.Option(
-        "--period", metavar="NAME=TIME", help='Another period of a component: motor="1 ms"; of a bare FMU "1 ms".'
+        "--period",
+        metavar="NAME=TIME",
+        help='Another period of a component: motor="1 ms"; of a component alone "1 ms".',
     ),
 ]
 InputOption = Annotated[

@@ -111,6 +111,15 @@ def _check(system: System) -> None:
             )
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
+        fmu = component.fmu
+        arrays = [
+            v for v in (*fmu.names("output"), *component.parameters, *component.inputs) if fmu.places[v].count > 1
+        ]
+        if fmu.version == 3 and arrays:
+            raise InputError(
+                f"component {name}: {arrays[0].partition('[')[0]} is an array of FMI 3.0, which a container cannot "
+                f"pass on; take an FMU of FMI 2.0, or export an SSP (--ssp)"
+            )
     for connection in system.connections:
         if words := system.conversion(connection).words:
             raise InputError(

@@ -45,6 +45,11 @@ def check_numeric(system: System, origin: str) -> None:
         if key != "window"
     ]
     wanted += [(f"balance {key}", str(name)) for key, names in reporting["balance"].items() for name in names]
+    wanted += [
+        (f"figure {entry.get('file', '')}", str(name))
+        for entry in reporting["figures"]
+        for name in entry.get("signals", ())
+    ]
     for what, name in wanted:
         component, _, variable = name.partition(".")
         owner = system.components.get(component)

@@ -61,11 +61,17 @@ class Result:
         return xarray.Dataset(variables, attrs={"complete": int(all(t.attrs["complete"] for t in found.values()))})
 
     def __getitem__(self, name: str) -> xarray.DataArray:
-        """One signal over its own times, `result["motor.i"]`. Raises InputError for a name that is not recorded."""
-        for group, table in self.datasets.items():
-            if name in table and name != "time":
-                return table[name].assign_attrs(period=self.datasets[group].attrs["period"])
+        """One signal over its own times, `result["motor.i"]`; of a component alone `result["i"]` will do.
+
+        Raises InputError for a name that is not recorded.
+        """
         known = [str(key) for table in self.datasets.values() for key in table]
+        owners = {key.partition(".")[0] for key in known if not key.startswith("coupling.")}
+        names = (name, f"{next(iter(owners))}.{name}") if len(owners) == 1 else (name,)
+        for table in self.datasets.values():
+            for key in names:
+                if key in table and key != "time":
+                    return table[key].assign_attrs(period=table.attrs["period"])
         raise InputError(f"no recorded signal '{name}'{nearest(name, known)}")
 
     @cached_property

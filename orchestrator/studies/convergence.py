@@ -21,6 +21,7 @@ import numpy as np
 
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file, write_json
+from ..fmu.types import TEXT
 from ..plan.plan import make_plan
 from ..results.plots import new_figure
 from ..results.signals import Signals
@@ -29,6 +30,7 @@ from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate
 from ..system.assemble import assemble
+from ..system.model import System
 from ..system.request import UNCHANGED, Changes
 
 BOUND = 0.005  # largest relative change of a mean when every period is halved
@@ -98,7 +100,8 @@ def converge(
         summaries.append(summarize(runs[-1].run))
         done += share
     rows = [row(key, [s[key] for s in summaries]) for key in summaries[0] if key.endswith("_mean")]
-    signals = [signal_row(key, runs) for key in runs[0].places if not key.startswith("coupling.")]
+    compared = [key for key in runs[0].places if not key.startswith("coupling.") and is_number(base.system, key)]
+    signals = [signal_row(key, runs) for key in compared]
     signals.sort(key=lambda r: r["relative"] if r["relative"] is not None else math.inf, reverse=True)
     content = {"system": name, "bound": BOUND, "rows": rows, "signals": signals}
     paths = [
@@ -107,6 +110,13 @@ def converge(
         write_file(out / "convergence.png", figure(name, signals).savefig),
     ]
     return Convergence(name, rows, signals, paths)
+
+
+def is_number(system: System, key: str) -> bool:
+    """Whether a signal is one: texts converge to nothing."""
+    component, _, variable = key.partition(".")
+    kind = system.components[component].fmu.type_of(variable)
+    return kind is None or kind.code != TEXT
 
 
 def row(key: str, values: list[float]) -> dict[str, Any]:
@@ -129,7 +139,10 @@ def signal_row(name: str, runs: list[Signals]) -> dict[str, Any]:
     The order is None where a difference is nothing but rounding; the error bar is None where nothing converges.
     """
     coarse = runs[0][name]
-    values = [coarse.values, *(np.interp(coarse.time, run[name].time, run[name].values) for run in runs[1:])]
+    values = [
+        coarse.values.astype(float),
+        *(np.interp(coarse.time, run[name].time, run[name].values) for run in runs[1:]),
+    ]
     size = float(np.max(np.abs(values[2])))
     first, second = (float(np.max(np.abs(a - b))) for a, b in pairwise(values))
     order: float | None = None

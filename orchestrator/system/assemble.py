@@ -39,6 +39,13 @@ def assemble(
     recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the system says.
     `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
+    if is_fmu(Path(name)):  # its steps are those of its period, and decide where it ends
+        alone = component_name(Path(name))
+        given = [text for owner, text in changes.periods if owner in ("", alone)]
+        if len(given) > 1:
+            raise InputError(f"--period {given[1]}: {alone} has {given[0]} already")
+        step = given[0] if given else step
+        changes = replace(changes, periods=tuple(p for p in changes.periods if p[0] not in ("", alone)))
     loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)), start)
     system = apply_changes(loaded, changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
@@ -66,32 +73,46 @@ def over(
 
 def assemble_request(request: Request) -> System:
     """What the command line asked for. Raises InputError or FmuError."""
-    step, periods = request.step, request.period
-    if is_fmu(Path(request.system)):  # `--period "1 ms"` needs no name
-        named = f"{component_name(Path(request.system))}="
-        step = next((text.removeprefix(named) for text in periods if text.startswith(named) or "=" not in text), step)
-        periods = tuple(text for text in periods if "=" in text and not text.startswith(named))
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
-        changes_of(request.replace, request.map_, periods, request.allow_outside), request.record_boundary, step,
-        request.record, tuple(map(Path, request.input_)), request.start,
+        changes_of(request.replace, request.map_, request.period, request.allow_outside), request.record_boundary,
+        request.step, request.record, tuple(map(Path, request.input_)), request.start,
     )  # fmt: skip
 
 
 def apply_changes(system: System, changes: Changes) -> System:
     """With other FMUs in the place of components, and other periods. Raises InputError or FmuError."""
-    fmus, mappings = dict(changes.fmus), dict(changes.mappings)
-    for option, pairs in (("--period", changes.periods), ("--replace", changes.fmus), ("--map", changes.mappings)):
-        for name, _ in pairs:
-            if name not in system.components:
-                raise InputError(f"{option}: no component '{name}'{nearest(name, system.components)}")
-    periods = {name: duration(text, f"--period {name}") for name, text in changes.periods}
+    fmus = _by_component(system, "--replace", changes.fmus)
+    mappings = _by_component(system, "--map", changes.mappings)
+    given = _by_component(system, "--period", changes.periods)
+    periods = {name: duration(text, f"--period {name}") for name, text in given.items()}
     for name in mappings.keys() - fmus.keys():
         raise InputError(f"--map {name}: nothing replaces {name}; give --replace {name}=their.fmu too")
     for name, path in fmus.items():
         mapping = load_mapping(Path(mappings[name])) if name in mappings else VariableMapping()
         system = replace_component(system, name, Fmu.open(Path(path)), mapping)
     return _with_periods(system, periods)
+
+
+def _by_component(system: System, option: str, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
+    """What is asked for by component; where there is one it needs no name."""
+    found: dict[str, str] = {}
+    first, *others = system.components
+    for name, value in pairs:
+        owner = first if not name and not others else name
+        if not owner:
+            said = value if option == "--period" else Path(value).name
+            quoted = f'"{said}"' if " " in said else said
+            raise InputError(
+                f"{option} {said}: write component=value, for instance {option} {first}={quoted}; there are "
+                f"{', '.join(system.components)}"
+            )
+        if owner not in system.components:
+            raise InputError(f"{option}: no component '{owner}'{nearest(owner, system.components)}")
+        if owner in found:
+            raise InputError(f"{option} {value}: {owner} has {found[owner]} already")
+        found[owner] = value
+    return found
 
 
 def _with_periods(system: System, periods: Mapping[str, Fraction]) -> System:

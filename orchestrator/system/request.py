@@ -59,12 +59,15 @@ class Request:
 def _absolute(text: str) -> str:
     """`motor=their.fmu` with its path absolute."""
     name, equals, path = text.partition("=")
-    return f"{name}{equals}{Path(path.strip()).absolute()}" if equals else text
+    return f"{name}{equals}{Path(path.strip()).absolute()}" if equals else str(Path(text.strip()).absolute())
 
 
 @dataclass(frozen=True)
 class Changes:
-    """By component: the FMU that replaces it, its mapping file, its period as text. Hashable, small to send."""
+    """By component: the FMU that replaces it, its mapping file, its period as text. Hashable, small to send.
+
+    An empty name stands for the only component of a system: see `assemble.apply_changes`.
+    """
 
     fmus: tuple[tuple[str, str], ...] = ()  # absolute paths
     mappings: tuple[tuple[str, str], ...] = ()
@@ -93,11 +96,12 @@ def changes_of(
 def _pairs(option: str, texts: Iterable[str], example: str, paths: bool = False) -> tuple[tuple[str, str], ...]:
     found: dict[str, str] = {}
     for text in texts:
-        name, equals, value = (part.strip() for part in text.partition("="))
-        if not (name and equals and value):
+        first, equals, rest = (part.strip() for part in text.partition("="))
+        name, value = (first, rest) if equals else ("", first)
+        if not value or (equals and not name):
             raise InputError(f"{option} {text}: write component=value, for instance {option} {example}")
         if name in found:
-            raise InputError(f"{option} {text}: {name} has {found[name]} already")
+            raise InputError(f"{option} {text}: {name or 'the component'} has {found[name]} already")
         found[name] = str(Path(value).absolute()) if paths else value
     return tuple(found.items())
 

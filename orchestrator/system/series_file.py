@@ -163,7 +163,9 @@ def _inputs_of(system: System, name: str, origin: str) -> tuple[Component, list[
     """The component and the scalars behind `component.input`, which nothing must drive."""
     owner, _, variable = system.full_name(name).partition(".")
     if owner not in system.components:
-        raise InputError(f"{origin}: no component '{owner}' in '{name}'{nearest(owner, system.components)}")
+        known = [f"{c.name}.{v}" for c in system.components.values() for v in c.fmu.base_names("input")]
+        what = f"no component '{owner}' in '{name}'" if variable else f"'{name}' is no input"
+        raise InputError(f"{origin}: {what}{nearest(name, known)}")
     component = system.components[owner]
     scalars = [s for s in component.fmu.expand(variable) if follows_tables(component.fmu.variables[s])]
     if not scalars:

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers import Measured, column, python, read_system
+from helpers import Measured, column, python, read_system, system_text
+from native_build import FREE3, built, needs_gcc
 from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
@@ -177,3 +178,11 @@ def test_without_the_toolbox_the_error_says_what_to_install(
     monkeypatch.setitem(sys.modules, "fmu_manipulation_toolbox", None)
     with pytest.raises(InputError, match=r"pip install 'rovbrush\[check\]'"):
         write_container(load_system("test_stand", fmus), tmp_path / "whole.fmu")
+
+
+@needs_gcc
+def test_an_array_of_fmi_3_is_refused_with_what_helps(tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text(system_text({"a": ("feedthrough3", "1 ms", FREE3)}, stop="5 ms"))
+    system = load_system(str(tmp_path / "a.toml"), built(tmp_path))
+    with pytest.raises(InputError, match=r"component a: \w+ is an array of FMI 3\.0.*FMI 2\.0, or export an SSP"):
+        write_container(system, tmp_path / "c.fmu")

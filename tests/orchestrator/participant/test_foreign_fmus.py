@@ -92,7 +92,7 @@ def test_the_remedy_of_steps_of_one_size_works(tmp_path: Path, fmus: Path) -> No
 OPTIONS = {
     "no component": (["gg=x.fmu"], [], [], ["no component 'gg'", "did you mean 'g'"]),
     "no file": (["g=nowhere.fmu"], [], [], ["nowhere.fmu does not exist"]),
-    "no equals sign": (["their.fmu"], [], [], ["--replace their.fmu: write component=value"]),
+    "no equals sign": (["their.fmu"], [], [], ["--replace their.fmu: write component=value", "--replace w=their.fmu"]),
     "twice": (["g=a.fmu", "g=b.fmu"], [], [], ["--replace g=b.fmu: g has", "a.fmu already"]),
     "a mapping alone": ([], ["g=map.toml"], [], ["--map g: nothing replaces g"]),
     "a period of nothing": ([], [], ["gg=1 ms"], ["--period: no component 'gg'", "did you mean 'g'"]),

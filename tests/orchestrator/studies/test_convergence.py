@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import column, run_of, system_text
+from native_build import FREE3, built, needs_gcc
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies.convergence import converge, signal_row
@@ -73,3 +74,13 @@ def test_adaptive_steps_have_no_periods_to_halve(tmp_path: Path, fmus: Path) -> 
     bond = {"name": "strut", "effort": "c.F", "flow": "w.v_c"}
     with pytest.raises(InputError, match="the tolerances decide the steps"):
         report(tmp_path, fmus, algorithm="ecco", bonds=[bond])
+
+
+@needs_gcc
+def test_texts_do_not_converge_and_whole_numbers_are_compared_exactly(tmp_path: Path) -> None:
+    parts = {"a": ("feedthrough3", "2 ms", FREE3)}
+    (tmp_path / "types.toml").write_text(system_text(parts, stop="8 ms"))
+    signals = {r["signal"]: r for r in converge(str(tmp_path / "types.toml"), tmp_path, built(tmp_path)).signals}
+    assert "a.String_out" not in signals and "a.t_out[1]" not in signals
+    for name in ("UInt8_out", "Int8_out", "Boolean_out", "Enumeration_out", "Float32_out"):
+        assert (signals[f"a.{name}"]["difference_halved"], signals[f"a.{name}"]["error_bar"]) == (0.0, 0.0)

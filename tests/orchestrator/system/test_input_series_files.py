@@ -79,7 +79,7 @@ WRONG = [
     ("t,i.u\n0,1\n", "there is no column 'time' among t, i.u"),
     ("time,i.u,i.u\n0,1,1\n", "column 'i.u' appears twice"),
     ("time,i.v\n0,1\n", "i.v is no input; there are u"),
-    ("time,j.u\n0,1\n", "no component 'j' in 'j.u'; there are i"),
+    ("time,j.u\n0,1\n", "no component 'j' in 'j.u'; did you mean 'i.u'?"),
     ("time,i.x\n0,1\n", "i.x is no input"),
     ("time,i.u\n0,1,2\n", "line 2: 3 cells under 2 headings"),
     ("time,i.u\n0,one\n", "line 2: i.u = 'one' is not a number"),

@@ -11,9 +11,11 @@ from cells_fmu import cells, scalar
 from native_build import needs_gcc
 from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.results.result import Result
+from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.assemble import assemble, assemble_request
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.request import Request
+from rovbrush.orchestrator.system.request import Request, changes_of
 
 pytestmark = needs_gcc
 VARIABLES = [
@@ -98,9 +100,44 @@ def test_of_an_fmu_without_outputs_all_locals_are_recorded(tmp_path: Path) -> No
 def test_nor_do_they_by_hand(make: Make) -> None:
     with load(make("")).start() as session:
         assert session.get("u") == session.get("their_pump.u") == 0.5
+
         session.set("u", 1.5)
         session.step()
         assert session.get("u") == session.get("their_pump.u") == 1.5
         assert session.get("a.b") == session.get("their_pump.a.b")
         with pytest.raises(InputError, match="no component 'w'"):
             session.get("w.y")
+
+
+@pytest.mark.parametrize("period", ["1 ms", "their_pump=1 ms"])
+def test_nor_does_it_in_the_options_of_studies(period: str, make: Make, tmp_path: Path) -> None:
+    fmu, changes = make('stopTime="10" stepSize="0.5"'), changes_of([], [], [period])
+    assert times(assemble(str(fmu), {}, "20 ms", None, changes)) == (Fraction(1, 50), Fraction(1, 1000))
+    result = sweep(str(fmu), tmp_path, Options(["u=1,2"], {"a.b": "2"}, "4 ms", workers=1, changes=changes))
+    assert result.require_all()["y_last"].values.tolist() == [101.0, 102.0]
+
+
+def test_another_fmu_in_its_place_needs_no_name_of_a_component(make: Make, tmp_path: Path) -> None:
+    other = cells(tmp_path / "other.fmu", [*VARIABLES[:2], scalar("y", 100), *VARIABLES[3:]])
+    system = assemble(str(make("")), changes=changes_of([str(other)], [], []))
+    assert "other.fmu in place of their pump.fmu" in " ".join(system.components["their_pump"].notes)
+
+
+def test_two_periods_of_one_fmu_are_an_error(make: Make) -> None:
+    with pytest.raises(InputError, match="--period 2 ms: their_pump has 1 ms already"):
+        assemble(str(make("")), changes=changes_of([], [], ["1 ms", "their_pump=2 ms"]))
+
+
+def test_an_input_that_it_has_not_is_named_with_the_nearest(make: Make, tmp_path: Path) -> None:
+    (tmp_path / "in.csv").write_text("time,uu\n0,1\n1,2\n")
+    with pytest.raises(InputError, match=r"'uu' is no input; (there are|did you mean) '?their_pump\.u"):
+        assemble(str(make("")), inputs=(tmp_path / "in.csv",))
+
+
+def test_nor_do_its_results(make: Make, tmp_path: Path) -> None:
+    result = load(make("")).run()
+    result.save(tmp_path / "out")
+    for found in (result, Result.open(tmp_path / "out")):
+        assert found["y"].equals(found["their_pump.y"])
+        with pytest.raises(InputError, match="no recorded signal 'yy'; there are their_pump"):
+            found["yy"]
