@@ -6,10 +6,10 @@ import ctypes
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from ..fmu.mock import MockFmu
 from ..fmu.types import Value
 from .base import CallError, Participant
 from .lifecycle import ERROR, OK, allowed, good
-from .mock import MockFmu
 
 POINTER, DOUBLE, SIZE, INT = ctypes.c_void_p, ctypes.c_double, ctypes.c_size_t, ctypes.c_int
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ..fmu.fmu import Fmu
+from ..fmu.mock import MockFmu
 from ..fmu.sharing import why_alone
 from ..system.model import Component
 from .apart.library import used_before
@@ -14,7 +15,6 @@ from .fmi2 import Fmi2Instance
 from .fmi3 import Fmi3Instance
 from .loaded import LoadedInstance
 from .messages import Logging
-from .mock import MockFmu
 
 KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: Fmi3Instance}
 

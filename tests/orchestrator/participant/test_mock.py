@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers import column
+from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.participant.base import CallError
-from rovbrush.orchestrator.participant.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.participant.mock_instance import MockInstance
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from helpers import column
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.participant.mock import MockFmu, Model, mock_fmu
+from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.simulation import simulate

@@ -20,7 +20,7 @@ from typing import Any
 
 from fmpy.model_description import CoSimulation, ModelDescription, ModelVariable, Unknown
 
-from ..fmu.fmu import Fmu
+from .fmu import Fmu
 
 
 class Model:
