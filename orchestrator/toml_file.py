@@ -28,6 +28,7 @@ class TomlFile:
 
     notes: Mapping[str, tuple[str, ...]] = MappingProxyType({})  # what to tell of components, where files of a kind do
     remarks: tuple[str, ...] = ()  # and of the whole
+    made: Mapping[str, Any] = MappingProxyType({})  # FMUs of components that are in no file
     breaches: tuple[Any, ...] = ()  # where the file breaks a standard, as `fmu.tolerant` notes it
 
     def __init__(self, path: Path) -> None:

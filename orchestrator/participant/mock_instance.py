@@ -1,4 +1,4 @@
-"""The instance of a mock (`mock.py`): the five addresses of the loop as callbacks into a Python object."""
+"""The instance of a mock (`fmu/mock.py`): the five addresses of the loop as callbacks into a Python object."""
 
 from __future__ import annotations
 

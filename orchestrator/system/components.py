@@ -43,7 +43,7 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
     for key in ("parameters", "inputs"):
         file.entry(dict, key, entry, heading)
     table = checked(ComponentTable, entry, f"component {name}", file, heading)
-    fmu = Fmu.open(_path_of(table.fmu, file.path.parent, fmus))
+    fmu = file.made[name] if name in file.made else Fmu.open(_path_of(table.fmu, file.path.parent, fmus))
     if table.units:
         fmu = replace(fmu, units=stated_units(file, name, table.units, fmu, heading))
     try:

@@ -25,6 +25,11 @@ def is_ssp(path: Path) -> bool:
     return package.endswith((".ssp", ".ssd")) or os.path.isfile(path / STRUCTURES[0])
 
 
+def is_osp(path: Path) -> bool:
+    """Whether a path is that of an OspSystemStructure.xml, or of the folder of one."""
+    return path.suffix.lower() == ".xml" or os.path.isfile(path / STRUCTURES[1])
+
+
 def opened(
     path: Path, step: str = "", stop: str = "", outside: tuple[Path, ...] = (), start: str = ""
 ) -> TomlFile:  # fmt: skip
@@ -37,6 +42,10 @@ def opened(
         from .ssp.read import SspFile
 
         return SspFile(path, step, stop, outside, start)
+    if is_osp(path):
+        from .osp.read import OspFile
+
+        return OspFile(path, step, stop, start)
     if is_fmu(path):
         return FmuFile(path, step, stop, start)
     return TomlFile(path)

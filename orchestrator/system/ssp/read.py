@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +10,8 @@ from ...clock import instant
 from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
-from ..model import settable, start_as_toml
-from .experiment import periods_of, stop_of, whole_stop
+from ..experiment import lacking_starts, periods_of, stop_of, whole_stop
+from ..model import settable
 from .files.annotations import annotated
 from .files.archive import Archive
 from .files.document import Document, find
@@ -104,9 +104,11 @@ class SspFile(TomlFile):
         )
         exact = keys.pop("stop_time", None)  # for times that are no double: 1/3 s
         text = str(stop or exact or stated.get("stopTime", ""))
-        end = stop_of(text, begin, self.components.values(), self.path.name, remarks)
+        fmus = {name: component.fmu for name, component in self.components.items() if component.fmu}
+        end = stop_of(text, begin, fmus, self.path.name, remarks)
         own = {name: str(table["period"]) for name, table in tables.items() if table.get("period")}
-        periods = periods_of(self.components.values(), own, step, end - begin, remarks)
+        steps = {name: own.get(name) or step or component.step for name, component in self.components.items()}
+        periods = periods_of(fmus, steps, end - begin, remarks)
         for name, period in periods.items():
             tables[name]["period"] = own.get(name) or f"{period} s"
         fixed = [t for name, t in periods.items() if (fmu := self.components[name].fmu) and not fmu.can_vary_step]
@@ -127,7 +129,9 @@ class SspFile(TomlFile):
                 tables[element.name]["inputs"][name] = value.value(element, name)
             self.places[name, f"components.{element.name}"] = value.where
         for name, component in self.components.items():
-            for scalar, start in self._without_start(component, tables[name]["inputs"]):
+            assert component.fmu
+            driven = {scalar for scalar in component.fmu.names("input") if self._driven(component, scalar)}
+            for scalar, start in lacking_starts(component.fmu, {*tables[name]["inputs"], *driven}):
                 component.document.notes.add(NO_START, f"{name}.{scalar} {component.document.at(component.xml)}")
                 tables[name]["inputs"][scalar] = start
 
@@ -136,15 +140,6 @@ class SspFile(TomlFile):
         ends = [(component, end) for end in {name, name.split("[")[0]} if (component, end) in self.wires]
         ends += [end for end in self.wires if end[0] is component and end[1].startswith(f"{name}[")]
         return any(path_to(self.wires, end)[0].source[0].fmu for end in ends)
-
-    def _without_start(self, component: Element, inputs: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-        """Inputs for which nobody has a value, with what is taken for them."""
-        assert component.fmu
-        for name in component.fmu.names("input"):
-            variable = component.fmu.variables[name]
-            known = name in inputs or name.split("[")[0] in inputs or component.fmu.type_of(name) is None
-            if variable.start is None and not known and not self._driven(component, name):
-                yield name, {"String": "", "Boolean": False}.get(variable.type, start_as_toml(variable))
 
     def _variants(self, archive: Archive) -> tuple[str, ...]:
         """That there are further structures in a package."""

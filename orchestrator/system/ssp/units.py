@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...errors import InputError
+from ...fmu.tolerant.rules import Notes
 from ...units import BASE_UNITS, Definition, Unit, conversion, meaning
 from .files.document import MAPPINGS, Document, find
 from .files.rules import UNDEFINED_UNIT
@@ -57,7 +58,9 @@ def stated_table(element: Any) -> list[Any]:
     return [entry for kind in MAPPINGS for entry in find(element, f"{kind}/MapEntry")]
 
 
-def converted(source: Unit | None, target: Unit | None, document: Document, label: str, where: str) -> Linear:
+def converted(
+    source: Unit | None, target: Unit | None, notes: Notes, label: str, where: str, mend: str = SAID
+) -> Linear:
     """What happens to a value on its way from one unit to another; nothing where one of the two is not defined.
 
     Raises InputError where they do not fit.
@@ -67,9 +70,9 @@ def converted(source: Unit | None, target: Unit | None, document: Document, labe
     except InputError as error:
         unknown = [unit for unit in (source, target) if unit is not None and not _understood(unit)]
         if not unknown:
-            raise InputError(f"{error}; {SAID} {where}") from None
+            raise InputError(f"{error}; {mend} {where}") from None
         for unit in unknown:
-            document.notes.add(UNDEFINED_UNIT, f"{unit} {where}")
+            notes.add(UNDEFINED_UNIT, f"{unit} {where}")
         return IDENTITY
 
 

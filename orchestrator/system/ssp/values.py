@@ -37,7 +37,7 @@ class Stated:
         unit = IDENTITY
         if self.convert and self.unit:
             stated = Unit(self.unit, self.known.get(self.unit), bool(v.relativeQuantity))
-            unit = converted(stated, element.fmu.unit(scalar), self.document, label, self.where)
+            unit = converted(stated, element.fmu.unit(scalar), self.document.notes, label, self.where)
         linear, own = unit.then(self.linear), items_of(v)
         items = {**self._connector_items(element, variable), **self.items, **{k: str(n) for k, n in own.items()}}
         texts: list[Any] = [text if v.type == "String" else items.get(text, text) for text in self.texts]

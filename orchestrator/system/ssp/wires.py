@@ -128,7 +128,7 @@ def links_of(wires: Mapping[End, Wire]) -> Iterator[Link]:
             if there and unit and not wire.target[0].fmu:  # a connector of a system says nothing of differences
                 there = replace(there, relative=unit.relative)
             if wire.convert:
-                linear = linear.then(converted(unit, there, wire.system.document, wire.label, wire.where))
+                linear = linear.then(converted(unit, there, wire.system.document.notes, wire.label, wire.where))
             linear = linear.then(wire.linear)
             unit = there or unit
         transfer = next((wire.transfer for wire in reversed(path) if wire.transfer), "")
@@ -156,7 +156,7 @@ def unit_of(element: Element, name: str, wire: Wire) -> Unit | None:
     if own is None:
         return unit
     try:
-        alike = converted(unit, own, wire.system.document, wire.label, wire.where) == IDENTITY
+        alike = converted(unit, own, wire.system.document.notes, wire.label, wire.where) == IDENTITY
     except InputError:
         alike = False
     if alike:

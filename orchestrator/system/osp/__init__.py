@@ -1,0 +1,1 @@
+"""OspSystemStructure.xml: systems of the Open Simulation Platform, with groups of variables and functions."""
