@@ -109,6 +109,8 @@ def _check(system: System) -> None:
                 f"component {name}: {component.fmu.path.name} is of FMI 1.0, and a container can hold FMI 2.0 and 3.0 "
                 f"only; export it again as FMI 2.0, or the system as SSP"
             )
+        if not component.fmu.archive.is_file():
+            raise InputError(f"component {name} is a function and no FMU, which a container cannot hold")
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
         fmu = component.fmu

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from ..console import console, print_table, tell
 from ..guard import sheltered
-from ..options import app
+from ..options import OutsideOption, app
 
 if TYPE_CHECKING:
     from ...exchange.checks.rows import Report
@@ -27,19 +27,25 @@ STYLES = {
 
 @app.command()
 def check(
-    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="The files to check, FMI 1.0, 2.0 or 3.0.")],
+    fmus: Annotated[list[Path], typer.Argument(metavar="FMU...", help="FMUs of FMI 1.0, 2.0, 3.0; SSPs; OSP's files.")],
     strict: Annotated[
         bool, typer.Option("--strict", help="Exit with 1 for findings too, not only for errors.")
     ] = False,
+    allow_outside: OutsideOption = [],  # noqa: B006
     json_file: Annotated[Path | None, typer.Option("--json", help="Write all rows to this file.")] = None,
 ) -> None:
-    """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own."""
-    from ...exchange.checks.chain import check_fmu, write_reports
+    """Check FMUs: archive, description, other tools' opinions, and a dry run in processes of its own.
+
+    Of a system's file of SSP or OSP itself, and then the FMUs in it.
+    """
+    from ...exchange.checks.chain import write_reports
+    from ...exchange.checks.systems import check_file
 
     reports = []
     for path in fmus:
-        reports.append(check_fmu(path))
-        print_report(reports[-1])
+        for report in check_file(path, allow_outside):
+            reports.append(report)
+            print_report(report)
     if json_file:
         write_reports(reports, json_file)
     if any(report.count("error") or (strict and not report.clean) for report in reports):

@@ -31,8 +31,8 @@ ECCO = {
 class OspFile(TomlFile):
     """The data of an OspSystemStructure.xml, or of the folder that holds one, and where in it they stand.
 
-    `step`, `stop` and `start` are for what the file leaves open: see `experiment`. Raises InputError for what is not supported,
-    missing or contradictory; FmuError for FMUs that cannot be read.
+    `step`, `stop` and `start` are for what the file leaves open: see `experiment`. Raises InputError for what is not
+    supported, missing or contradictory; FmuError for FMUs that cannot be read.
     """
 
     def __init__(self, path: Path, step: str = "", stop: str = "", start: str = "") -> None:

@@ -42,7 +42,7 @@ def runs_noted_and_strict(fmu: Path, rule: rules.Rule, words: str, values: Mappi
     run = simulate(make_plan(system))
     assert not run.failure, run.failure
     assert last(run, f"a.{output}") == pytest.approx(0.015, rel=1e-12)
-    row = next(row for row in note_rows(open_subject(fmu)) if row.rule == rule.found)
+    row = next(row for row in note_rows(open_subject(fmu).notes) if row.rule == rule.found)
     assert row.verdict == "finding" and row.mend == rule.mend and rule.taken in row.found
     with pytest.raises(FmuError) as error:
         strictly(system)

@@ -139,7 +139,7 @@ def test_a_careless_archive_is_found(
 
 
 def test_an_entry_that_is_there_twice_with_one_content_is_a_finding(fmus: Path, tmp_path: Path) -> None:
-    (row,) = note_rows(open_subject(packed(fmus / "gain.fmu", tmp_path / "bad.fmu", twice=True)))
+    (row,) = note_rows(open_subject(packed(fmus / "gain.fmu", tmp_path / "bad.fmu", twice=True)).notes)
     assert (row.rule, row.verdict) == (rules.TWICE.found, "finding") and row.mend
 
 

@@ -232,3 +232,25 @@ def test_an_initial_value_of_a_driven_input_is_its_drivers(reading: Any) -> None
 def test_a_connection_there_twice_is_one(reading: Any) -> None:
     found = reading(PAIR, [wire("a.y", "b.u"), wire("b.u", "a.y")])
     assert len(found.connections) == 1 and [note.rule for note in found.breaches] == [rules.TWICE]
+
+
+def test_a_run_begins_at_the_start_time(reading: Any) -> None:
+    found = reading(
+        [simulator("x", "integrator.fmu", {"u": 2.0})], head="<StartTime>1.5</StartTime><EndTime>1.6</EndTime>"
+    )
+    assert (found.start, found.stop) == (Fraction(3, 2), Fraction(8, 5))
+    assert last(simulate(make_plan(found)), "x.x") == pytest.approx(0.2, rel=1e-13)
+
+
+def test_a_system_with_a_sum_is_run_by_every_command_and_refused_by_exports(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parts = [simulator("a", values=VALUE), simulator("b", values=VALUE), simulator("x", "integrator.fmu")]
+    wires = [wire("a.y", "s:in[0]"), wire("b.y", "s:in[1]"), wire("s:out", "x.u")]
+    path = write_osp(tmp_path / "case", fmus, structure(parts, wires, '<Sum name="s" inputCount="2"/>'))
+    out = tmp_path / "out"
+    assert rovbrush(monkeypatch, "run", path, "--out", out, "--checkpoint", "0.05 s") == 0
+    assert rovbrush(monkeypatch, "plan", path) == 0
+    for kind, name in (("--ssp", "case.ssp"), ("--container", "case.fmu")):
+        assert rovbrush(monkeypatch, "export", path, kind, "--out", tmp_path / name) == 2
+        assert not (tmp_path / name).exists()
