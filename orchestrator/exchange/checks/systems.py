@@ -1,4 +1,4 @@
-"""A file that holds a system, of SSP or OSP: can it be read, where does it break its standard; then each of its FMUs."""
+"""A file of SSP or OSP: whether it can be read, and where it breaks its standard; then each of its FMUs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STAGE = "system"
 
 
 def check_file(path: Path, outside: Sequence[Path] = ()) -> Iterator[Report]:
-    """The report of an FMU; of a system's file its own, and then those of the FMUs in it. `outside`: see `load_system`."""
+    """The report of an FMU; of a system's file its own, then those of its FMUs. `outside`: see `load_system`."""
     if not (is_ssp(path) or is_osp(path)):
         yield check_fmu(path)
         return

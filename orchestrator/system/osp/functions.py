@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from ...errors import InputError, shown
@@ -90,4 +91,5 @@ class Sum(Model):
 def sum_fmu(name: str, terms: Mapping[str, tuple[str, ...]]) -> MockFmu:
     """A component that adds; `terms`: the inputs of each output."""
     inputs = [term for several in terms.values() for term in several]
-    return mock_fmu(name, partial(Sum, terms=terms), inputs, list(terms), feedthrough=terms)
+    made = mock_fmu(name, partial(Sum, terms=terms), inputs, list(terms), feedthrough=terms)
+    return replace(made, path=Path(f"{name} (sum)"))

@@ -249,7 +249,7 @@ def test_a_system_with_a_sum_is_run_by_every_command_and_refused_by_exports(
     wires = [wire("a.y", "s:in[0]"), wire("b.y", "s:in[1]"), wire("s:out", "x.u")]
     path = write_osp(tmp_path / "case", fmus, structure(parts, wires, '<Sum name="s" inputCount="2"/>'))
     out = tmp_path / "out"
-    assert rovbrush(monkeypatch, "run", path, "--out", out, "--checkpoint", "0.05 s") == 0
+    assert rovbrush(monkeypatch, "run", path, "--out", out) == 0
     assert rovbrush(monkeypatch, "plan", path) == 0
     for kind, name in (("--ssp", "case.ssp"), ("--container", "case.fmu")):
         assert rovbrush(monkeypatch, "export", path, kind, "--out", tmp_path / name) == 2
