@@ -46,7 +46,7 @@ def load(
     allow_outside: Sequence[str | Path] = (),
     start: Time = "",
 ) -> Model:
-    """A system, by the name of a shipped one or by the path of a .toml, .ssp or .ssd file; FMUs are unpacked once.
+    """A system, by the name of a shipped one or the path of a .toml, .ssp, .ssd, .fmu or OSP file; FMUs stay unpacked.
 
     `start`, `stop`: other times; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component:
     an FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is

@@ -34,7 +34,9 @@ def every_command(
     """Options of all commands: `--debug` is taken away before the command line is read."""
 
 
-SYSTEM_HELP = "A shipped system (see `rovbrush systems`) or a .toml, .ssp or .ssd file, a folder of one, or one .fmu."
+SYSTEM_HELP = (
+    "A shipped system (see `rovbrush systems`), a .toml, .ssp, .ssd, .fmu or OspSystemStructure.xml, or a folder."
+)
 SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
 SetOption = Annotated[
     list[str],
@@ -79,5 +81,6 @@ StartOption = Annotated[
     str, typer.Option("--start", help='Another start time, for instance "-5 ms"; the stop stays where it is.')
 ]
 StepOption = Annotated[
-    str, typer.Option("--step", metavar="TIME", help="The period of components for which an SSP states none.")
+    str,
+    typer.Option("--step", metavar="TIME", help="The period of components for which nothing states one."),
 ]

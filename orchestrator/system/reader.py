@@ -130,8 +130,8 @@ def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]
     path = SYSTEMS / f"{name}.toml"
     if not os.path.isfile(path):
         raise InputError(
-            f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd or "
-            ".fmu file"
+            f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd, "
+            ".fmu or OspSystemStructure.xml file"
         )
     return TomlFile(path)
 
