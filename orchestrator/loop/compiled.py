@@ -63,8 +63,15 @@ def _is_kept(name: str, compiled: Any) -> bool:
 
 
 def is_compiled() -> bool:
-    """Whether the loop need not be compiled: it was, on this machine."""
-    return _is_kept(*_named_run())
+    """Whether the loop need not be compiled: it was, on this machine, or it is not to be."""
+    return not numba_compiles() or _is_kept(*_named_run())
+
+
+def numba_compiles() -> bool:
+    """Whether the environment lets Numba compile; with NUMBA_DISABLE_JIT everything is plain Python."""
+    import numba
+
+    return not numba.config.DISABLE_JIT  # type: ignore[attr-defined]
 
 
 @cache
@@ -76,7 +83,7 @@ def compiled_run() -> Any:
     """
     import numba
 
-    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+    if not numba_compiles():
         return loop.run
     name, compiled = _named_run()
     if not IN_CHILD and not _is_kept(name, compiled):

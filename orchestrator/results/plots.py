@@ -5,12 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..system.figure_kinds import figure_kind
 from .signals import Signals
 from .tables import Run
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+COLUMNS, SAMPLES = 700, 4  # of a figure: places side by side, and samples in each that can still be told apart
+STYLES = ("-", "--", "-.", ":")  # of signals in one axis: one does not hide the other
 
 
 def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
@@ -41,6 +46,19 @@ def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, l
     return figure, list(axes)
 
 
+def draw(axis: Any, time: np.ndarray, values: np.ndarray, name: str, style: str) -> None:
+    """A signal as a line; one of more samples than a figure can show as its mean in a band from least to largest."""
+    if len(time) < SAMPLES * COLUMNS or values.dtype.kind not in "fiu":
+        axis.plot(time, values, style, linewidth=0.9, label=name)
+        return
+    firsts = np.linspace(0, len(time), COLUMNS, endpoint=False, dtype=int)
+    counts = np.diff([*firsts, len(time)])
+    middle = np.add.reduceat(time, firsts) / counts
+    (line,) = axis.plot(middle, np.add.reduceat(values, firsts) / counts, style, linewidth=0.9, label=name)
+    least, largest = np.minimum.reduceat(values, firsts), np.maximum.reduceat(values, firsts)
+    axis.fill_between(middle, least, largest, color=line.get_color(), alpha=0.25, linewidth=0.0)
+
+
 def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
     """One axis per unit, the signals of that unit in it."""
     found = [signals[name] for name in entry["signals"]]
@@ -48,11 +66,11 @@ def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
     figure, axes = new_figure(entry["title"], len(units))
     for axis, unit in zip(axes, units, strict=True):
         members = [s for s in found if s.unit == unit]
-        for signal in members:
+        for k, signal in enumerate(members):
             inside = (signal.time >= entry.get("from", signal.time[0])) & (
                 signal.time <= entry.get("to", signals.run.end)
             )
-            axis.plot(signal.time[inside], signal.values[inside], linewidth=0.9, label=signal.name)
+            draw(axis, signal.time[inside], signal.values[inside], signal.name, STYLES[k % len(STYLES)])
         axis.set_ylabel(members[0].label if len(members) == 1 else f"[{unit}]")
         if "reference" in entry:
             axis.axhline(

@@ -56,6 +56,15 @@ def test_with_numba_switched_off_the_interpreter_runs(tmp_path: Path, fmus: Path
     assert off.stdout == python(code, *arguments).stdout != ""
 
 
+def test_the_command_runs_with_numba_switched_off_and_says_nothing_of_compiling(tmp_path: Path, fmus: Path) -> None:
+    plan_of(tmp_path, fmus, {"a": ("integrator", "10 ms", {"=u": 0.3})}, stop="100 ms")
+    code = "import sys; from rovbrush.orchestrator.cli.main import main; main()"
+    out = str(tmp_path / "out")
+    run = python(code, "run", str(tmp_path / "case.toml"), "--fmus", str(fmus), "--out", out, NUMBA_DISABLE_JIT="1")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "compiles" not in run.stdout and (tmp_path / "out" / "result.nc").is_file()
+
+
 DOUBLE = """
 import sys
 sys.path.insert(0, sys.argv[1])
