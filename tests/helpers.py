@@ -67,8 +67,9 @@ def system_text(
     of: Mapping[str, Mapping[str, Any]] | None = None, **keys: Any,
 ) -> str:  # fmt: skip
     """A system file: `parts` by name, further keys of components in `of`, further top-level keys as they are."""
+    format_ = keys.pop("format", 2)
     lines = [f'stop_time = "{stop}"'] + [f"{key} = {_toml(value)}" for key, value in keys.items()]
-    lines += ["connections = [", *(f"  {_toml(c)}," for c in connections), "]"]
+    lines += ["connections = [", *(f"  {_toml(c)}," for c in connections), "]", f"format = {format_}"]
     for name, (fmu, period, *values) in parts.items():
         lines += ["", f"[components.{name}]", f'fmu = "{fmu}"', f'period = "{period}"']
         lines += [f"{key} = {_toml(value)}" for key, value in (of or {}).get(name, {}).items()]

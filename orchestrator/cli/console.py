@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shlex
 import sys
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,7 +19,9 @@ from rich.text import Text
 from ..errors import counted
 
 if TYPE_CHECKING:
+    from ..plan.plan import Plan
     from ..system.model import System
+    from ..system.request import Request
 
 
 class Stdout:
@@ -148,6 +151,18 @@ def print_notes(system: System) -> None:
             tell(note)
     for note in start_notes(system):
         tell(note)
+
+
+def print_transfers(plan: Plan, request: Request) -> None:
+    """What the plan chose between rates, what it holds that was extrapolated before, and what aliases."""
+    from ..plan.remarks import aliased, chosen, held_now
+
+    if text := chosen(plan):
+        options = [f"--{key}" for key in ("replace", "map_", "period", "set_", "input_") if getattr(request, key)]
+        with_ = f" with the same {', '.join(options)}".replace("_", "") if options else ""
+        tell(f"{text}: `rovbrush plan {shlex.quote(request.system)}`{with_} shows each")
+    for line in (*held_now(plan), *aliased(plan)):
+        tell(line)
 
 
 def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = None) -> None:

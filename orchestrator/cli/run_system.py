@@ -22,7 +22,7 @@ from ..run.planned import planned
 from ..run.recording.recorder import IN_MEMORY
 from ..system.assemble import assemble_request, strictly
 from ..system.request import Request
-from .console import print_comparison, print_notes, print_summary, tell, wrote
+from .console import print_comparison, print_notes, print_summary, print_transfers, tell, wrote
 from .progress import progress
 
 
@@ -38,6 +38,7 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     print_notes(plan.system)
     for note in last_steps(plan):
         tell(note)
+    print_transfers(plan, request)
     _run(plan, request, folder, check, older)
 
 
@@ -101,6 +102,8 @@ def show(finished: Finished) -> None:
         tell(f"ended: {run.ended}")
     for note in run.notes:
         tell(f"note: {note}")
+    for line in written.summary.get("left_range", ()):
+        tell(f"warning: {line}")
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]
     if groups and any(path.name == ROWS for path in written.paths):
         others = f"; its tables: {', '.join(groups)}" if len(groups) > 1 else ""

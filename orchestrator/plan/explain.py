@@ -12,6 +12,7 @@ from ..system.free_inputs import start_notes
 from ..system.series import series_in_words
 from .capabilities import remarks
 from .plan import Plan
+from .remarks import aliased, chosen, held_now
 from .schedule.operation_text import OperationText
 
 
@@ -60,6 +61,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
             changes.append(f"{connection.gain:g} x + {connection.offset:g}")
         converted = f"; converted: {', '.join(changes)}" if changes else ""
         lines.append(f"  {connection.label:<46} {choice.transfer:<11} {choice.reason}{converted}")
+    lines += [f"  {line}" for line in (chosen(plan), *held_now(plan), *aliased(plan)) if line]
     tables = series_in_words(system)
     lines += ["", "inputs that follow tables", *tables] if tables else []
     for bond in system.bonds:

@@ -33,7 +33,7 @@ def by_rates(
     sampled = [discrete(system, end) for end in (connection.source, connection.target)]
     choice = choose(connection.transfer, source, target, *sampled)
     sampler = next((end[0] for end in (connection.source, connection.target) if end[0] in samplers), None)
-    if choice.transfer != "hold" and sampler:
+    if sampler and (choice.transfer != "hold" or choice.former):
         if connection.transfer:
             raise InputError(
                 f"connection {connection.label}: {sampler} samples its inputs, so '{choice.transfer}' has no meaning; "
@@ -58,15 +58,15 @@ def by_rates(
 def _with_leaders(c: Connection, choice: Choice, leaders: tuple[str, ...]) -> Choice:
     """What changes where one end steps first."""
     source, target = c.source[0], c.target[0]
-    if source in leaders and not c.transfer and choice.transfer in ("hold", "linear"):
-        return Choice("interpolate", f"{source} steps first, so both ends are known")
+    if source in leaders and not c.transfer and choice.transfer == "hold":
+        return Choice("hold", f"{source} steps first: held at its value as the step begins", "interpolate")
     if target in leaders and source not in leaders and choice.transfer == "mean":
         if c.transfer:
             raise InputError(
                 f"connection {c.label}: {target} steps before {source} (its outputs are interpolated), so there is no "
                 f"'mean' yet; take 'linear' or 'hold' {c.where}"
             )
-        return Choice("linear", f"{target} steps first (its outputs are interpolated): extrapolated to its middle")
+        return Choice("hold", f"{target} steps first (its outputs are interpolated), so there is no mean yet", "linear")
     return choice
 
 

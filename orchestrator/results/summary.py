@@ -10,6 +10,7 @@ from ..processes import peak_memory
 from ..system.merits import merit
 from .energy import balance, ledger, over_limits
 from .figures_of_merit import figure_of_merit, steady_window
+from .ranges import left_range
 from .signals import Signals
 from .tables import Run
 
@@ -29,6 +30,8 @@ def summarize(run: Run) -> dict[str, Any]:
         result["ended"] = run.ended
     if run.notes:
         result["notes"] = list(run.notes)
+    if lines := left_range(run, signals):
+        result["left_range"] = lines
     for key, text in specification.items():
         operation, names = merit(text)
         result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)

@@ -24,6 +24,8 @@ from .quantities import in_own_unit
 from .schema.system import Loops
 from .series import Series
 
+FORMATS = (1, 2)  # of system files; of one without `format` a run says what it holds that was extrapolated then
+
 
 @dataclass(frozen=True)
 class Component:
@@ -133,6 +135,7 @@ class System:
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
     start: Fraction = Fraction(0)  # s; the run goes from here to the stop, both are times of the same clock
     strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
+    format: int = FORMATS[-1]  # of its file: see `FORMATS`
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
 

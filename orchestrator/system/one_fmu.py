@@ -13,6 +13,7 @@ from ..clock import duration, instant, require_span, seconds_text
 from ..errors import InputError
 from ..fmu.fmu import Fmu
 from ..toml_file import TomlFile
+from .model import FORMATS
 
 STOP = Fraction(1)  # s, where neither the FMU nor anybody else says how long
 STEPS = 500  # of a run, where nobody says how often
@@ -54,6 +55,7 @@ class FmuFile(TomlFile):
             end = self._whole(begin, end, own)
         self.notes = {component: tuple(self._said)}
         self.data: dict[str, Any] = {
+            "format": FORMATS[-1],
             "description": " ".join((fmu.description.description or "").split()),
             "start_time": _text(begin),
             "stop_time": _text(end),
@@ -65,8 +67,7 @@ class FmuFile(TomlFile):
 
     def _own_step(self, fmu: Fmu, span: Fraction) -> Fraction:
         """The step of the FMU's experiment, else its fixed internal one, else a 500th of the run."""
-        fixed = getattr(fmu.description.coSimulation, "fixedInternalStepSize", None)
-        own = self._stated("stepSize") or stated_time(fixed)
+        own = stated_step(fmu)
         if own is None or own > span:
             self._said.append(
                 f"{self.path.name} states no step{' below its stop' if own else ''} and is asked every "
@@ -96,6 +97,12 @@ def whole_part(step: Fraction, end: Fraction) -> Fraction:
     """The step that divides the run, where the stated one does up to its rounding."""
     count = round(end / step)
     return end / count if count and abs(end / step - count) <= ROUNDING * count else step
+
+
+def stated_step(fmu: Fmu) -> Fraction | None:
+    """The step of an FMU's default experiment, else its fixed internal one; None where it states neither."""
+    experiment = stated_time(getattr(fmu.description.defaultExperiment, "stepSize", None))
+    return experiment or stated_time(getattr(fmu.description.coSimulation, "fixedInternalStepSize", None))
 
 
 def stated_time(stated: object, read: Callable[[object, str], Fraction] = duration) -> Fraction | None:

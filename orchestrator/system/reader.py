@@ -18,7 +18,7 @@ from .connections import check_drivers, connections_of
 from .figure_kinds import figure_kind, figure_kinds
 from .formats import is_system_file, opened
 from .free_inputs import require_values
-from .model import Component, System, checked_values
+from .model import FORMATS, Component, System, checked_values
 from .recorded import recorded_names
 from .schema.checked import checked, checked_value
 from .schema.report import Balance, Comparison, Figure, Window
@@ -44,6 +44,7 @@ def load_system(
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop, start, outside)
+    _check_format(file)
     further = {key: value for key, value in file.data.items() if key not in KEYS}
     for key in further:  # a table of an algorithm's settings, or a slip
         if difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8):
@@ -60,6 +61,7 @@ def load_system(
     connections = tuple(c for entry in table.connections for c in connections_of(file, components, entry))
     check_drivers(file, components, connections)
     begin, end = _span(file, table)
+    record, unknown = _recorded(file, components, table)
     system = System(
         name=file.name, path=file.path, description=table.description, start=begin, stop=end,
         algorithm=table.algorithm,
@@ -67,8 +69,8 @@ def load_system(
         loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
-        record=_recorded(file, components, table.record), reporting=_reporting(file),
-        settings=further, remarks=file.remarks, breaches=file.breaches,
+        record=record, reporting=_reporting(file), settings=further, format=table.format,
+        remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
     return require_values(_with_parameter_file(file, system), file.fail)
 
@@ -86,9 +88,34 @@ def _span(file: TomlFile, table: SystemTable) -> tuple[Fraction, Fraction]:
     return found["start_time"], found["stop_time"]
 
 
-def _recorded(file: TomlFile, components: dict[str, Component], patterns: list[str]) -> tuple[str, ...]:
-    """Raises InputError for a name that nothing has."""
-    return recorded_names(components, patterns, lambda name, why: file.fail(f"record = [{name!r}]: {why}", name))
+def _check_format(file: TomlFile) -> None:
+    """Raise InputError for a file of a later format, before its keys are looked at."""
+    found = file.data.get("format", FORMATS[0])
+    if type(found) is not int or found not in FORMATS:
+        known = " and ".join(map(str, FORMATS))
+        raise file.fail(
+            f"format = {found!r} is unknown: this version of rovbrush reads {known}; write format = {FORMATS[-1]}, or "
+            "update rovbrush for files of a later one",
+            "format",
+        )
+
+
+def _recorded(
+    file: TomlFile, components: dict[str, Component], table: SystemTable
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What is recorded, and of format 1 what cannot be. Raises InputError for that otherwise."""
+    found: list[str] = []
+    unknown: list[str] = []
+    for pattern in table.record:
+        try:
+            found += recorded_names(
+                components, [pattern], lambda name, why: file.fail(f"record = [{name!r}]: {why}", name)
+            )
+        except InputError as error:
+            if table.format > 1:
+                raise
+            unknown.append(f"warning: {error}; it is passed over, with format = {FORMATS[-1]} it is an error")
+    return tuple(dict.fromkeys(found)), tuple(unknown)
 
 
 def _reporting(file: TomlFile) -> dict[str, Any]:

@@ -38,7 +38,7 @@ def prepare(folder: Path) -> None:
     """A checkpoint of every kind: in memory, and with rows on disk."""
     feedthrough2(folder / "f.fmu")
     free = "n_in = 1, mode_in = 2, on_in = true, s_in = 'on'"
-    text = 'stop_time = "0.1 s"\nconnections = ["a.x -> b.u"]\n'
+    text = 'format = 2\nstop_time = "0.1 s"\nconnections = ["a.x -> b.u"]\n'
     for name, more in (("a", "u = 1.5, "), ("b", "")):
         text += f'[components.{name}]\nfmu = "{folder}/f.fmu"\nperiod = "1 ms"\ninputs = {{ {more}{free} }}\n'
     (folder / "case.toml").write_text(text)

@@ -150,7 +150,7 @@ def ended(way: Way, mode: str, folder: Path, fmus: Path) -> str:
 
 def _system(way: Way, mode: str, folder: Path, fmus: Path) -> Path:
     kind = "slow" if way.slow else "quick"
-    text = f'stop_time = "{2 if way.slow and not way.complete else STOP} s"\nconnections = ["a.x -> b.u"]\n'
+    text = f'format = 2\nstop_time = "{2 if way.slow and not way.complete else STOP} s"\nconnections = ["a.x -> b.u"]\n'
     for name in ("a", "b"):
         text += f'[components.{name}]\nfmu = "{fmus / kind}.fmu"\nperiod = "1 ms"\n'
         if mode == "isolated" or (way.isolated and name == "a"):

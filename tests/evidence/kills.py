@@ -61,7 +61,7 @@ def prepare(folder: Path) -> None:
     """A system of two FMUs whose steps take a millisecond."""
     feedthrough2(folder / "slow.fmu", STEP_US=500)
     free = "n_in = 1, mode_in = 2, on_in = true, s_in = 'on'"
-    text = 'stop_time = "0.4 s"\nconnections = ["a.x -> b.u"]\n'
+    text = 'format = 2\nstop_time = "0.4 s"\nconnections = ["a.x -> b.u"]\n'
     for name, more in (("a", "u = 1.5, "), ("b", "")):
         text += f'[components.{name}]\nfmu = "{folder}/slow.fmu"\nperiod = "1 ms"\ninputs = {{ {more}{free} }}\n'
     (folder / "case.toml").write_text(text)

@@ -19,6 +19,7 @@ LIMIT = 5.0
 SAMPLE = 100
 
 SEED = """\
+format = 2
 description = "two of them"   # a remark
 stop_time = "60 ms"
 algorithm = "iterated"

@@ -12,7 +12,10 @@ from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 
-SYSTEM = 'stop_time = "10 ms"\ncomponents.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }\n'
+SYSTEM = """format = 2
+stop_time = "10 ms"
+components.a = { fmu = "toy", period = "1 ms", inputs = { u = 1.0, v = [0.5, 1.0] } }
+"""
 SEEDS = Path(__file__).parent / "seeds"
 DESCRIPTION1, DESCRIPTION2, DESCRIPTION3 = (
     (SEEDS / f"toy{version}.xml").read_text(encoding="utf-8") for version in (1, 2, 3)

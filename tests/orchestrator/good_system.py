@@ -8,7 +8,7 @@ from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.reader import load_system
 
 GOOD = """\
-# A gain is a gain again: words like k, u and y stand in comments too, before the lines that count.
+format = 2  # A gain is a gain again: words like k, u and y stand in comments too, before the lines that count.
 description = "k"
 stop_time = "1 s"
 connections = [

@@ -45,6 +45,7 @@ class Choice:
 
     transfer: str
     reason: str
+    former: str = ""  # what files without `format = 2` got here when it was not held yet
 
 
 def choose(stated: str, source_period: int, target_period: int, source_sampled: bool, target_sampled: bool) -> Choice:
@@ -62,7 +63,7 @@ def choose(stated: str, source_period: int, target_period: int, source_sampled: 
         return Choice("mean", "fast to slow: the average over the slow step keeps the impulse and does not alias")
     if source_sampled:
         return Choice("hold", "slow to fast, and a sampled output holds its value by nature")
-    return Choice("linear", "slow to fast: extrapolated to the middle of the fast step, second order")
+    return Choice("hold", "slow to fast: held, for nothing else is stated", "linear")
 
 
 def linear_ratio(sample: int, source_period: int, start: int, target_period: int) -> float:

@@ -45,7 +45,7 @@ def text(folder: Path, what: str, size: int) -> str:
     table = f'[components.{{}}]\nfmu = "{fmu.name}"\nperiod = "1 ms"\n'
     if what == "stated inputs":
         inputs = "\n".join(f'"u[{k}]" = 0.0' for k in range(1, size + 1))
-        return f'stop_time = "10 ms"\n{table.format("a")}[components.a.inputs]\n{inputs}\n'
+        return f'format = 2\nstop_time = "10 ms"\n{table.format("a")}[components.a.inputs]\n{inputs}\n'
     if what == "FMUs":
         names = [f"c{k}" for k in range(size)]
         wires = [f"{a}.y -> {b}.u" for a, b in zip(names, (*names[1:], names[0]), strict=True)]
@@ -54,7 +54,7 @@ def text(folder: Path, what: str, size: int) -> str:
         ends = (("a", "b"), ("b", "a"))
         wires = [f"{a}.y[{k}] -> {b}.u[{k}]" for a, b in ends for k in range(1, signals + 1)]
     lines = "".join(f'  "{wire}",\n' for wire in wires)
-    return f'stop_time = "10 ms"\nconnections = [\n{lines}]\n{"".join(map(table.format, names))}'
+    return f'format = 2\nstop_time = "10 ms"\nconnections = [\n{lines}]\n{"".join(map(table.format, names))}'
 
 
 def main(path: str) -> None:

@@ -89,7 +89,8 @@ def ring(folder: Path, components: int, signals: int = 1, stop: str = "10 s", pe
         f'[components.c{k}]\nfmu = "feedthrough{signals}.fmu"\nperiod = "{period}"\n' for k in range(components)
     )
     path.write_text(
-        f'description = "{components} native feedthrough FMUs of {signals} signals in a ring"\nstop_time = "{stop}"\n'
+        f'format = 2\ndescription = "{components} native feedthrough FMUs of {signals} signals in a ring"\n'
+        f'stop_time = "{stop}"\n'
         f"connections = [\n{wires}]\n{tables}",
         encoding="utf-8",
     )

@@ -31,6 +31,7 @@ class Feedthrough(Fmi2Slave):
 """
 
 PYTHON4 = """
+format = 2
 description = "four trivial Python FMUs in a ring"
 stop_time = "20 s"
 record = ["*"]

@@ -124,6 +124,13 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     start_time: Annotated[
         Instant, Meta(description="where a run begins: the time that FMUs and tables see first; may be negative")
     ] = 0
+    format: Annotated[
+        Literal[1, 2],
+        Meta(
+            description="of the file; new ones have 2. Without it `run` says which inputs it holds that were "
+            "extrapolated before, and names under `record` that nothing has are warnings"
+        ),
+    ] = 1
     description: Annotated[str, Meta(description="what the system is, in a line")] = ""
     algorithm: Annotated[
         str, Meta(description="how the components are coupled", extra={"says": "unknown algorithm {value}"})

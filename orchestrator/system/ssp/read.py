@@ -11,7 +11,7 @@ from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
 from ..experiment import lacking_starts, periods_of, stop_of, whole_stop
-from ..model import settable
+from ..model import FORMATS, settable
 from .files.annotations import annotated
 from .files.archive import Archive
 from .files.document import Document, find
@@ -83,7 +83,7 @@ class SspFile(TomlFile):
         keys = annotated(self.document, self.document.root)
         for key in keys.keys() & set(OWN_KEYS):
             raise self.document.fail(f"the annotation of the system cannot hold '{key}'", self.document.root)
-        return keys
+        return {"format": FORMATS[0] if keys else FORMATS[-1]} | keys  # other tools knew no format, nor ours before
 
     def _component(self, component: Element) -> dict[str, Any]:
         assert component.fmu

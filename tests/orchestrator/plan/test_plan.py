@@ -57,15 +57,15 @@ def test_defaults_come_with_their_reason(tmp_path: Path, fmus: Path) -> None:
     parts = {"slow": ("integrator", "2 ms"), "fast": ("integrator", "1 ms"), "twin": ("integrator", "1 ms")}
     plan = plan_of(tmp_path, fmus, parts, ["fast.x -> slow.u", "slow.x -> fast.u", "fast.x -> twin.u"])
     chosen = {c.label: (choice.transfer, choice.reason) for c, choice in plan.choices.items()}
-    assert [v[0] for v in chosen.values()] == ["mean", "linear", "hold"]
-    assert "impulse" in chosen["fast.x -> slow.u"][1] and "second order" in chosen["slow.x -> fast.u"][1]
+    assert [v[0] for v in chosen.values()] == ["mean", "hold", "hold"]
+    assert "impulse" in chosen["fast.x -> slow.u"][1] and "slow to fast: held" in chosen["slow.x -> fast.u"][1]
 
 
 def test_a_sampled_output_is_held_by_default(tmp_path: Path, fmus: Path) -> None:
     inputs = {"=u": 0.0, "=temperature": 0.0, "=speed": 0.0}
     parts = {"p": ("plain", "2 ms", inputs), "a": ("integrator", "1 ms"), "b": ("integrator", "1 ms")}
     plan = plan_of(tmp_path, fmus, parts, ["p.sampled -> a.u", "p.y -> b.u"])
-    assert [choice.transfer for choice in plan.choices.values()] == ["hold", "linear"]
+    assert [(choice.transfer, choice.former) for choice in plan.choices.values()] == [("hold", ""), ("hold", "linear")]
 
 
 def test_a_component_with_sampled_inputs_only_steps_at_the_beginning_of_its_period(tmp_path: Path, fmus: Path) -> None:

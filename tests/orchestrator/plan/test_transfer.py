@@ -182,7 +182,7 @@ def test_there_is_no_mean_yet_for_a_component_that_steps_first(tmp_path: Path, f
     parts = {"slow": ("integrator", "5 ms"), "fast": ("integrator", "1 ms")}
     wires = ["slow.x -> fast.u (interpolate)", "fast.x -> slow.u"]
     plan = plan_of(tmp_path, fmus, parts, wires)
-    assert [(choice.transfer) for choice in plan.choices.values()] == ["interpolate", "linear"]
+    assert [(choice.transfer) for choice in plan.choices.values()] == ["interpolate", "hold"]
     assert "slow steps first: its outputs are interpolated" in explain(plan)
     with pytest.raises(InputError, match=r"slow steps before fast .* so there is no 'mean' yet"):
         plan_of(tmp_path, fmus, parts, [wires[0], f"{wires[1]} (mean)"])

@@ -17,7 +17,7 @@ from lxml import etree
 from msgspec import to_builtins
 
 from ....clock import seconds_text
-from ...model import Bond, Component, Connection, Requirement, System
+from ...model import FORMATS, Bond, Component, Connection, Requirement, System
 from ...schema.system import Loops
 from .document import NAMESPACES, Document, find
 
@@ -27,14 +27,15 @@ NAMESPACE = "urn:rovbrush:simulation:1"
 
 def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
-    in_ssp = ("name", "path", "description", "start", "stop", "components", "connections")
+    in_ssp = ("name", "path", "description", "start", "stop", "components", "connections", "remarks", "breaches")
     return {
-        **_stated(system, (*in_ssp, "loops", "bonds", "requirements", "reporting", "settings")),
+        **_stated(system, (*in_ssp, "format", "loops", "bonds", "requirements", "reporting", "settings")),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         "require": [_requirement(requirement) for requirement in system.requirements],
         **{key: table for key, table in system.reporting.items() if table},
+        "format": FORMATS[-1],
     }
 
 
