@@ -19,7 +19,7 @@ from .files.rules import NO_START, NOT_SETTABLE
 from .parameters import Parameters
 from .structure import Element, read_structure
 from .values import Stated
-from .wires import End, links_of, path_to, wires_of
+from .wires import End, Wire, links_of, path_to, wires_of
 
 OWN_KEYS = ("components", "connections", "description", "parameters")  # not to be had from annotations
 
@@ -47,10 +47,11 @@ class SspFile(TomlFile):
         self.components = {component.name: component for component in root.components()}
         if not self.components:
             raise InputError(f"{path.name} holds no component at all, only systems: there is nothing to simulate")
-        self.wires = wires_of(root)
-        parameters = Parameters(self.wires)
+        wires = wires_of(root)
+        self.driven = _driven_inputs(wires)
+        parameters = Parameters(wires)
         stated = parameters.collect(root)
-        links = list(links_of(self.wires))
+        links = list(links_of(wires))
         self.places |= {(str(link), ""): link.where for link in links}
         keys = self._own_keys()
         tables = {name: self._component(component) for name, component in self.components.items()}
@@ -136,10 +137,9 @@ class SspFile(TomlFile):
                 tables[name]["inputs"][scalar] = start
 
     def _driven(self, component: Element, name: str) -> bool:
-        """Whether a component drives an input, or the array that it is an element of."""
-        ends = [(component, end) for end in {name, name.split("[")[0]} if (component, end) in self.wires]
-        ends += [end for end in self.wires if end[0] is component and end[1].startswith(f"{name}[")]
-        return any(path_to(self.wires, end)[0].source[0].fmu for end in ends)
+        """Whether a component drives an input, the array that it is an element of, or an element of it."""
+        ends = self.driven.get(component, set())
+        return not ends.isdisjoint({name, name.split("[")[0], f"{name}[]"})
 
     def _variants(self, archive: Archive) -> tuple[str, ...]:
         """That there are further structures in a package."""
@@ -147,6 +147,16 @@ class SspFile(TomlFile):
         if not others or "#" in str(self.path):
             return ()
         return (f"{self.path.name} holds further structures, {listed(others)}: run {self.path.name}#{others[0]}",)
+
+
+def _driven_inputs(wires: Mapping[End, Wire]) -> dict[Element, set[str]]:
+    """The inputs of each component that another one drives; `u[]` where it is elements of an array."""
+    found: dict[Element, set[str]] = {}
+    for element, name in wires:
+        if element.fmu and path_to(wires, (element, name))[0].source[0].fmu:
+            base = name.split("[")[0]
+            found.setdefault(element, set()).update({name} if base == name else {name, f"{base}[]"})
+    return found
 
 
 def _told(passed_over: Mapping[str, str]) -> tuple[str, ...]:

@@ -38,7 +38,8 @@ TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration", "Binary", "Float
 TYPES |= {f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)}
 MAPPINGS = {"BooleanMappingTransformation", "IntegerMappingTransformation", "EnumerationMappingTransformation"}
 
-# What is read, by the element that it stands in. Whatever else of SSP stands there is an error that names it.
+# What is read, by the element that it stands in. Whatever else of SSP stands there is noted, but an error that names it
+# where a run would miss it: among systems, connections and values.
 CHILDREN = {
     "SystemStructureDescription": {"System", "Units", "DefaultExperiment", "Enumerations"},
     "System": {"Connectors", "ParameterBindings", "Elements", "Connections", "SignalDictionaries"},
@@ -66,9 +67,11 @@ CHILDREN = {
     "Enumerations": {"Enumeration"},
     **{name: {"Value", "Item"} for name in ("String", "Enumeration", "Binary")},
 }
+MISSED = {"System", "Elements", "Connections", "Connection", "ParameterBindings", "ParameterBinding", "ParameterValues"}
+MISSED |= {"Parameters", "ParameterMapping", "MappingEntry", "SignalDictionaries", *MAPPINGS}
 # What has no bearing on a simulation: drawings, signatures, sizes and clocks of variables, which the FMUs state.
 PASSED_OVER = {"ElementGeometry", "ConnectorGeometry", "ConnectionGeometry", "SystemGeometry", "GraphicalElements"}
-PASSED_OVER |= {"Annotations", "MetaData", "Signature", "SSDVariant", "Dimension"}
+PASSED_OVER |= {"Annotations", "MetaData", "Signature", "SSDVariant", "Dimension", "DisplayUnit"}
 REFUSED_ATTRIBUTES = ("startIndices", "endIndices")
 # What must be there and what must be a number, in versions too for which there is no schema.
 REQUIRED_CHILDREN = {"SystemStructureDescription": "System", "Unit": "BaseUnit"}
@@ -169,6 +172,9 @@ class Document:
             raise self.fail(f"<{kind}> has no <{needed}> of the namespace of SSP", element)
         for child in children:
             if local(child) in PASSED_OVER or (kind == "Connector" and local(child) == "Clock"):
+                continue
+            if local(child) not in CHILDREN.get(kind, ()) and kind not in MISSED:
+                self.notes.add(FOREIGN, f"<{local(child)}> in <{kind}> {self.at(child)}")
                 continue
             if local(child) not in CHILDREN.get(kind, ()):
                 name = f" '{shown(child.get('name'))}'" if child.get("name") else ""

@@ -93,6 +93,9 @@ ODD = {
         system(component("a", "gain", "<ssd:Connectors/>") + component("b", "gain"), WIRE), {}, rules.SCHEMA
     ),
     "a vendor's element": (system(GAINS, WIRE, tail='<v:Look xmlns:v="urn:vendor"/>'), {}, rules.FOREIGN),
+    "what a later version may add": (
+        system(component("a", "gain", "<ssd:Looks/>") + component("b", "gain"), WIRE), {}, rules.FOREIGN
+    ),
     "connector of nothing": (
         system(component("a", "gain", connectors(q="input")) + component("b", "gain"), WIRE), {}, rules.NO_VARIABLE
     ),
@@ -142,6 +145,16 @@ def test_a_file_as_the_standard_wants_it_breaks_nothing(read: Read) -> None:
     for version in ("1.0", "2.0", "2.0-beta.2", "2.0.1"):
         found = read(document(CHAIN, version=version))
         assert (found.breaches, found.remarks) == ((), ()) and strictly(found).strict
+
+
+def test_what_ssp_2_says_of_units_sizes_and_clocks_breaks_nothing(read: Read) -> None:
+    stated = connectors(y="output").replace(
+        "></ssd:Connector>", '><ssc:Float64 unit="1"/><ssc:Dimension size="1"/><ssd:Clock name="c"/></ssd:Connector>'
+    )
+    units = '<ssc:Unit name="1"><ssc:BaseUnit/><ssc:DisplayUnit name="percent" factor="100"/></ssc:Unit>'
+    top = system(component("a", "gain", stated) + component("b", "gain"), WIRE)
+    found = read(document(top, units, version="2.0"))
+    assert not found.breaches and wired(found) == ["a.y -> b.u"]
 
 
 def test_breaches_are_counted_by_run_and_listed_by_plan(read: Read, capsys: pytest.CaptureFixture[str]) -> None:
