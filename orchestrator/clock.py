@@ -104,9 +104,11 @@ def make_clock(periods: dict[str, Fraction], stop: Fraction, start: Fraction = F
     tick = common_tick([*periods.values(), start, stop])
     ticks = {name: int(period / tick) for name, period in periods.items()}
     if not countable(tick, start, stop):
+        fine = tick < Fraction(1, 10**6)
         raise InputError(
-            f"the periods have no common tick above {float(tick):.1e} s "
-            f"that counts exactly to {seconds_text(max(abs(start), abs(stop)))}; round them to microseconds"
+            f"the periods have no common tick above {float(tick):.1e} s that counts exactly to "
+            f"{seconds_text(max(abs(start), abs(stop)))}; "
+            + ("round them, start and stop to microseconds" if fine else "keep start and stop nearer to 0")
         )
     span = int((stop - start) / tick)
     return Clock(tick.numerator, tick.denominator, ticks, span, min(lcm(*ticks.values()), span), int(start / tick))

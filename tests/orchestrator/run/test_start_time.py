@@ -254,7 +254,7 @@ WRONG = {
     "another key": (('start = "2 s"',), (), ["unknown key 'start'", "did you mean 'start_time'"]),
     "option behind the stop": ((), ("--start", "1 s"), ["the stop at 1 s is not after the start at 1 s"]),
     "option no time": ((), ("--start", "now"), ["--start = 'now' is not a time"]),
-    "too large to count": ((), ("--start", "-1e14 s"), ["no common tick", "round them"]),
+    "too large to count": ((), ("--start", "-1e14 s"), ["no common tick", "keep start and stop nearer to 0"]),
     "a list": (("start_time = [1]",), (), ["start_time must be a time"]),
 }  # fmt: skip
 
