@@ -8,8 +8,9 @@ from typing import Any
 from ...errors import InputError
 from ...fmu.tolerant.rules import Notes
 from ...units import BASE_UNITS, Definition, Unit, conversion, meaning
-from .files.document import MAPPINGS, Document, find
+from .files.document import Document, find
 from .files.rules import UNDEFINED_UNIT
+from .files.vocabulary import MAPPINGS
 
 SAID = 'where values are to be passed on as they are, state suppressUnitConversion="true" there'
 
