@@ -12,6 +12,7 @@ from ...errors import InputError, shown
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
 from ..experiment import lacking_starts, periods_of, stop_of, whole_stop
+from ..model import FORMATS
 from ..ssp.files.rules import NO_START
 from .connections import Network, Wire
 from .document import OspDocument, find
@@ -66,6 +67,7 @@ class OspFile(TomlFile):
         fixed = [period for name, period in periods.items() if not self._fmus(simulators)[name].can_vary_step]
         end = end if stop else whole_stop(begin, end, fixed, remarks)
         self.data: dict[str, Any] = {
+            "format": FORMATS[-1],
             **self._algorithm([(wire, str(link)) for link, wire in links]),
             "description": document.text("Description"),
             "start_time": f"{begin} s",

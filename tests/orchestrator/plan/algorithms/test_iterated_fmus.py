@@ -116,6 +116,22 @@ def test_every_type_passes_every_algorithm_unchanged(
 
 
 @needs_gcc
+@pytest.mark.parametrize("interpreted", [False, True])
+@pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel", "iterated", "adaptive"])
+def test_whole_numbers_become_real_ones_and_items_whatever_the_algorithm(
+    algorithm: str, interpreted: bool, typed: Path, tmp_path: Path
+) -> None:
+    rest = {"=mode_in": 1, "=s_in": "", "=on_in": False}
+    parts = {"a": ("feedthrough2", "2 ms", {k: v for k, v in FREE2.items() if k != "=u"}),
+             "b": ("feedthrough2", "2 ms", rest)}  # fmt: skip
+    wires = ["a.n_out -> b.u", "a.on_out -> b.n_in", "b.y -> a.u"]
+    signals = Signals(run_of(tmp_path, typed, parts, wires, stop="8 ms", algorithm=algorithm, interpreted=interpreted))
+    for name, value in (("b.u", -7.0), ("b.n_in", 1), ("a.u", -7.0)):
+        assert set(signals[name].values.tolist()) == {value}, name
+    assert signals["b.y"].values.tolist()[-1] == -7.0 and signals["b.n_out"].values.tolist()[-1] == 1
+
+
+@needs_gcc
 def test_what_steps_first_passes_its_whole_numbers_and_texts_on_unchanged(typed: Path, tmp_path: Path) -> None:
     parts = {"a": ("feedthrough3", "4 ms", FREE3), "b": ("feedthrough3", "2 ms")}
     wires = [w + " (interpolate)" if "Float64" in w else w for w in WIRES3]
