@@ -59,7 +59,7 @@ def crossings_for(fmu: Fmu, recording: Recording, mapping: VariableMapping) -> t
     for role, names in lacking.items():
         theirs_all = [n for n, v in fmu.variables.items() if v.causality == role]
         raise InputError(
-            f"{label} has no {role} {', '.join(repr(n) for n in names)}{nearest(names[0], theirs_all)}; give a mapping "
-            f'file with --map: [variables] {names[0]} = "their name", or {names[0]} = "" to do without'
+            f"{label} has no {role} {', '.join(repr(n) for n in names)}; give a mapping file with --map: "
+            f'[variables] {names[0]} = "their name", or {names[0]} = "" to do without{nearest(names[0], theirs_all)}'
         )
     return crossings, notes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ from ...errors import InputError, nearest
 from ...files import csv_rows
 from .values import numbers
 
+ROUNDING = 1e-9  # relative, of times that are written with few digits
 REQUIRED = ("StartTime", "StopTime", "StepSize", "RelTol")
 
 
@@ -64,7 +66,13 @@ def read_recording(folder: Path, name: str = "") -> Recording:
         raise InputError(f"{name}_ref.csv holds {len(times)} instants; two are needed for a step")
     if not np.array_equal(at, times):
         raise InputError(f"{path.name} and {name}_ref.csv hold different times; the inputs are needed at each of them")
-    return Recording(name, path, times, inputs, outputs, _options(folder / f"{name}_ref.opt"), _starts(folder, name))
+    options = _options(folder / f"{name}_ref.opt")
+    if options["StopTime"] < times[-1] - ROUNDING * abs(times[-1]):
+        raise InputError(
+            f"{name}_ref.opt: StopTime = {options['StopTime']:g} lies before the last row of {name}_ref.csv, "
+            f"{times[-1]:g} s; correct one of them"
+        )
+    return Recording(name, path, times, inputs, outputs, options, _starts(folder, name))
 
 
 def _series(path: Path) -> tuple[np.ndarray, dict[str, list[str]]]:
@@ -91,6 +99,8 @@ def _options(path: Path) -> dict[str, float]:
     for key in REQUIRED:
         if key not in options:
             raise InputError(f"{path.name}: {key} is missing{nearest(key, options)}")
+        if not math.isfinite(options[key]) or (key in ("StepSize", "RelTol") and options[key] < 0.0):
+            raise InputError(f"{path.name}: {key} = {options[key]:g}; write a finite number, and none below 0")
     return options
 
 

@@ -23,7 +23,7 @@ from ...plan.plan import Plan, make_plan
 from ...processes import peak_memory
 from ...results.energy import require_energy
 from ...results.figures_of_merit import figure_units
-from ...results.requested import check_summary
+from ...results.requested import check_numeric, check_summary
 from ...results.summary import summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
@@ -103,6 +103,7 @@ def load(job: Job) -> Plan:
     everything = make_plan(replace(system, record=("*", *needed(system))))
     columns = {".".join(key) for group in everything.groups for key in group.columns}
     check_summary(columns, system.reporting, system.path.name)
+    check_numeric(system, system.path.name)
     return make_plan(replace(system, record=needed(system)))
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import xarray
-from helpers import plan_of, run_of
+from helpers import plan_of, read_system, run_of
 from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.texts import Texts
@@ -16,6 +17,7 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.figures_of_merit import figure_of_merit
 from rovbrush.orchestrator.results.files.writing import write_results
 from rovbrush.orchestrator.results.signals import Signal, Signals
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc
@@ -173,3 +175,10 @@ def test_figures_of_merit_of_whole_numbers_do_not_overflow(dtype: str) -> None:
     assert abs(figure_of_merit("peak", [signal], 0.0, 2.0)) == largest
     assert 0.0 < figure_of_merit("rms", [signal], 0.0, 2.0) <= largest
     assert figure_of_merit("max", [signal], 0.0, 2.0) == float(values[1])
+
+
+def test_a_figure_of_a_text_is_refused_before_the_run(native: Path, tmp_path: Path) -> None:
+    system = read_system(tmp_path, native, {"a": ("feedthrough2", "1 ms", FREE2)}, stop="5 ms")
+    drawn = {"file": "f.png", "title": "", "signals": ["a.s_out"]}
+    with pytest.raises(InputError, match=r"figure f\.png: 'a\.s_out' is a text; name a number"):
+        planned(replace(system, reporting={**system.reporting, "figures": [drawn]}))

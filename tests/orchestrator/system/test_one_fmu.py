@@ -100,7 +100,6 @@ def test_of_an_fmu_without_outputs_all_locals_are_recorded(tmp_path: Path) -> No
 def test_nor_do_they_by_hand(make: Make) -> None:
     with load(make("")).start() as session:
         assert session.get("u") == session.get("their_pump.u") == 0.5
-
         session.set("u", 1.5)
         session.step()
         assert session.get("u") == session.get("their_pump.u") == 1.5

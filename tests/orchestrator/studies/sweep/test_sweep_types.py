@@ -138,3 +138,11 @@ def test_what_is_set_and_varied_by_two_names_is_an_error(fmu: Path, tmp_path: Pa
     (tmp_path / "p.csv").write_text("Int8_in\n1\n")
     with pytest.raises(InputError, match=r"--set feedthrough3\.Int8_in: it is varied"):
         sweep(str(fmu), tmp_path / "out", Options((), {"Int8_in": "3"}, "10 ms", points=tmp_path / "p.csv"))
+
+
+def test_a_figure_of_merit_of_a_text_is_refused_before_anything_is_run(fmu: Path, tmp_path: Path) -> None:
+    lines = [f'system = "{fmu}"', 'stop_time = "10 ms"', "[vary]", "Int32_in = [-1, 5]", "[summary]"]
+    (tmp_path / "s.toml").write_text("\n".join([*lines, 's = "last String_out"']))
+    with pytest.raises(InputError, match=r"summary s = .*: 'feedthrough3\.String_out' is a text; name a number"):
+        sweep(str(tmp_path / "s.toml"), tmp_path / "out", Options(workers=1))
+    assert not (tmp_path / "out").exists()
