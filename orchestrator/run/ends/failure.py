@@ -10,7 +10,7 @@ from ...fmu.types import decode
 from ...loop import cells, versions
 from ...loop.operations import SOLVE, STEP
 from ...participant.base import Participant
-from ...participant.lifecycle import DISCARD, FATAL, status_text
+from ...participant.lifecycle import DISCARD, FATAL, PENDING, status_text
 from ...plan.plan import Plan
 from ..memory.algorithm_state import AlgorithmState
 
@@ -18,6 +18,11 @@ REPORTED = {
     versions.EARLY: " returned early (earlyReturn), which it was not allowed to,",
     versions.EVENT: " needs event handling (eventHandlingNeeded), which this master does not do,",
 }
+
+UNDER_WAY = (
+    "; it goes on with the step by itself, which this master does not wait for: it needs an FMU that is done when it "
+    "returns (canRunAsynchronuously = false, or a setting of its tool)"
+)
 
 
 def failure_of(
@@ -84,5 +89,5 @@ def _said(
     if status in REPORTED:
         return REPORTED[status], instance.log_text()
     instance.noted(action, status)
-    why = instance.why_discarded() if status == DISCARD else ""
+    why = instance.why_discarded() if status == DISCARD else UNDER_WAY if status == PENDING else ""
     return f" returned {status_text(instance.prefix, status)}", why + instance.reasons()

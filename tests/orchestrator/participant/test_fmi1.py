@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from first_fmi import TOOL, first_fmu
 from helpers import column, read_system, rovbrush, system_text
-from native_build import needs_gcc
+from native_build import feedthrough2, feedthrough3, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.fmu.types import decode
@@ -129,6 +129,36 @@ def test_what_an_fmu_says_at_every_step_is_read_only_where_all_is_asked_for(firs
         instance.close()
 
 
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_a_ring_of_all_versions_passes_values_on_as_one_of_a_single_version(
+    interpreted: bool, first: Path, tmp_path: Path
+) -> None:
+    second, third = feedthrough2(tmp_path / "second.fmu"), feedthrough3(tmp_path / "third.fmu")
+    rings = {
+        "mixed": [(str(first), "u", "y"), (str(second), "u", "y"), (str(third), "Float64_in", "Float64_out")],
+        "alike": [(str(first), "u", "y")] * 3,
+    }
+    found = {}
+    for name, ring in rings.items():
+        parts = {f"c{k}": (fmu, "1 ms", {}) for k, (fmu, _, _) in enumerate(ring)}
+        parts["s"] = (str(first), "1 ms", {"=u": 1.5, "x0": 0.1})
+        wires = [f"c{k}.{ring[k][2]} -> c{k + 1}.{ring[k + 1][1]}" for k in range(2)]
+        wires += ["s.minus_x -> c0.u", f"c2.{ring[2][2]} -> s.minus_v"]
+        system = read_system(first.parent, first.parent, parts, wires, stop="10 ms")
+        found[name] = column(run_of(system, interpreted), "s.z")[1]
+    assert found["mixed"].tobytes() == found["alike"].tobytes()
+    assert found["mixed"][-1] == pytest.approx(0.1 + 1.5 * 0.009, rel=1e-12)
+
+
+def test_a_checkpoint_is_refused_by_name(
+    first: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "case.toml").write_text(system_text({"a": (str(first), "1 ms", GIVEN)}, stop="10 ms"))
+    monkeypatch.chdir(tmp_path)
+    assert rovbrush(monkeypatch, "run", "case.toml", "--checkpoint", "2 ms", "--out", "results") == 2
+    assert "component a" in (said := capsys.readouterr().err) and "cannot" in said, said
+
+
 def alone(first: Path, seconds: str = "10 ms", **parameters: float) -> System:
     values = {"=u": 1.0, "=minus_v": 0.0, **parameters}
     return read_system(first.parent, first.parent, {"a": (str(first), "1 ms", values)}, stop=seconds)
@@ -140,6 +170,7 @@ def alone(first: Path, seconds: str = "10 ms", **parameters: float) -> System:
         (1, "component a returned fmiDiscard in the step to t = 0.005 s; it reached t = 0.00425 s"),
         (2, "component a returned fmiError in the step to t = 0.005 s\ninstantiated 1\nno solution at 0.004"),
         (3, "component a returned fmiFatal in the step to t = 0.005 s"),
+        (6, "component a returned fmiPending in the step to t = 0.005 s; it goes on with the step by itself, which"),
         (4, "component a: output x became nan in the step to t = 0.005 s"),
     ],
 )
