@@ -130,9 +130,8 @@ def test_what_an_fmu_says_at_every_step_is_read_only_where_all_is_asked_for(firs
 
 
 @pytest.mark.parametrize("interpreted", [False, True])
-def test_a_ring_of_all_versions_passes_values_on_as_one_of_a_single_version(
-    interpreted: bool, first: Path, tmp_path: Path
-) -> None:
+def test_a_ring_of_all_versions_passes_values_on_as_one_of_a_single_version(interpreted: bool, tmp_path: Path) -> None:
+    first = first_fmu(tmp_path / "first.fmu", changes={'<Real declaredType="Speed"': "<Real"})
     second, third = feedthrough2(tmp_path / "second.fmu"), feedthrough3(tmp_path / "third.fmu")
     rings = {
         "mixed": [(str(first), "u", "y"), (str(second), "u", "y"), (str(third), "Float64_in", "Float64_out")],
@@ -157,6 +156,14 @@ def test_a_checkpoint_is_refused_by_name(
     monkeypatch.chdir(tmp_path)
     assert rovbrush(monkeypatch, "run", "case.toml", "--checkpoint", "2 ms", "--out", "results") == 2
     assert "component a" in (said := capsys.readouterr().err) and "cannot" in said, said
+
+
+def test_it_begins_and_ends_where_it_is_told(first: Path) -> None:
+    parts = {"a": (str(first), "1 ms", {"=u": 1.0})}
+    system = read_system(first.parent, first.parent, parts, stop="2.0045 s", start_time="2 s")
+    times, x = column(run_of(system), "a.x")
+    assert (times[0], times[-1]) == (2.0, 2.0045)
+    assert x[-1] == pytest.approx(0.0045, rel=1e-12)
 
 
 def alone(first: Path, seconds: str = "10 ms", **parameters: float) -> System:
