@@ -10,10 +10,10 @@ from ..fmu.sharing import why_alone
 from ..system.model import Component
 from .apart.library import used_before
 from .base import Participant
-from .fmi1 import Fmi1Instance
-from .fmi2 import Fmi2Instance
-from .fmi3 import Fmi3Instance
-from .loaded import LoadedInstance
+from .here.fmi1 import Fmi1Instance
+from .here.fmi2 import Fmi2Instance
+from .here.fmi3 import Fmi3Instance
+from .here.loaded import LoadedInstance
 from .messages import Logging
 
 KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: Fmi3Instance}

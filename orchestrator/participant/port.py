@@ -7,7 +7,7 @@ from itertools import chain
 from typing import Any
 
 from ..fmu.types import Value, function_type
-from .loaded import LoadedInstance
+from .here.loaded import LoadedInstance
 
 
 class Port:

@@ -12,7 +12,7 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 from fmpy.fmi3 import FMU3Slave
 from lives import Instance, component
-from rovbrush.orchestrator.participant.exit_guard import end_before_library_destructors
+from rovbrush.orchestrator.participant.here.exit_guard import end_before_library_destructors
 
 COLLECTED = ctypes.POINTER(ctypes.c_double)
 

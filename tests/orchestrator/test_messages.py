@@ -7,7 +7,7 @@ from pathlib import Path
 
 from native_build import FAULTS2, feedthrough2, needs_gcc
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.participant.loaded import LoadedInstance
+from rovbrush.orchestrator.participant.here.loaded import LoadedInstance
 from rovbrush.orchestrator.participant.opening import load
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...errors import FmuError
 from ...participant.apart.meeting import meeting
-from ...participant.refusal import NotLoadedError
+from ...participant.here.refusal import NotLoadedError
 from .rows import Row
 from .subject import Subject
 from .tried import Tried

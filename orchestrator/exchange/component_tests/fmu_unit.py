@@ -11,7 +11,7 @@ from ...errors import FmuError
 from ...fmu.attributes import parse_value
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value, function_type
-from ...participant.loaded import LoadedInstance
+from ...participant.here.loaded import LoadedInstance
 from ...participant.opening import load
 from ...system.replace.mapping import VariableMapping
 from .binding import Binding

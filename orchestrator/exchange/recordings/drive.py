@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from ...fmu.attributes import parse_value
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
-from ...participant.loaded import LoadedInstance
+from ...participant.here.loaded import LoadedInstance
 from ...participant.port import Ports
 from ...system.replace.crossing import Crossing
 from ...system.replace.mapping import VariableMapping

@@ -18,8 +18,8 @@ from typing import Any
 from ...fmu.fmu import Fmu
 from ...processes import end_with, watch
 from ..base import CallError, State
+from ..here.loaded import LoadedInstance
 from ..lifecycle import ERROR
-from ..loaded import LoadedInstance
 from ..opening import load
 from .channel import CALL, ENDS, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions

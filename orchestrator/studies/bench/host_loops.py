@@ -14,7 +14,7 @@ from typing import Any
 from ...clock import seconds_text
 from ...errors import InputError, RunError
 from ...fmu.unpacked import unpack
-from ...participant.fmi2 import Fmi2Instance
+from ...participant.here.fmi2 import Fmi2Instance
 from ...system.model import System
 from ...system.reader import load_system
 

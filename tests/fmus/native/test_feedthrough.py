@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.participant.loaded import LoadedInstance
+from rovbrush.orchestrator.participant.here.loaded import LoadedInstance
 from rovbrush.orchestrator.participant.opening import load
 from test_native_equality import CASES
 

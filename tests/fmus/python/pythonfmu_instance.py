@@ -14,7 +14,7 @@ import pytest
 from lxml import etree
 from rovbrush.components.build import COMPONENTS
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
+from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 
 H = 1e-3
 every_component = pytest.mark.parametrize("name", COMPONENTS)

@@ -12,7 +12,7 @@ from pythonfmu_instance import started, stir
 from rovbrush.components.build import build
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
+from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 
 
 def test_two_versions_of_one_fmu_in_one_process_give_their_own_results(tmp_path: Path, fmus: Path) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from pythonfmu_instance import every_component, started, stir
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
+from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 
 
 @every_component

@@ -141,7 +141,7 @@ def test_a_missing_binary_names_the_platforms_that_are_there(fmus: Path, tmp_pat
 
 
 def test_a_broken_binary_is_an_error_with_the_component_name(fmus: Path, tmp_path: Path) -> None:
-    from rovbrush.orchestrator.participant.fmi2 import Fmi2Instance as Instance
+    from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 
     own = f"binaries/{fmpy.platform}/gain{fmpy.sharedLibraryExtension}"
     fmu = Fmu.open(edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: b"no library"}))

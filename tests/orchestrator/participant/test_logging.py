@@ -10,8 +10,8 @@ from helpers import system_text
 from native_build import FAULTS2, FREE2, feedthrough2, moody, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.participant.here.message_filter import AT_A_TIME, AT_FIRST
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
-from rovbrush.orchestrator.participant.message_filter import AT_A_TIME, AT_FIRST
 from rovbrush.orchestrator.participant.messages import MOST, Messages
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import Plan, make_plan

@@ -13,7 +13,7 @@ from weakref import WeakValueDictionary
 import fmpy
 from fmpy import fmi2
 
-from .lifecycle import State
+from ..lifecycle import State
 from .loaded import LoadedInstance
 
 # By what the FMU is told of its environment (FMI 2.0), or by its own address, which it gives instead (FMI 1.0).

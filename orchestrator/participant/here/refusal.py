@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from ..errors import FmuError
-from ..fmu.fmu import Fmu
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
 
 NOT_LOADED = re.compile(r"Failed to load shared library \S+\. *(?P<reason>.*)", re.DOTALL)  # as fmpy says it
 # What the system says of a library that it does not load, and what helps.

@@ -14,12 +14,12 @@ from typing import Any
 import fmpy
 from fmpy import fmi1
 
-from ..errors import FmuError
-from .apart.library import fresh_library
-from .base import CallError
+from ...errors import FmuError
+from ..apart.library import fresh_library
+from ..base import CallError
+from ..lifecycle import PREFIX, STATE_FUNCTIONS, State, allowed
 from .c_messages import format_messages, known_as
 from .library import Judged
-from .lifecycle import PREFIX, STATE_FUNCTIONS, State, allowed
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused

@@ -9,11 +9,11 @@ from weakref import WeakValueDictionary
 
 from fmpy import fmi3
 
-from ..errors import FmuError
-from .apart.library import fresh_library
-from .base import AskedToEndError, CallError
+from ...errors import FmuError
+from ..apart.library import fresh_library
+from ..base import AskedToEndError, CallError
+from ..lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS
 from .library import Judged
-from .lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused

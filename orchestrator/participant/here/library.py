@@ -7,7 +7,7 @@ from typing import Any
 
 from fmpy.fmi1 import FMICallException
 
-from .lifecycle import good
+from ..lifecycle import good
 
 
 class MissingFunctionError(Exception):

@@ -7,16 +7,16 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from ..errors import FmuError
-from ..fmu.fmu import Fmu
-from ..fmu.sharing import made_by_pythonfmu, made_here
-from ..fmu.types import Value, function_type
-from .apart.library import unload
-from .base import CallError, Participant, State
-from .lifecycle import allowed
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ...fmu.sharing import made_by_pythonfmu, made_here
+from ...fmu.types import Value, function_type
+from ..apart.library import unload
+from ..base import CallError, Participant, State
+from ..lifecycle import allowed
+from ..messages import Logging
+from ..surroundings import Surroundings
 from .message_filter import Row
-from .messages import Logging
-from .surroundings import Surroundings
 
 FREE = {1: "fmi1FreeSlaveInstance", 2: "fmi2FreeInstance", 3: "fmi3FreeInstance"}  # as fmpy calls them
 CATEGORIES = tuple(f"logStatus{name}" for name in ("Warning", "Discard", "Error", "Fatal"))

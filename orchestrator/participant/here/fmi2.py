@@ -7,14 +7,14 @@ from typing import Any
 
 from fmpy import fmi2
 
-from ..fmu.sharing import made_by_pythonfmu, made_here
-from .apart.library import fresh_library
-from .apart.modules import own_modules
-from .base import AskedToEndError, CallError
+from ...fmu.sharing import made_by_pythonfmu, made_here
+from ..apart.library import fresh_library
+from ..apart.modules import own_modules
+from ..base import AskedToEndError, CallError
+from ..lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS, allowed
 from .c_messages import format_messages
 from .exit_guard import end_before_library_destructors
 from .library import Judged
-from .lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS, allowed
 from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused
