@@ -25,9 +25,9 @@ from .run.planned import planned
 from .run.recording.observers import Every
 from .run.stepping import Stepping, Time
 from .system.assemble import assemble, over
+from .system.inputs.series_file import with_files, with_inputs
 from .system.model import System
 from .system.request import Changes
-from .system.series_file import with_files, with_inputs
 
 Inputs = Mapping[str, Any] | str | Path
 Observer = Callable[[float, dict[str, Any]], object]

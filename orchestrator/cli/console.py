@@ -131,7 +131,7 @@ def print_comparison(rows: Sequence[Mapping[str, Any]], steady: bool = True) -> 
 
 def print_notes(system: System) -> None:
     """What the user must know before a run: of replaced components, and of FMUs that break the standard."""
-    from ..system.free_inputs import start_notes
+    from ..system.inputs.free_inputs import start_notes
 
     for fmu in {component.fmu.digest: component.fmu for component in system.components.values()}.values():
         if fmu.notes:

@@ -25,9 +25,9 @@ from ..clock import seconds_text
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file
 from ..plan.plan import Plan
+from ..system.inputs.series import refuse_series
 from ..system.model import Component, System
 from ..system.replace.view import crossings_of
-from ..system.series import refuse_series
 
 End = tuple[str, str]
 

@@ -17,8 +17,8 @@ from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate
 from ..system.assemble import assemble
+from ..system.file.reader import SYSTEMS
 from ..system.model import System
-from ..system.reader import SYSTEMS
 from .specification import Specification, read_specification
 
 EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladder

@@ -7,8 +7,8 @@ from functools import cached_property
 
 from ..clock import Clock
 from ..fmu.conversions import Conversion
+from ..system.inputs.series import Series
 from ..system.model import Connection, System
-from ..system.series import Series
 from .algorithms.base import Algorithm
 from .instants import Instants
 from .schedule.bond_energy import BondEnergy

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..clock import seconds_text
 from ..errors import counted
-from ..system.free_inputs import start_notes
-from ..system.series import series_in_words
+from ..system.inputs.free_inputs import start_notes
+from ..system.inputs.series import series_in_words
 from .capabilities import remarks
 from .plan import Plan
 from .remarks import aliased, chosen, held_now

@@ -7,8 +7,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ..clock import require_span
+from ..system.inputs.series import check_series
 from ..system.model import System
-from ..system.series import check_series
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
 from .design import Design

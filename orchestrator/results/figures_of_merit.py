@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from ..plan.algorithms.registry import algorithm_of
-from ..system.merits import merit
+from ..system.file.merits import merit
 from ..system.model import System
 from .signals import Signal, Signals
 

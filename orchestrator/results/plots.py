@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..system.figure_kinds import figure_kind
+from ..system.file.figure_kinds import figure_kind
 from .signals import Signals
 from .tables import Run
 

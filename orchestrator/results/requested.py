@@ -8,8 +8,8 @@ from pathlib import PurePath
 from typing import Any
 
 from ..errors import InputError, counted, nearest
-from ..system.figure_kinds import figure_kind
-from ..system.merits import OPERATIONS, merit
+from ..system.file.figure_kinds import figure_kind
+from ..system.file.merits import OPERATIONS, merit
 from ..system.model import System
 
 FORMATS = (".png", ".pdf", ".svg")

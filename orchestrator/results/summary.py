@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..processes import peak_memory
-from ..system.merits import merit
+from ..system.file.merits import merit
 from .energy import balance, ledger, over_limits
 from .figures_of_merit import figure_of_merit, steady_window
 from .ranges import left_range

@@ -15,7 +15,7 @@ from ..participant.opening import start
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
 from ..results.tables import Started
-from ..system.free_inputs import left_alone
+from ..system.inputs.free_inputs import left_alone
 from ..system.model import Connection
 from .memory.memory import Memory
 from .read_back import read_back

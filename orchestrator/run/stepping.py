@@ -14,7 +14,7 @@ from ..errors import InputError, RunError, nearest
 from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
-from ..system.recorded import matches
+from ..system.file.recorded import matches
 from .memory.ports import reader_of, writer_of
 from .session import Session
 

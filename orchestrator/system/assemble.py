@@ -10,14 +10,14 @@ from pathlib import Path
 from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
+from .file.reader import load_system
+from .file.recorded import select_recorded
+from .inputs.series_file import with_files
 from .model import System
 from .one_fmu import component_name, is_fmu
-from .reader import load_system
-from .recorded import select_recorded
 from .replace.mapping import VariableMapping, load_mapping
 from .replace.replacement import replace_component
 from .request import UNCHANGED, Changes, Request, assignments, changes_of
-from .series_file import with_files
 
 
 def assemble(

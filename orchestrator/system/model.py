@@ -20,9 +20,9 @@ from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
+from .inputs.series import Series
 from .quantities import in_own_unit
 from .schema.system import Loops
-from .series import Series
 
 FORMATS = (1, 2)  # of system files; of one without `format` a run says what it holds that was extrapolated then
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rovbrush.orchestrator.studies.sweep.design import make_design
-from rovbrush.orchestrator.system.series_file import with_files
+from rovbrush.orchestrator.system.inputs.series_file import with_files
 
 from . import seeded
 from .mutations import mutated

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 from rovbrush.orchestrator.system.replace.replacement import replace_component
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 from . import seeded
 from .mutations import mutated

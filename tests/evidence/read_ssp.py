@@ -6,7 +6,7 @@ import re
 import shutil
 from pathlib import Path
 
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 from . import seeded
 from .mutations import mutated

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import fmpy
 from rovbrush.orchestrator.errors import RovbrushError
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 
 SYSTEM = """format = 2
 stop_time = "10 ms"

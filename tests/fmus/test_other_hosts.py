@@ -18,8 +18,8 @@ from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.hosts import HOSTS, HostRun, missing, run_host
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 
 PERIOD = Fraction(1, 512)
 STEPS = 100

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 from helpers import system_text
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from ssp_files import Read, write_ssp_file
 from sweep_cases import PARTS, SUMMARY
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 
 GOOD = """\
 format = 2  # A gain is a gain again: words like k, u and y stand in comments too, before the lines that count.

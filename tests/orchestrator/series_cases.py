@@ -7,8 +7,8 @@ from typing import Any
 
 from helpers import read_system
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.system.inputs.series_file import with_inputs
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.series_file import with_inputs
 
 ONE = {"i": ("integrator", "2 ms", {"=u": 0.0})}
 ROWS = [0.0, 0.003, 0.0045, 0.0045, 0.02]

@@ -10,7 +10,7 @@ from typing import Any
 
 from helpers import Part, system_text
 from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 SUMMARY = '\n[summary]\nwindow = { start = 0.005 }\nx_last = "last x.x"\ny_mean = "mean x.held"\n'
 PARTS: dict[str, Part] = {"w": ("wave", "1 ms", {"c0": 1.0}), "x": ("integrator", "1 ms")}

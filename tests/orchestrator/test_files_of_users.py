@@ -13,7 +13,7 @@ from rovbrush.orchestrator.exchange.recordings.shipped import RUNS, read_runs
 from rovbrush.orchestrator.paper.specification import SPECIFICATION, read_specification
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.studies.sweep.file import SWEEPS, sweep_file
-from rovbrush.orchestrator.system.reader import SYSTEMS, load_system
+from rovbrush.orchestrator.system.file.reader import SYSTEMS, load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 
 SYSTEM = (SYSTEMS / "test_stand.toml").read_text(encoding="utf-8").replace('"calibrated.toml"', '"beside.toml"')

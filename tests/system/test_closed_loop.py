@@ -20,7 +20,7 @@ from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 Table = dict[str, dict[str, dict[str, float]]]
 PID, FEEDFORWARD, FORCE = MODES

@@ -85,7 +85,7 @@ def _tools() -> Iterator[Line]:
 def _folders() -> Iterator[Line]:
     from ...cache import cache_folder, entries, limit
     from ...loop.compiled import is_compiled
-    from ...system.components import fmu_folder
+    from ...system.file.components import fmu_folder
 
     folder, wrong = cache_folder(), ""
     size = sum(entry.size for entry in entries())

@@ -51,7 +51,7 @@ def build(
     ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
-    from ...system.components import fmu_folder
+    from ...system.file.components import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
     if not found:
@@ -75,7 +75,7 @@ def build(
 def systems() -> None:
     """List the shipped systems and sweeps."""
     from ...studies.sweep.file import SWEEPS, shipped_sweeps
-    from ...system.reader import SYSTEMS, shipped_systems, system_description
+    from ...system.file.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():
         tell(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ...errors import RovbrushError, counted
+from ...system.file.reader import load_system
 from ...system.formats import is_osp, is_ssp
-from ...system.reader import load_system
 from .chain import check_fmu
 from .note_rows import note_rows
 from .rows import Report, Row

@@ -22,7 +22,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.types import Value
 from ...results.signals import Signals
 from ...results.tables import Run
-from ...system.free_inputs import left_alone
+from ...system.inputs.free_inputs import left_alone
 from ...system.replace.view import OWN
 from .values import cells_of
 

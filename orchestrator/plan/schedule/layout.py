@@ -13,8 +13,8 @@ from ...clock import Clock
 from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
 from ...loop.iteration import COLUMN
+from ...system.file.recorded import Recorded
 from ...system.model import Bond, Connection, System
-from ...system.recorded import Recorded
 from ...system.replace.view import crossings_of
 from .formulas import HISTORY, Choice
 

@@ -15,8 +15,8 @@ from ...clock import seconds_text
 from ...errors import InputError, RunError
 from ...fmu.unpacked import unpack
 from ...participant.here.fmi2 import Fmi2Instance
+from ...system.file.reader import load_system
 from ...system.model import System
-from ...system.reader import load_system
 
 Output = tuple[str, str]
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 from pathlib import Path
 
 from ...errors import InputError
-from ...system.components import fmu_folder
+from ...system.file.components import fmu_folder
+from ...system.file.reader import load_system
 from ...system.model import System
-from ...system.reader import load_system
 from .mixed import mixed_ring
 from .native_fmu import ring
 

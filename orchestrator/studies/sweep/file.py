@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import InputError, nearest
+from ...system.file.reader import SYSTEMS, shipped_systems
 from ...system.formats import ENDINGS, is_system_file
-from ...system.reader import SYSTEMS, shipped_systems
 from ...system.schema.checked import checked
 from ...system.schema.sweep import SweepTable
 from ...toml_file import TomlFile

@@ -28,9 +28,9 @@ from ...results.summary import summarize
 from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble
-from ...system.merits import merit, written
+from ...system.file.merits import merit, written
+from ...system.file.recorded import reported_names
 from ...system.model import System
-from ...system.recorded import reported_names
 from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
 

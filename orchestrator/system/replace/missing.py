@@ -13,10 +13,10 @@ from typing import Any
 from ...errors import nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
-from ..figure_kinds import figure_kind, figure_kinds
-from ..merits import merit
+from ..file.figure_kinds import figure_kind, figure_kinds
+from ..file.merits import merit
+from ..inputs.series import Series
 from ..model import Component, Connection, System
-from ..series import Series
 from .mapping import VariableMapping
 
 

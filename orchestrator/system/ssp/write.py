@@ -15,9 +15,9 @@ from lxml import etree
 from ...errors import InputError
 from ...files import prepare_folder, write_file
 from ...fmu.fmu import Fmu
+from ..inputs.series import refuse_series
 from ..model import Component, Connection, System
 from ..replace.view import crossings_of
-from ..series import refuse_series
 from .files.annotations import annotate, component_keys, connection_keys, system_keys
 from .files.document import NAMESPACES, validate
 from .files.hints import NAMESPACE as OSP

@@ -53,7 +53,7 @@ def test_instances_can_be_made_and_freed_many_times(fmus: Path) -> None:
 RUN = """
 import sys
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.run.simulation import simulate
 from pathlib import Path
 run = simulate(make_plan(load_system(sys.argv[1], Path(sys.argv[2]))), interpreted=True)

@@ -11,7 +11,7 @@ from rovbrush.components.build import HERE, build
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 SYSTEM = """
 stop_time = "20 ms"

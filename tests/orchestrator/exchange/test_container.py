@@ -20,8 +20,8 @@ from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 pytest.importorskip("fmu_manipulation_toolbox", reason="fmu-manipulation-toolbox is not installed")

@@ -46,7 +46,7 @@ def test_with_numba_switched_off_the_interpreter_runs(tmp_path: Path, fmus: Path
         "import sys; from pathlib import Path\n"
         "from rovbrush.orchestrator.plan.plan import make_plan\n"
         "from rovbrush.orchestrator.run.simulation import simulate\n"
-        "from rovbrush.orchestrator.system.reader import load_system\n"
+        "from rovbrush.orchestrator.system.file.reader import load_system\n"
         "run = simulate(make_plan(load_system(sys.argv[1], Path(sys.argv[2]))))\n"
         "print(run.failure or run.tables[0].tobytes().hex())\n"
     )

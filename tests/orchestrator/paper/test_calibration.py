@@ -11,7 +11,7 @@ from rovbrush.orchestrator.paper.specification import SPECIFICATION
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import SYSTEMS, load_system
+from rovbrush.orchestrator.system.file.reader import SYSTEMS, load_system
 
 WANTED = tomllib.loads(SPECIFICATION.read_text(encoding="utf-8"))
 SHIPPED = tomllib.loads((SYSTEMS / WANTED["write"]).read_text(encoding="utf-8"))

@@ -253,7 +253,7 @@ def test_what_python_fmus_give_is_the_same_in_a_process_of_their_own(tmp_path: P
     path = plan.system.path
     path.write_text(path.read_text().replace("[components.a]\n", '[components.a]\nisolation = "process"\n'))
     from rovbrush.orchestrator.plan.plan import make_plan
-    from rovbrush.orchestrator.system.reader import load_system
+    from rovbrush.orchestrator.system.file.reader import load_system
 
     there = simulate(make_plan(load_system(str(path), tmp_path))).tables
     assert all(np.array_equal(a, b) for a, b in zip(here, there, strict=True))

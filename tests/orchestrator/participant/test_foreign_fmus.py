@@ -11,7 +11,7 @@ from helpers import edited, read_system, system_text
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.system.assemble import apply_changes
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.request import changes_of
 
 PARTS = {

@@ -21,7 +21,7 @@ from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
 TIMEOUT = '"1 s"'

@@ -99,7 +99,7 @@ def test_terminate_comes_below_error_only_and_free_unless_fatal(
     if process:
         path = tmp_path / "case.toml"
         path.write_text(path.read_text().replace("[components.a]\n", '[components.a]\nisolation = "process"\n'))
-        from rovbrush.orchestrator.system.reader import load_system
+        from rovbrush.orchestrator.system.file.reader import load_system
 
         system = load_system(str(path), tmp_path)
     try:
@@ -227,7 +227,7 @@ def test_a_requirement_is_looked_at_behind_initialization(tmp_path: Path) -> Non
     path.write_text(
         path.read_text() + '[[require]]\nvalue = "a.y"\nmaximum = 1.0\nmessage = "y is too large"\n', encoding="utf-8"
     )
-    from rovbrush.orchestrator.system.reader import load_system
+    from rovbrush.orchestrator.system.file.reader import load_system
 
     with pytest.raises(InputError, match=r"y is too large: a\.y = 7"):
         simulate(make_plan(load_system(str(path), tmp_path)))

@@ -17,7 +17,7 @@ from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files.writing import MESSAGES, write_results
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = needs_gcc
 DECLARED = ("logAll", "logStatusWarning", "logStatusError", "logEvents")

@@ -23,7 +23,7 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
 

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.plan.capabilities import require_state, require_varia
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = needs_gcc
 FIXED = 'canHandleVariableCommunicationStepSize="false"'

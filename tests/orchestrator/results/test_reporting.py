@@ -10,7 +10,7 @@ from native_build import FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.reader import SYSTEMS, shipped_systems
+from rovbrush.orchestrator.system.file.reader import SYSTEMS, shipped_systems
 
 MORE = """
 [[compare]]

@@ -34,7 +34,7 @@ def plan(
     system = read_system(folder, folder, parts, ["m.x -> g.u"], "10 ms", algorithm=algorithm)
     text = system.path.read_text().replace("[components.m]\n", f'[components.m]\nisolation = "{isolation}"\n')
     system.path.write_text(text)
-    from rovbrush.orchestrator.system.reader import load_system
+    from rovbrush.orchestrator.system.file.reader import load_system
 
     return make_plan(load_system(str(system.path), folder))
 
@@ -151,7 +151,7 @@ def test_a_run_that_is_streamed_to_disk_keeps_its_last_row(tmp_path: Path) -> No
     code = (
         "import sys; from pathlib import Path; from rovbrush.orchestrator.run.recording import recorder;"
         "recorder.IN_MEMORY = recorder.PIECE = 64;"
-        "from rovbrush.orchestrator.system.reader import load_system;"
+        "from rovbrush.orchestrator.system.file.reader import load_system;"
         "from rovbrush.orchestrator.plan.plan import make_plan;"
         "from rovbrush.orchestrator.run.session import Session; p = make_plan(load_system(sys.argv[1]));"
         "s = Session(p, file=Path(sys.argv[2])); s.advance(); r = s.run();"

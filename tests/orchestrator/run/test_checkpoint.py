@@ -21,7 +21,7 @@ from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, wri
 from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from test_session import ALGORITHMS, car
 
 

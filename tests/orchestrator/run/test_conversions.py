@@ -15,8 +15,8 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.connections import Link, connections_of
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.connections import Link, connections_of
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 from rovbrush.orchestrator.system.replace.replacement import replace_component
 from rovbrush.orchestrator.system.ssp.write import write_ssp

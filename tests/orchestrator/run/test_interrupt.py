@@ -18,7 +18,7 @@ CODE = """
 import json, signal, sys
 from pathlib import Path
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.run.simulation import simulate
 
 def progress(time):

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.read_back import same
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = needs_gcc
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")

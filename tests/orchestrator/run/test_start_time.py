@@ -23,7 +23,7 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from test_session import ALGORITHMS, car
 

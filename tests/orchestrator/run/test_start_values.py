@@ -16,8 +16,8 @@ from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.system.series_file import with_inputs
+from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.inputs.series_file import with_inputs
 
 pytestmark = needs_gcc
 EXACT = {

@@ -24,8 +24,8 @@ from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
-from rovbrush.orchestrator.system.reader import load_system
-from rovbrush.orchestrator.system.recorded import select_recorded
+from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.file.recorded import select_recorded
 from test_session import ALGORITHMS, car
 
 PEAK = """

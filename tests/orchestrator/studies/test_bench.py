@@ -12,7 +12,7 @@ from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.bench import growth
 from rovbrush.orchestrator.studies.bench.against import loop_seconds
 from rovbrush.orchestrator.studies.bench.bench import PARTS, Asked, bench
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 
 def test_all_parts_are_measured_but_the_comparison_that_needs_an_interpreter() -> None:

@@ -16,7 +16,7 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.series_file import with_files
+from rovbrush.orchestrator.system.inputs.series_file import with_files
 from series_cases import CONTROLLER, ROWS, VALUES, one, planned
 
 CAR = {"w": ("wheel", "1 ms"), "c": ("chassis", "1 ms")}

@@ -10,7 +10,7 @@ from good_system import GOOD, read
 from helpers import system_text
 from rovbrush.orchestrator.errors import FmuError, InputError, RovbrushError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 
 def test_the_good_file_is_good(tmp_path: Path, fmus: Path) -> None:

@@ -10,8 +10,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.plan.plan import make_plan
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 
 WORDS = re.compile(r'"[^"\n]*"|[\w.+-]+|[=\[\]{},]')
 SEED = """\

@@ -11,8 +11,8 @@ from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.system.free_inputs import require_values, start_notes
-from rovbrush.orchestrator.system.recorded import select_recorded
+from rovbrush.orchestrator.system.file.recorded import select_recorded
+from rovbrush.orchestrator.system.inputs.free_inputs import require_values, start_notes
 
 pytestmark = needs_gcc
 ODD = ('a -> "b" [1]', "it's x.y", "tab[1,2].v (mean)", "π <&> 'q'", 'c" -> d.u')

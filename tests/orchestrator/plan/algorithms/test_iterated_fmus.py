@@ -17,7 +17,7 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c"}

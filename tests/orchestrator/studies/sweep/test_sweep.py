@@ -19,8 +19,8 @@ from rovbrush.orchestrator.studies.sweep.file import shipped_sweeps, sweep_file
 from rovbrush.orchestrator.studies.sweep.point import Job, load, needed
 from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.assemble import assemble
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from sweep_cases import design_of, plain_case
 
 

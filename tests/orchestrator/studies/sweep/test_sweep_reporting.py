@@ -17,7 +17,7 @@ from rovbrush.orchestrator.studies.sweep.design import Design
 from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.studies.sweep.table import Table, write_table
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.merits import merit, written
+from rovbrush.orchestrator.system.file.merits import merit, written
 from sweep_cases import PARTS
 
 BALANCE = '[balance]\nsupplied = ["x.x"]\nlost = []\nstored = ["w.y"]\n'

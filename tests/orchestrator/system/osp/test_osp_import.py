@@ -13,9 +13,9 @@ from rovbrush.orchestrator.plan.algorithms.ecco import EccoSettings
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.osp.document import EARLY
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.files import rules
 
 PAIR = [simulator("a", values={"k": 0.0, "offset": 2.0, "on": True, "count": 4, "u": 1.5}), simulator("b")]

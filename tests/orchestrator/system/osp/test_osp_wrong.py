@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from osp_files import group, groups, simulator, structure, wire, write_osp
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 PAIR = [simulator("a"), simulator("b")]
 SUM = '<Sum name="s" inputCount="2"/>'

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import apply_changes
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.request import changes_of
 
 PARTS = {

@@ -15,8 +15,8 @@ from rovbrush.orchestrator.plan.algorithms.iterated import IteratedSettings
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from test_ssp_export import assert_equal_plans, plain
 

@@ -11,8 +11,8 @@ from helpers import edited, last, read_system
 from rovbrush.orchestrator.cli.console import print_notes
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from ssp_files import (
     CHAIN,
     GAINS,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import (
     GAINS,

@@ -9,7 +9,7 @@ import pytest
 from helpers import rovbrush
 from rovbrush.orchestrator.api import load
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 from ssp_files import document, system, write_ssp_file
 
 

@@ -17,8 +17,8 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import strictly
 from rovbrush.orchestrator.system.experiment import whole_stop
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import CHAIN, GAINS, Read, component, connection, connectors, document, system, write_ssp_file
 

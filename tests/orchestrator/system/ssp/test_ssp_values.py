@@ -10,8 +10,8 @@ from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.reader import load_system
 from rovbrush.orchestrator.system.ssp.files import rules
 from ssp_files import (
     Read,

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from ..errors import nearest
-from ..toml_file import TomlFile
-from .model import Bond, Component, Connection, Requirement
-from .schema.checked import checked
-from .schema.system import BondTable, RequirementTable
+from ...errors import nearest
+from ...toml_file import TomlFile
+from ..model import Bond, Component, Connection, Requirement
+from ..schema.checked import checked
+from ..schema.system import BondTable, RequirementTable
 
 
 def bonds_of(

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import fnmatchcase
 
-from ..errors import InputError, nearest
+from ...errors import InputError, nearest
+from ..model import Component, System
 from .merits import merit
-from .model import Component, System
 
 OTHERS = ("local", "parameter", "calculatedParameter", "independent")  # what can be recorded beside inputs and outputs
 

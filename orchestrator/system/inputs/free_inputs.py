@@ -6,8 +6,8 @@ import json
 import re
 from collections.abc import Callable
 
-from ..errors import InputError
-from .model import System, start_as_toml
+from ...errors import InputError
+from ..model import System, start_as_toml
 
 NAMED = 5  # inputs of a component that a note names
 

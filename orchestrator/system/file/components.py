@@ -8,16 +8,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..clock import duration
-from ..errors import InputError, nearest
-from ..fmu.fmu import Fmu
-from ..fmu.types import REALS, Value
-from ..toml_file import TomlFile
-from ..units import left_open, parse_unit
-from .model import Component, checked_values
-from .schema.checked import checked, checked_value
-from .schema.system import ComponentTable
-from .series_file import stated_series
+from ...clock import duration
+from ...errors import InputError, nearest
+from ...fmu.fmu import Fmu
+from ...fmu.types import REALS, Value
+from ...toml_file import TomlFile
+from ...units import left_open, parse_unit
+from ..inputs.series_file import stated_series
+from ..model import Component, checked_values
+from ..schema.checked import checked, checked_value
+from ..schema.system import ComponentTable
 
 STATED = (bool, int, float, str)  # what a value in a file may be
 
@@ -27,7 +27,7 @@ def fmu_folder() -> Path:
     chosen = os.environ.get("ROVBRUSH_FMUS")
     if chosen:
         return Path(chosen)
-    checkout = Path(__file__).parent.parent.parent
+    checkout = Path(__file__).parent.parent.parent.parent
     if (checkout / "pyproject.toml").is_file():
         return checkout / "fmus"
     from platformdirs import user_data_path

@@ -18,16 +18,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..clock import Clock, seconds_text
-from ..errors import InputError
-from ..fmu.attributes import parse_value
-from ..fmu.fmu import Fmu
-from ..fmu.types import FmiType, decode, encode
-from ..loop.lookup import held_at, value_at
-from ..units import conversion
+from ...clock import Clock, seconds_text
+from ...errors import InputError
+from ...fmu.attributes import parse_value
+from ...fmu.fmu import Fmu
+from ...fmu.types import FmiType, decode, encode
+from ...loop.lookup import held_at, value_at
+from ...units import conversion
 
 if TYPE_CHECKING:
-    from .model import System
+    from ..model import System
 
 ROUNDING = 1e-12  # relative: by so much the last time of a table may miss the stop
 

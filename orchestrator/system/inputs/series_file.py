@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import InputError, nearest
-from ..files import csv_rows
-from ..units import conversion
-from .model import Component, System, checked_values, follows_tables
-from .schema.checked import checked
-from .schema.system import Table
+from ...errors import InputError, nearest
+from ...files import csv_rows
+from ...units import conversion
+from ..model import Component, System, checked_values, follows_tables
+from ..schema.checked import checked
+from ..schema.system import Table
 from .series import Series, series_of, shape_of
 
 

@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from ..errors import InputError, nearest
-from ..fmu.conversions import LossyError, conversion_of
-from ..fmu.fmu import Fmu
-from ..toml_file import TomlFile
-from ..units import conversion
-from .model import Component, Connection
-from .schema.system import TRANSFERS
+from ...errors import InputError, nearest
+from ...fmu.conversions import LossyError, conversion_of
+from ...fmu.fmu import Fmu
+from ...toml_file import TomlFile
+from ...units import conversion
+from ..model import Component, Connection
+from ..schema.system import TRANSFERS
 
 ROUND = "round"  # what a connection says where its values may lose what the input's type does not hold
 

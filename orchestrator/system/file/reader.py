@@ -9,23 +9,23 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from ..clock import instant, require_span
-from ..errors import InputError, nearest
-from ..toml_file import TomlFile
+from ...clock import instant, require_span
+from ...errors import InputError, nearest
+from ...toml_file import TomlFile
+from ..formats import is_system_file, opened
+from ..inputs.free_inputs import require_values
+from ..model import FORMATS, Component, System, checked_values
+from ..schema.checked import checked, checked_value
+from ..schema.report import Balance, Comparison, Figure, Window
+from ..schema.system import KEYS, Loops, SystemTable
+from ..schema.values import Value
 from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
 from .figure_kinds import figure_kind, figure_kinds
-from .formats import is_system_file, opened
-from .free_inputs import require_values
-from .model import FORMATS, Component, System, checked_values
 from .recorded import recorded_names
-from .schema.checked import checked, checked_value
-from .schema.report import Balance, Comparison, Figure, Window
-from .schema.system import KEYS, Loops, SystemTable
-from .schema.values import Value
 
-SYSTEMS = Path(__file__).parent.parent / "systems"
+SYSTEMS = Path(__file__).parent.parent.parent / "systems"
 REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list}
 
 

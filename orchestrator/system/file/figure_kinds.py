@@ -7,7 +7,7 @@ from functools import cache
 from importlib.metadata import entry_points
 from typing import TYPE_CHECKING, Any, Protocol
 
-from .model import System
+from ..model import System
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

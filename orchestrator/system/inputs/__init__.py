@@ -1,0 +1,1 @@
+"""Inputs that no connection drives: values that are held, and tables that are followed."""
