@@ -21,7 +21,8 @@ from .groups import Groups
 from .simulators import Simulator, simulators_of
 
 FILE = "OspSystemStructure.xml"
-ALGORITHMS = {"": "jacobi", "fixedstep": "jacobi", "ecco": "ecco"}
+# The standard's words for algorithms, ours, and whether power bonds choose the steps.
+ALGORITHMS = (("", "jacobi", False), ("fixedstep", "jacobi", False), ("ecco", "ecco", True))
 ECCO = {
     "SafetyFactor": "safety", "MinimumStepSize": "minimum", "MaximumStepSize": "maximum", "MinimumChangeRate": "shrink",
     "MaximumChangeRate": "grow", "ProportionalGain": "proportional", "IntegralGain": "integral",
@@ -39,7 +40,7 @@ class OspFile(TomlFile):
     def __init__(self, path: Path, step: str = "", stop: str = "", start: str = "") -> None:
         file = path / FILE if os.path.isdir(path) else path
         if not os.path.isfile(file):
-            raise InputError(f"system file {shown(path)} does not exist")
+            raise InputError(f"system file {path} does not exist")
         self.path, self.text = file, ""
         self.places: dict[tuple[str, str], str] = {}
         notes, remarks = Notes(), list[str]()
@@ -127,12 +128,15 @@ class OspFile(TomlFile):
     def _algorithm(self, wires: list[tuple[Wire, str]]) -> dict[str, Any]:
         """The algorithm, and what it needs: all at once for fixed steps; power bonds and settings for ECCO."""
         stated = self.document.text("Algorithm")
-        if stated.lower() not in ALGORITHMS:
+        ours, by_bonds = next(
+            ((ours, bonds) for word, ours, bonds in ALGORITHMS if word == stated.lower()), ("", False)
+        )
+        if not ours:
             raise InputError(
                 f"{self.path.name}: the algorithm '{shown(stated)}' is not supported; fixedStep and ecco are"
             )
-        found: dict[str, Any] = {"algorithm": ALGORITHMS[stated.lower()]}
-        if found["algorithm"] != "ecco":
+        found: dict[str, Any] = {"algorithm": ours}
+        if not by_bonds:
             return found
         bonds: dict[str, list[str]] = {}
         for wire, link in wires:
@@ -147,5 +151,5 @@ class OspFile(TomlFile):
             if key:
                 number = self.document.number((xml.text or "").strip(), key, xml)
                 value = f"{duration(number, key)} s" if key in ("minimum", "maximum") else number
-                found.setdefault("ecco", {})[key] = value
+                found.setdefault(ours, {})[key] = value
         return found

@@ -41,7 +41,7 @@ class Archive:
         if os.path.isdir(path):
             return cls(path, path, _structure(path, path.name, notes), "", False, allowed)
         if not os.path.isfile(path):
-            raise InputError(f"system file {shown(path)} does not exist")
+            raise InputError(f"system file {path} does not exist")
         if path.suffix.lower() == ".ssd":
             return cls(path, path.parent, path, "", False, allowed)
         folder, _ = unpack(path, "SSP")
