@@ -295,7 +295,9 @@ def test_a_recording_has_the_shorter_step_and_replays(
     tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "case.toml").write_text(
-        system_text({"w": ("wheel", "2 ms"), "c": ("chassis", "5 ms")}, WIRES, stop="301 ms")
+        system_text(
+            {"w": ("wheel", "2 ms"), "c": ("chassis", "5 ms")}, [f"{WIRES[0]} (linear)", WIRES[1]], stop="301 ms"
+        )
     )
     out = tmp_path / "out"
     arguments = ("run", tmp_path / "case.toml", "--fmus", fmus, "--out", out, "--record-boundary", "c")
