@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 
 from ...fmu.attributes import parse_value
 from ...fmu.fmu import Fmu
@@ -47,7 +48,7 @@ def drive(
     rows = [taken.take()]
     for k in range(len(times) - 1):
         given.put([column[k] for column in columns])
-        gap = times[k + 1] - times[k]
+        gap = float(Fraction(repr(times[k + 1])) - Fraction(repr(times[k])))  # of decimals, as clocks have them
         instance.step(times[k], step if abs(gap - step) <= 1e-9 * max(step, abs(times[k])) else gap)
         rows.append(taken.take())
         if k % 1000 == 0:

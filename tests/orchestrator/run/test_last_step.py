@@ -291,12 +291,13 @@ def test_rows_on_disk_are_those_in_memory(tmp_path: Path, fmus: Path, monkeypatc
     assert times == [0.301, 0.301]
 
 
+@pytest.mark.parametrize("transfer", ["", " (linear)"], ids=["held", "linear"])
 def test_a_recording_has_the_shorter_step_and_replays(
-    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+    transfer: str, tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "case.toml").write_text(
         system_text(
-            {"w": ("wheel", "2 ms"), "c": ("chassis", "5 ms")}, [f"{WIRES[0]} (linear)", WIRES[1]], stop="301 ms"
+            {"w": ("wheel", "2 ms"), "c": ("chassis", "5 ms")}, [f"{WIRES[0]}{transfer}", WIRES[1]], stop="301 ms"
         )
     )
     out = tmp_path / "out"
