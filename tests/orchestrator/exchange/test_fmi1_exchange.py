@@ -14,7 +14,7 @@ from rovbrush.orchestrator.exchange.component_tests.verdicts import make_bench
 from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.reader import load_system
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = needs_gcc
 MAP = FIXTURES / "foreign_motor.toml"
