@@ -102,7 +102,8 @@ class Archive:
             raise InputError(
                 f"{label}: there is no file '{shown(source)}' in {self.name or self.path.name}{nearest(wanted, files)}"
             )
-        if self.packed and root == self.root:  # as if it were unpacked to a folder of its name
+        absolute = os.path.isabs(_local(source, label).replace("\\", "/"))
+        if self.packed and root == self.root and not absolute:  # as if it were unpacked to a folder of its name
             inside = os.path.relpath(path, self.root)
             target = Path(os.path.normpath(self.path.absolute() / inside))
         if not any(target.is_relative_to(folder.resolve()) for folder in self.allowed):
