@@ -81,7 +81,10 @@ def feedthrough(target: Path, signals: int = 1) -> Path:
 
 
 def ring(folder: Path, components: int, signals: int = 1, stop: str = "10 s", period: str = "1 ms") -> Path:
-    """A system file: `components` feedthrough FMUs in a ring, every one driven by the one before it."""
+    """A system file: `components` feedthrough FMUs in a ring, every one driven by the one before it.
+
+    It states no format, so that older versions, which this one is compared with, read it too.
+    """
     feedthrough(folder / f"feedthrough{signals}.fmu", signals)
     path = folder / f"ring_{components}_{signals}.toml"
     wires = "".join(f'  "c{k}.y -> c{(k + 1) % components}.u",\n' for k in range(components))
@@ -89,7 +92,7 @@ def ring(folder: Path, components: int, signals: int = 1, stop: str = "10 s", pe
         f'[components.c{k}]\nfmu = "feedthrough{signals}.fmu"\nperiod = "{period}"\n' for k in range(components)
     )
     path.write_text(
-        f'format = 2\ndescription = "{components} native feedthrough FMUs of {signals} signals in a ring"\n'
+        f'description = "{components} native feedthrough FMUs of {signals} signals in a ring"\n'
         f'stop_time = "{stop}"\n'
         f"connections = [\n{wires}]\n{tables}",
         encoding="utf-8",
