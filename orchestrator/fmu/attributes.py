@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from fmpy.model_description import ModelDescription, ModelVariable
@@ -101,8 +102,9 @@ def _whole(text: str) -> int:
 def _bounds(variable: ModelVariable, kind: FmiType | None) -> tuple[float | int, float | int]:
     """The allowed range: what the variable declares, within what its type can hold."""
     if variable.type in REALS:
-        low = float(variable.min) if variable.min is not None else -float("inf")
-        return low, float(variable.max) if variable.max is not None else float("inf")
+        most = kind.largest if kind else math.inf
+        low = max(-most, float(variable.min)) if variable.min is not None else -most
+        return low, min(most, float(variable.max)) if variable.max is not None else most
     limits = kind.range if kind else (-(2**63), 2**63 - 1)
     low = max(limits[0], int(variable.min)) if variable.min is not None else limits[0]
     return low, min(limits[1], int(variable.max)) if variable.max is not None else limits[1]

@@ -46,6 +46,7 @@ class Conversion:
     least: int = 0
     most: int = 0
     items: tuple[int, ...] = ()
+    largest: float = math.inf  # of a real input, in either direction
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -59,7 +60,10 @@ class Conversion:
         if self.how is How.SAME:
             return value
         if self.how in (How.REAL, How.NUMBER):
-            return gain * float(value) + offset
+            real = gain * float(value) + offset
+            if abs(real) > self.largest:
+                raise ValueError(self.unfit(real))
+            return real
         number = gain * float(value) + offset if self.real else int(value)
         if self.real and math.isfinite(number):
             number = round(number)
@@ -109,7 +113,7 @@ def _into_real(source: ModelVariable, a: FmiType, b: FmiType, rounded: bool, wor
         loses, how = not -EXACT[b.size] <= low <= high <= EXACT[b.size], How.NUMBER
     if loses and not rounded:
         raise LossyError(f"a {b.name} does not hold every {a.name}")
-    return Conversion(how, f"{words}, rounded" if loses else words, a.real, _unsigned(a))
+    return Conversion(how, f"{words}, rounded" if loses else words, a.real, _unsigned(a), largest=b.largest)
 
 
 def _between_whole(
@@ -118,7 +122,10 @@ def _between_whole(
     items = _items(target)
     if a.name == b.name == "Enumeration" and source.declaredType and target.declaredType:
         if items_of(source) != items_of(target):
-            raise InputError("the items of the two enumerations differ")
+            raise InputError(
+                f"the items of the two enumerations differ: {_differing(source, target)}; put an FMU between that "
+                "makes one of the other"
+            )
         return Conversion(How.SAME)
     (low, high), (least, most) = _values(source, a), _range(b)
     if not least <= low <= high <= most and not rounded:
@@ -130,6 +137,16 @@ def _between_whole(
         return Conversion(How.SAME, words)
     checked = ", its items checked" if items else ", its range checked"
     return Conversion(How.FIT, (words or a.name) + checked, False, _unsigned(a), least, most, items)
+
+
+def _differing(source: ModelVariable, target: ModelVariable) -> str:
+    """`only the output has big = 7`: what two enumerations do not have in common."""
+    ours, theirs = items_of(source), items_of(target)
+    found = []
+    for end, own, other in (("output", ours, theirs), ("input", theirs, ours)):
+        alone = [f"{name} = {value}" for name, value in own.items() if other.get(name) != value]
+        found += [f"only the {end} has {', '.join(alone)}"] if alone else []
+    return ", ".join(found)
 
 
 def _items(variable: ModelVariable) -> tuple[int, ...]:

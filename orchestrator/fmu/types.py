@@ -6,6 +6,7 @@ bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ Value = float | int | bool | str  # of a scalar
 REALS = ("Real", "Float64", "Float32")
 # How the loop turns a raw value into a cell of the vector, and back; NEGATED: whole numbers of negated aliases.
 FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED = range(5)
+FLOAT32 = math.nextafter(2.0**128 - 2.0**103, 0.0)  # the largest double that is rounded to a finite one of 4 bytes
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,11 @@ class FmiType:
         """Smallest and largest value of a whole number."""
         info = np.iinfo(str(self.dtype))
         return int(info.min), int(info.max)
+
+    @property
+    def largest(self) -> float:
+        """Of a real number: the largest double that is finite in it, be it rounded; inf where it holds all doubles."""
+        return FLOAT32 if self.size == 4 else math.inf
 
 
 def _type(name: str, code: int, size: int, dtype: str) -> FmiType:

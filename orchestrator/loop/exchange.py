@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from ..fmu.types import BOOLEAN, FLOAT, NEGATED, TEXT
+from ..fmu.types import BOOLEAN, FLOAT, FLOAT32, NEGATED, TEXT
 from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
 from .texts import ADDRESS, OFFSETS, number_of
 
@@ -38,13 +38,18 @@ def put_whole(raw: np.ndarray, at: int, size: int, value: int) -> None:
 @register_jitable
 def pack(
     blocks: np.ndarray, m: int, z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, index: np.ndarray
-) -> None:
-    """The cells of block m as the FMU wants them; arrays as in `run.run`."""
+) -> int:
+    """The cells of block m as the FMU wants them; -1, or the cell of a number that is beyond Float32.
+
+    Arrays as in `run.run`.
+    """
     at, first, size, code = blocks[m, AT], blocks[m, FIRST_SLOT], blocks[m, BYTES], blocks[m, CODE]
     for j in range(blocks[m, SIZE]):
         if code == FLOAT and size == 8:  # doubles that are not in place: those of negated aliases
             put_whole(raw, at + size * j, size, whole[first + j] ^ SIGN)
         elif code == FLOAT:
+            if abs(z[first + j]) > FLOAT32:
+                return int(first + j)
             raw32[at // 4 + j] = z[first + j]
         elif code == TEXT:
             put_whole(raw, at + size * j, size, index[ADDRESS] + index[OFFSETS + whole[first + j]])
@@ -52,6 +57,7 @@ def pack(
             put_whole(raw, at + size * j, size, -whole[first + j])
         else:
             put_whole(raw, at + size * j, size, whole[first + j])
+    return -1
 
 
 @register_jitable

@@ -166,7 +166,10 @@ def run(
                     first, last = components[c, FIRST_OUT], components[c, LAST_OUT]
                 for n in range(first, last):
                     if code == SET and blocks[n, AT] != IN_PLACE:
-                        pack(blocks, n, z, whole, raw, raw32, index)
+                        beyond = pack(blocks, n, z, whole, raw, raw32, index)
+                        if beyond >= 0:
+                            control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, beyond
+                            return UNFIT
                     function, instance = blocks[n, FUNCTION], components[c, INSTANCE]
                     references, count, values = blocks[n, REFERENCES], blocks[n, COUNT], blocks[n, VALUES]
                     size, fmi = blocks[n, SIZE], components[c, FMI]

@@ -144,7 +144,8 @@ class _Propagation:
         try:
             return self.plan.conversions[c].convert(value, c.gain, c.offset)
         except ValueError as error:
-            raise FmuError(f"connection {c.label}: at time 0 {error} {c.where}".rstrip()) from None
+            at = begin_text(self.plan.clock)
+            raise FmuError(f"connection {c.label}: at {at} {error} {c.where}".rstrip()) from None
 
     def _set(self, c: Connection, value: Value) -> None:
         self.memory.put(c.target, self.plan.layout.inputs[c.target], value)

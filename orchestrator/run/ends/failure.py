@@ -8,7 +8,7 @@ import numpy as np
 
 from ...fmu.types import decode
 from ...loop import cells, versions
-from ...loop.operations import SOLVE, STEP
+from ...loop.operations import SET, SOLVE, STEP
 from ...participant.base import Participant
 from ...participant.lifecycle import DISCARD, FATAL, PENDING, status_text
 from ...plan.plan import Plan
@@ -54,15 +54,19 @@ def failure_of(
             'or forbid reading again with direct = "off" under [components.NAME]'
         )
     if code == cells.UNFIT:
-        return end, f"{_unfit(plan, row, z)} at t = {at:.9g} s"
+        return end, f"{_unfit(plan, row, z, int(control[cells.SLOT]))} at t = {at:.9g} s"
     if code == cells.NOT_CONVERGED:
         return end, plan.algorithm.failure(plan, space.loop, at)
     did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] == STEP else "get")
     return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
 
 
-def _unfit(plan: Plan, row: np.ndarray, z: np.ndarray) -> str:
-    """Which connection has a value that its input does not take."""
+def _unfit(plan: Plan, row: np.ndarray, z: np.ndarray, slot: int) -> str:
+    """Which connection has a value that its input does not take, or which input in cell `slot`, of whatever origin."""
+    if row[0] == SET:
+        name = list(plan.system.components)[row[2]]
+        variable = next(v for v, s in plan.layout.exchanged(name)[0].items() if s == slot)
+        return f"component {name}: {variable} = {z[slot]:g} is beyond what its type holds"
     target = next(key for key, slot in plan.layout.inputs.items() if slot == row[4])
     c = plan.system.drivers[target]
     found, cell = plan.conversions[c], z[row[3]]

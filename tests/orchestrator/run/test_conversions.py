@@ -14,6 +14,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.connections import Link, connections_of
 from rovbrush.orchestrator.system.file.reader import load_system
@@ -134,6 +135,54 @@ def test_a_number_that_is_no_item_ends_the_run_and_is_named(interpreted: bool, n
     run = simulate(plan_of(tmp_path, native, parts, ["a.n_out -> b.mode_in"], stop="6 ms"), interpreted)
     assert "connection a.n_out -> b.mode_in: 7 is none of its items, 1, 2 at t = 0.004 s" in run.failure
     assert Signals(run)["b.mode_out"].values.tolist() == [1, 1, 1, 1]
+
+
+def test_enumerations_of_other_items_say_which(native: Path, tmp_path: Path) -> None:
+    parts = {"a": ("feedthrough3", "1 ms", {}), "b": ("feedthrough2", "1 ms", {})}
+    with pytest.raises(InputError, match=r"differ: only the output has .*; put an FMU between that makes one of the o"):
+        read_system(tmp_path, native, parts, ["a.Enumeration_out -> b.mode_in"])
+
+
+@pytest.mark.parametrize("value", [1e300, -1e300, 3.5e38])
+@pytest.mark.parametrize("how", ["file", "set", "session", "table", "connection"])
+def test_a_number_beyond_float32_is_refused_by_its_name_wherever_it_comes_from(
+    how: str, value: float, native: Path, tmp_path: Path
+) -> None:
+    said = r"Float32_in.*is (beyond what its type holds|out of range: -3.40282e\+38 to 3.40282e\+38 are)"
+    free = dict(FREE3)
+    wires, parts = [], {"b": ("feedthrough3", "1 ms", free)}
+    if how in ("file", "table"):
+        free["=Float32_in"] = value if how == "file" else {"time": [0.0, 1.0], "values": [0.0, value]}
+    if how == "table":
+        said = r"inputs of b \(case.toml, line \d+\) = \S+ is out of range: -3.40282e\+38 to 3.40282e\+38 are"
+    if how == "connection":
+        del free["=Float32_in"]
+        parts["a"] = ("feedthrough3", "1 ms", FREE3 | {"=Float64_in": value})
+        wires = ["a.Float64_out -> b.Float32_in (round)"]
+        said = "connection a.Float64_out -> b.Float32_in: at time 0 .* is beyond what its type holds"
+    with pytest.raises((InputError, FmuError), match=said):
+        system = read_system(tmp_path, native, parts, wires, stop="3 ms")
+        if how == "set":
+            system = system.with_values({"b.Float32_in": value}, "--set")
+        with Session(make_plan(system)) as session:
+            if how == "session":
+                session.set("b.Float32_in", value)
+
+
+@pytest.mark.parametrize("interpreted", [False, True])
+def test_and_so_is_one_that_a_connection_brings_while_the_run_goes(
+    interpreted: bool, native: Path, tmp_path: Path
+) -> None:
+    """The rows before it stay; the largest number that is rounded to a finite one is taken."""
+    table = {"time": [0.0, 0.002, 0.0021, 1.0], "values": [3.4028235e38, 3.4028235e38, 1e39, 1e39]}
+    parts = {"a": ("feedthrough3", "1 ms", FREE3 | {"=Float64_in": table}),
+             "b": ("feedthrough3", "1 ms", {k: v for k, v in FREE3.items() if k != "=Float32_in"})}  # fmt: skip
+    plan = plan_of(
+        tmp_path, native, parts, ["a.Float64_out -> b.Float32_in (hold, round)"], stop="9 ms", order=["a", "b"]
+    )
+    run = simulate(plan, interpreted)
+    assert "component b: Float32_in = " in run.failure and "is beyond what its type holds" in run.failure
+    assert len(run.tables[0]) >= 2
 
 
 def test_a_number_that_is_no_item_at_time_0_is_an_error(native: Path, tmp_path: Path) -> None:
