@@ -29,7 +29,7 @@ class Missing:
     mapping: VariableMapping
     variables: list[str]
     fmu: Fmu
-    problems: list[str] = field(default_factory=list)  # what may not be left out, all of it
+    problems: dict[str, str] = field(default_factory=dict)  # what may not be left out, all of it, by variable
 
     def has(self, signal: str) -> bool:
         """Is `component.variable` one of them?"""
@@ -38,12 +38,12 @@ class Missing:
 
     def need(self, variable: str, what: str, causality: str, can_go: bool = True) -> None:
         """A problem more, unless `variable` may be left out: `what` says what the system needs it for."""
-        if can_go and self.mapping.states(variable):
+        if can_go and (self.mapping.states(variable) or variable in self.problems):
             return
         base = variable.partition("[")[0]
         where = f"{self.mapping.file}, [variables]" if self.mapping.path else "a mapping file (--map), [variables]"
         remedy = f'{base} = "their name"' + (f', or {base} = "" to do without' if can_go else "")
-        self.problems.append(
+        self.problems[variable] = (
             f"{self.label} has no {causality} '{variable}', {what}{nearest(variable, self.fmu.names(causality))}; "
             f"write in {where}: {remedy}"
         )
@@ -77,7 +77,9 @@ def leave_out(system: System, before: Component, missing: Missing) -> Left:
     for bond in system.bonds:
         for end in (*bond.effort, *bond.flow):
             if missing.has(end):
-                missing.need(end.partition(".")[2], f"which the power bond {bond.name} needs", "output", can_go=False)
+                variable = end.partition(".")[2]
+                causality = before.fmu.variables[variable].causality
+                missing.need(variable, f"which the power bond {bond.name} needs", causality, can_go=False)
     for requirement in system.requirements:
         if missing.has(".".join(requirement.value)):
             missing.need(requirement.value[1], "which a requirement at time 0 needs", "output", can_go=False)

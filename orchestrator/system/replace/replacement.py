@@ -63,7 +63,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
         theirs = fmu.variables[key]
         crossings[OWN + key] = Crossing(key, theirs.unit)
         presented.append(_renamed(theirs, OWN + key))
-    missing = Missing(name, label, mapping, [v.name for v in lacking], fmu, problems)
+    missing = Missing(name, label, mapping, [v.name for v in lacking], fmu)
     component = replace(  # all that is said of the component itself stays: period, isolation, logging ...
         before, fmu=View.of(fmu, tuple(presented), crossings, before.fmu), parameters={}, inputs={}, series={},
         notes=(f"{label} in place of {before.fmu.path.name}, mapped by {mapping.file}", *_tool(fmu),
@@ -71,6 +71,7 @@ def replace_component(system: System, name: str, fmu: Fmu, mapping: VariableMapp
                *_kept(name, fmu, {*taken, *own})),
     )  # fmt: skip
     left = leave_out(system, before, missing)
+    problems += missing.problems.values()
     if problems:
         raise InputError("\n".join(dict.fromkeys(problems)))
     component = replace(component, notes=(*component.notes, *left.notes))

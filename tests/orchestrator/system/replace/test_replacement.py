@@ -151,6 +151,19 @@ def test_all_that_is_missing_is_named_at_once(tmp_path: Path, fmus: Path) -> Non
         assert sum(words in line for line in lines) == 1, words
 
 
+def test_what_a_connection_and_a_bond_lack_is_named_once_as_what_it_is(tmp_path: Path, fmus: Path) -> None:
+    """With the names that there are for it."""
+    parts = {"w": ("wheel", "1 ms"), "c": ("chassis", "5 ms")}
+    read_system(tmp_path, fmus, parts, ["c.v_c -> w.v_c", "w.F -> c.F"], stop="200 ms")
+    path = tmp_path / "case.toml"
+    path.write_text(path.read_text() + '[[bonds]]\nname = "spring"\neffort = "c.F"\nflow = "w.v_c"\n')
+    fmu = edited(fmus / "chassis.fmu", tmp_path / "their.fmu", {}, {'name="F"': 'name="load"'})
+    with pytest.raises(InputError) as error:
+        apply_changes(load_system(str(path), fmus), changes_of([f"c={fmu}"], [], []))
+    lines = [line for line in str(error.value).splitlines() if "'F'" in line]
+    assert len(lines) == 1 and "has no input 'F', which the power bond spring needs; there are load" in lines[0]
+
+
 def test_an_input_of_theirs_that_none_of_ours_stands_for_keeps_its_start_value(tmp_path: Path, fmus: Path) -> None:
     plan = swapped(tmp_path, fmus, {'name="u"': 'name="force"'}, "[variables]\nu = ''")
     notes = plan.system.components["g"].notes
