@@ -17,6 +17,7 @@ from ....fmu.tolerant.xml import read_xml
 from .rules import FOREIGN, NAMELESS, NAMESPACE, SCHEMA, VERSION
 from .vocabulary import (
     CHILDREN,
+    DRAFT,
     MISSED,
     NAMED,
     NUMBERS,
@@ -75,11 +76,12 @@ class Document:
     def _version(self) -> str:
         """The first number of the version. Raises InputError for one that is not known."""
         text = (self.root.get("version") or "").strip()
-        if text and not re.fullmatch(r"[12]([-.].*)?", text):
+        draft = re.fullmatch(r"(?i)draft.*", text)
+        if text and not draft and not re.fullmatch(r"[12]([-.].*)?", text):
             raise self.fail(f"SSP version {shown(text)} is not known; 1.0 and 2.0 are", self.root)
-        if not text:
+        if draft or not text:
             self.notes.add(VERSION, self.place(self.root))
-        return text[:1] or "1"
+        return "1" if draft else text[:1] or "1"
 
     def at(self, element: Any) -> str:
         """`(vehicle.ssp/SystemStructure.ssd, line 12)`."""
@@ -136,7 +138,7 @@ class Document:
         for child in children:
             if local(child) in PASSED_OVER or (kind == "Connector" and local(child) == "Clock"):
                 continue
-            if local(child) not in CHILDREN.get(kind, ()) and kind not in MISSED:
+            if local(child) not in CHILDREN.get(kind, ()) and (kind not in MISSED or local(child) in DRAFT):
                 self.notes.add(FOREIGN, f"<{local(child)}> in <{kind}> {self.at(child)}")
                 continue
             if local(child) not in CHILDREN.get(kind, ()):

@@ -39,8 +39,12 @@ def _add(parent: Any, tag: str, **attributes: str) -> Any:
 
 
 def stated_step(element: Any) -> str:
-    """The step [s] that the annotations of other tools on an element, or on its experiment, state; else empty."""
+    """The step [s] that annotations of other tools on an element, or on its experiment, state; else empty.
+
+    Of drafts of the standard what they said in its own words.
+    """
     annotations = [*find(element, "Annotations"), *find(element, "DefaultExperiment/Annotations")]
+    annotations += find(element, "SimulationInformation")
     found = [child for annotation in annotations for child in annotation.iter(etree.Element)]
     for name, attribute in STEPS:
         for child in found:

@@ -40,6 +40,7 @@ MISSED |= {"Parameters", "ParameterMapping", "MappingEntry", "SignalDictionaries
 # What has no bearing on a simulation: drawings, signatures, sizes and clocks of variables, which the FMUs state.
 PASSED_OVER = {"ElementGeometry", "ConnectorGeometry", "ConnectionGeometry", "SystemGeometry", "GraphicalElements"}
 PASSED_OVER |= {"Annotations", "MetaData", "Signature", "SSDVariant", "Dimension", "DisplayUnit"}
+DRAFT = {"SimulationInformation"}  # of drafts, which OMSimulator wrote for years: steps of masters and solvers
 REFUSED_ATTRIBUTES = ("startIndices", "endIndices")
 # What must be there and what must be a number, in versions too for which there is no schema.
 REQUIRED_CHILDREN = {"SystemStructureDescription": "System", "Unit": "BaseUnit"}

@@ -77,6 +77,12 @@ def test_the_innermost_system_says_the_step(read: Read) -> None:
     assert [c.period for c in found.components.values()] == [Fraction(1, 50), Fraction(1, 100)]
 
 
+def test_a_draft_says_the_step_in_its_own_element(read: Read) -> None:
+    head = '<ssd:SimulationInformation><ssd:FixedStepMaster stepSize="0.02"/></ssd:SimulationInformation>'
+    found = read(document(system(component("a", "gain"), head=head)))
+    assert found.components["a"].period == Fraction(1, 50)
+
+
 def test_a_stop_that_is_no_whole_number_of_fixed_steps_is_put_off_to_the_next_and_told(read: Read) -> None:
     found = read(document(CHAIN, experiment='stopTime="0.1005"'))
     assert found.stop == Fraction(201, 2000) and not found.remarks  # the last step is a shorter one
@@ -86,6 +92,7 @@ def test_a_stop_that_is_no_whole_number_of_fixed_steps_is_put_off_to_the_next_an
 
 
 EARLY = OMS.format('FixedStepMaster stepSize="0.001"')  # before the elements, where the schema wants it behind
+DRAFT = '<ssd:SimulationInformation><ssd:FixedStepMaster stepSize="0.001"/></ssd:SimulationInformation>'
 TEXT = connectors(y="output").replace("></ssd:Connector>", "><ssc:String/></ssd:Connector>")
 ODD = {
     "annotations first": (system(GAINS, WIRE, head=EARLY), {}, rules.SCHEMA),
@@ -124,6 +131,8 @@ ODD = {
         system(GAINS, WIRE), {"http://ssp-standard.org/SSP1": "file:///C:/Software/OSP/xsd"}, rules.NAMESPACE
     ),
     "no version": (system(GAINS, WIRE), {' version="1.0" name': " name"}, rules.VERSION),
+    "a draft's version": (system(GAINS, WIRE), {' version="1.0" name': ' version="Draft20180219" name'}, rules.VERSION),
+    "a draft's element": (system(GAINS, WIRE, head=DRAFT), {}, rules.FOREIGN),
 }  # fmt: skip
 
 
