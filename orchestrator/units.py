@@ -80,8 +80,9 @@ def parse_unit(unit: str) -> Any:
     """An FMI unit string (`N.m`, `kg.m2`, `rad/s`, `1`) as a pint unit. Raises InputError if it is unknown.
 
     What follows a `/` up to the next is below it: `J/kg.K` is J/(kg.K), `m/s/s` is m/s2; `-` and nothing are 1.
+    `kilogram * meter / second ** 2` is read too.
     """
-    text = unit.strip()
+    text = re.sub(r"\s*(\*\*|\*|/)\s*", r"\1", unit.strip())  # pint's own spelling too
     if text in ("", "-", "1"):
         return _registry().Unit("dimensionless")
     if len(text) > LONGEST or not GRAMMAR.fullmatch(text):

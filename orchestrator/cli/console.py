@@ -174,4 +174,4 @@ def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = 
             unit = known.get(key, "")
             tell(f"  {key:<28} {number}{'' if unit in ('', '1') else f' {unit}'}")
     for loop, residual in summary.get("initial_loops", {}).items():
-        tell(f"  at time 0, {loop}: residual {residual:.3g}")
+        tell(f"  at the start, {loop}: residual {residual:.3g}")

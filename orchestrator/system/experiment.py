@@ -22,9 +22,10 @@ def stop_of(stated: str, start: Fraction, fmus: Mapping[str, Fmu], name: str, re
         end = instant(stated, f"{name}: stop time")
         require_span(start, end)
         return end
-    own = [time for fmu in fmus.values() if (time := _own(fmu, "stopTime")) and time > start]
-    found = max(own, default=start + STOP)
-    whose = "its FMUs' experiments end then" if own else "so do its FMUs"
+    own = [time for fmu in fmus.values() if (time := _own(fmu, "stopTime"))]
+    later = [time for time in own if time > start]
+    found = max(later, default=start + STOP)
+    whose = "its FMUs' experiments end then" if later else "theirs is before the start" if own else "so do its FMUs"
     remarks.append(
         f'{name} states no stop time and is run for {seconds_text(found)} ({whose}); --stop "10 s" gives it another'
     )

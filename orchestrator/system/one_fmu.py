@@ -41,10 +41,16 @@ class FmuFile(TomlFile):
             if start
             else stated_time(getattr(self._experiment, "startTime", None), instant) or Fraction(0)
         )
-        end = instant(stop, "--stop") if stop else self._stated("stopTime")
+        own_end = self._stated("stopTime")
+        end = instant(stop, "--stop") if stop else own_end
         if end is None or (end <= begin and not stop):
             end = begin + STOP
-            self._said.append(f'{path.name} states no stop time and is run for 1 s; --stop "10 s" gives it another')
+            why = (
+                "states no stop time"
+                if own_end is None
+                else f"would stop at {seconds_text(own_end)}, before it starts,"
+            )
+            self._said.append(f'{path.name} {why} and is run for 1 s; --stop "10 s" gives it another')
         require_span(begin, end)
         own = duration(step, "--period") if step else self._own_step(fmu, end - begin)
         if begin:

@@ -23,6 +23,8 @@ from rovbrush.orchestrator.units import conversion
         ("-", "1", 1.0),
         ("", "%", 100.0),
         ("rev/min", "rpm", 1.0),
+        ("kilogram * meter / second ** 2", "N", 1.0),  # as pint writes it
+        ("1 / second", "1/s", 1.0),
     ],
 )
 def test_spellings_of_a_unit_mean_the_same(source: str, target: str, gain: float) -> None:

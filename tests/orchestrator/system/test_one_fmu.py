@@ -54,6 +54,7 @@ def test_the_default_experiment_says_how_it_is_run(make: Make) -> None:
         ('stopTime="1" stepSize="0.3"', 1, Fraction(3, 10), []),
         ('stopTime="1" stepSize="2"', 1, Fraction(1, 500), ["no step below its stop"]),
         ('startTime="1" stopTime="2" stepSize="0.5"', 2, Fraction(1, 2), ["begins at 1 s"]),
+        ('startTime="3" stopTime="2" stepSize="0.5"', 4, Fraction(1, 2), ["would stop at 2 s, before it starts,"]),
         ('startTime="0" stopTime="-1" stepSize="0"', 1, Fraction(1, 500), ["no stop time", "no step"]),
     ],
 )
