@@ -12,8 +12,8 @@ from fmpy.model_description import ModelVariable
 from ..errors import FmuError
 from .attributes import items_of
 from .description import described
+from .files.unpacked import unpack
 from .fmu import Fmu
-from .unpacked import unpack
 
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",

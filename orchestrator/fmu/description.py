@@ -15,8 +15,8 @@ from fmpy.model_description import ModelDescription, read_build_description
 from ..errors import FmuError
 from ..units import Definition
 from .attributes import resolve
-from .binary import check_identifiers, find_library
 from .definitions import definitions_of
+from .files.binary import check_identifiers, find_library
 from .fmi1.translate import as_fmi2, negated_names
 from .tolerant.head import mend_head, mend_version, version_of
 from .tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes

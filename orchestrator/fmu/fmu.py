@@ -14,14 +14,14 @@ from fmpy.model_description import ModelDescription, ModelVariable
 from ..cache import cache_folder
 from ..errors import FmuError
 from ..units import Definition, Unit
-from .archive import opened
 from .attributes import start_value
-from .binary import find_library
 from .capabilities import Capabilities
 from .description import read_description
+from .files.archive import opened
+from .files.binary import find_library
+from .files.unpacked import archive_of, unpack
 from .tolerant.rules import Note, Notes
 from .types import REALS, TYPES, FmiType, Value
-from .unpacked import archive_of, unpack
 from .variables import Elements, Place, elements_of
 
 SETTLED = 0.1  # s; a file that was written later could be written again without a later date

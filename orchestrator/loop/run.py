@@ -57,7 +57,6 @@ from .cells import (
     VALUES,
 )
 from .exchange import pack, unpack
-from .iteration import AGAIN, CONVERGED, iterate
 from .last_step import length_to
 from .lookup import held_at, mean_over
 from .operations import (
@@ -92,9 +91,10 @@ from .operations import (
     STEP,
     WORK,
 )  # fmt: skip
-from .step_control import control as choose_step
-from .step_control import gauge
-from .step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
+from .solvers.iteration import AGAIN, CONVERGED, iterate
+from .solvers.step_control import control as choose_step
+from .solvers.step_control import gauge
+from .solvers.step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
 from .versions import NO_ROOM, exchange, good, step
 
 FOREVER = 1e300  # s

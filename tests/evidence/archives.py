@@ -14,10 +14,10 @@ from lxml import etree
 from native_build import built
 from rovbrush.orchestrator import cache_users
 from rovbrush.orchestrator.errors import RovbrushError
-from rovbrush.orchestrator.exchange.checks.archive_rules import archive_rows, loadable_row
-from rovbrush.orchestrator.exchange.checks.description_rules import capability_rows, description_rows
+from rovbrush.orchestrator.exchange.checks.rules.archive_rules import archive_rows, loadable_row
+from rovbrush.orchestrator.exchange.checks.rules.description_rules import capability_rows, description_rows
+from rovbrush.orchestrator.exchange.checks.rules.unit_rules import unit_rows
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
-from rovbrush.orchestrator.exchange.checks.unit_rules import unit_rows
 from rovbrush.orchestrator.fmu.fmu import Fmu
 
 from . import seeded

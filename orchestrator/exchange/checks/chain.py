@@ -9,15 +9,15 @@ from pathlib import Path
 
 from ...errors import FmuError, counted
 from ...files import write_file
-from ...fmu.archive import OURS
-from .archive_rules import archive_rows, loadable_row
-from .description_rules import capability_rows, description_rows
+from ...fmu.files.archive import OURS
 from .dry_run import dry_run_rows
 from .external import fmpy_row, fmutool_row
 from .note_rows import note_rows
 from .rows import Report, Row
+from .rules.archive_rules import archive_rows, loadable_row
+from .rules.description_rules import capability_rows, description_rows
+from .rules.unit_rules import unit_rows
 from .subject import Subject, open_subject
-from .unit_rules import unit_rows
 
 
 def check_fmu(path: Path) -> Report:

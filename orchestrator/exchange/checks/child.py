@@ -12,8 +12,8 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from . import good_manners, misuse
 from .rows import Row
+from .rules import good_manners, misuse
 from .subject import Subject, open_subject
 from .tried import EndedError, RefusedError, Tried
 

@@ -10,9 +10,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from ...processes import fault_of
-from . import good_manners, misuse
 from .child import MODULE, again, broken_off
 from .rows import Row
+from .rules import good_manners, misuse
 from .subject import Subject
 
 PATIENCE = 300.0  # s per process; a first run may compile for half a minute

@@ -13,11 +13,11 @@ import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ...errors import FmuError
-from ...fmu.archive import opened
-from ...fmu.binary import find_library, is_identifier, platform_folder
 from ...fmu.description import described
+from ...fmu.files.archive import opened
+from ...fmu.files.binary import find_library, is_identifier, platform_folder
+from ...fmu.files.unpacked import archive_of, unpack
 from ...fmu.tolerant.rules import Note, Notes
-from ...fmu.unpacked import archive_of, unpack
 
 STEP = 1e-3  # s, where the FMU suggests none
 # folder names of binaries, by FMI version: the one of this machine's and all that the standards name

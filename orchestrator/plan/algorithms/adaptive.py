@@ -1,6 +1,6 @@
 """Jacobi with macro steps by step doubling: each is done whole and in two halves, and kept if both agree.
 
-For systems without power bonds whose FMUs can save their states; see `loop/step_doubling` for the method. The signals
+For systems without power bonds whose FMUs can save their states; see `loop/solvers/step_doubling` for the method. The signals
 that are judged are the floating-point outputs that drive an input.
 """
 
@@ -16,7 +16,7 @@ from msgspec import Meta
 from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import ADVANCE, ESTIMATE, HALVE, PUSH, REPEAT, RESTORE, SAVE
-from ...loop.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
+from ...loop.solvers.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
 from ...system.model import Connection, System
 from ...system.schema.values import Positive
 from ..capabilities import require_state

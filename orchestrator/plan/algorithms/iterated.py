@@ -16,7 +16,7 @@ from msgspec import Meta
 
 from ...clock import Clock, seconds_text
 from ...errors import InputError
-from ...loop.iteration import COUNT, RESIDUAL, WORST, workspace
+from ...loop.solvers.iteration import COUNT, RESIDUAL, WORST, workspace
 from ...system.model import Connection, System
 from ...system.schema.values import Count, Positive
 from ..capabilities import require_state

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from ...loop.iteration import AITKEN, NEWTON
 from ...loop.operations import COPY, ITERATE, MIX, PUSH, RECORD, REPEAT, RESTORE, REWIND, SAVE
+from ...loop.solvers.iteration import AITKEN, NEWTON
 from ...system.model import Connection
 from ..design import Design
 from ..schedule.formulas import ITERATED

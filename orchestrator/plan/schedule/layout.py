@@ -12,7 +12,7 @@ import numpy as np
 from ...clock import Clock
 from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
-from ...loop.iteration import COLUMN
+from ...loop.solvers.iteration import COLUMN
 from ...system.file.recorded import Recorded
 from ...system.model import Bond, Connection, System
 from ...system.replace.view import crossings_of

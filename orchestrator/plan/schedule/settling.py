@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from ...loop.iteration import NEWTON, workspace
 from ...loop.operations import COPY, PUSH, SOLVE
+from ...loop.solvers.iteration import NEWTON, workspace
 from ...system.model import Connection
 from ..instants import Known
 from ..start import Block

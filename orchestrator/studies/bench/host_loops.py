@@ -13,7 +13,7 @@ from typing import Any
 
 from ...clock import seconds_text
 from ...errors import InputError, RunError
-from ...fmu.unpacked import unpack
+from ...fmu.files.unpacked import unpack
 from ...participant.here.fmi2 import Fmi2Instance
 from ...system.file.reader import load_system
 from ...system.model import System

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from helpers import python
-from rovbrush.orchestrator.fmu.unpacked import unpack
+from rovbrush.orchestrator.fmu.files.unpacked import unpack
 
 COMMAND = "from rovbrush.orchestrator.cli.main import main; main()"
 OPEN = (

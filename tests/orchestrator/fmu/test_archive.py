@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from helpers import edited
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu import archive
+from rovbrush.orchestrator.fmu.files import archive
+from rovbrush.orchestrator.fmu.files.unpacked import unpack
 from rovbrush.orchestrator.fmu.tolerant.rules import TWICE, Notes
-from rovbrush.orchestrator.fmu.unpacked import unpack
 
 
 @pytest.fixture(autouse=True)

@@ -9,9 +9,9 @@ import pytest
 from helpers import edited
 from native_build import built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.exchange.checks.archive_rules import archive_rows, loadable_row
+from rovbrush.orchestrator.exchange.checks.rules.archive_rules import archive_rows, loadable_row
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
-from rovbrush.orchestrator.fmu import binary
+from rovbrush.orchestrator.fmu.files import binary
 from rovbrush.orchestrator.fmu.fmu import Fmu
 
 OUTSIDE = ["/etc/passwd", "../../../../../outside", "a/b", "a b", "", ".", "1a", "ä", "a.b", "a-b", "a\\b", "a" * 201]

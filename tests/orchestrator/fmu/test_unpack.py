@@ -13,7 +13,7 @@ import fmpy
 import pytest
 from helpers import edited, python
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu import archive as unpacking
+from rovbrush.orchestrator.fmu.files import archive as unpacking
 from rovbrush.orchestrator.fmu.fmu import Fmu
 
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 from helpers import edited
-from rovbrush.orchestrator.fmu import unpacked
-from rovbrush.orchestrator.fmu.unpacked import MANIFEST, unpack
+from rovbrush.orchestrator.fmu.files import unpacked
+from rovbrush.orchestrator.fmu.files.unpacked import MANIFEST, unpack
 
 KERNEL = "resources/data.bin"  # a file of the archive that is damaged below
 CONTENT = bytes(range(256)) * 64
@@ -132,7 +132,7 @@ def test_files_that_python_or_the_fmu_put_there_stay(fmu: Path) -> None:
 def test_many_processes_mend_and_use_one_entry_at_one_time(fmu: Path) -> None:
     folder, _ = unpack(fmu)
     code = (
-        "import sys, os; from pathlib import Path; from rovbrush.orchestrator.fmu.unpacked import unpack\n"
+        "import sys, os; from pathlib import Path; from rovbrush.orchestrator.fmu.files.unpacked import unpack\n"
         "for k in range(30):\n"
         "    folder, _ = unpack(Path(sys.argv[1]))\n"
         "    assert len((folder / 'modelDescription.xml').read_bytes()) == int(sys.argv[2])\n"

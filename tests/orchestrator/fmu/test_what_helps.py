@@ -14,8 +14,8 @@ import pytest
 from helpers import edited, read_system
 from native_build import NATIVE, feedthrough2, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.exchange.checks.archive_rules import loadable_row
-from rovbrush.orchestrator.exchange.checks.good_manners import runs
+from rovbrush.orchestrator.exchange.checks.rules.archive_rules import loadable_row
+from rovbrush.orchestrator.exchange.checks.rules.good_manners import runs
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan

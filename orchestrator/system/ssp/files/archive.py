@@ -8,8 +8,8 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from ....errors import InputError, nearest, shown
+from ....fmu.files.unpacked import unpack
 from ....fmu.tolerant.rules import Notes
-from ....fmu.unpacked import unpack
 from .rules import BACKSLASH, CASE, STRUCTURE
 
 SUFFIXES = (".ssp", ".ssd")

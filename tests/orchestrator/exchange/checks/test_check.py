@@ -14,13 +14,13 @@ import pytest
 from helpers import edited
 from rovbrush.components.build import COMPONENTS
 from rovbrush.orchestrator.exchange.checks import external
-from rovbrush.orchestrator.exchange.checks.archive_rules import archive_rows, loadable_row
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu
-from rovbrush.orchestrator.exchange.checks.description_rules import capability_rows, description_rows
 from rovbrush.orchestrator.exchange.checks.note_rows import note_rows
 from rovbrush.orchestrator.exchange.checks.rows import Row
+from rovbrush.orchestrator.exchange.checks.rules.archive_rules import archive_rows, loadable_row
+from rovbrush.orchestrator.exchange.checks.rules.description_rules import capability_rows, description_rows
+from rovbrush.orchestrator.exchange.checks.rules.unit_rules import unit_rows
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
-from rovbrush.orchestrator.exchange.checks.unit_rules import unit_rows
 from rovbrush.orchestrator.fmu.tolerant import rules
 
 K = '<Real unit="1" min="-1000000.0" max="1000000.0" nominal="1.0" start="1.0"/>'

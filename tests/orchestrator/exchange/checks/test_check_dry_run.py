@@ -11,9 +11,9 @@ import pytest
 from helpers import build_fixture, edited
 from native_build import feedthrough2, feedthrough3, moody, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.exchange.checks import good_manners, misuse
 from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
 from rovbrush.orchestrator.exchange.checks.rows import Row
+from rovbrush.orchestrator.exchange.checks.rules import good_manners, misuse
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
 
 STATES = {

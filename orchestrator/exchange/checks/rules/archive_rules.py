@@ -7,10 +7,10 @@ import posixpath
 import zipfile
 from collections.abc import Iterator
 
-from ...errors import counted, listed
-from ...fmu.binary import LONGEST, is_identifier, remedy
-from .rows import Row, judged
-from .subject import PLATFORMS, Subject, suffix
+from ....errors import counted, listed
+from ....fmu.files.binary import LONGEST, is_identifier, remedy
+from ..rows import Row, judged
+from ..subject import PLATFORMS, Subject, suffix
 
 STAGE = "archive"
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import fmpy
 from fmpy.model_description import ModelDescription
 
-from ..errors import FmuError, listed
-from .tolerant.rules import LIBRARY, PLATFORM, Notes
+from ...errors import FmuError, listed
+from ..tolerant.rules import LIBRARY, PLATFORM, Notes
 
 IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"  # a name in C
 LONGEST = 200  # characters of an identifier: it becomes a file name

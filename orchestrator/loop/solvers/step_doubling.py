@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from .cells import MINIMUM, NOW, OFFSET, STEP_TICKS
+from ..cells import MINIMUM, NOW, OFFSET, STEP_TICKS
 from .step_control import fitted
 
 ACCEPTED, REJECTED, FAILED = range(3)

@@ -16,7 +16,7 @@ from math import sqrt
 import numpy as np
 from numba.extending import register_jitable
 
-from .cells import MAXIMUM, MINIMUM, NOW, STEP_TICKS, STOP
+from ..cells import MAXIMUM, MINIMUM, NOW, STEP_TICKS, STOP
 
 SUM, BONDS, BEFORE = range(3)  # cells of `work`
 LEAST = 1e-10  # of eps: a bond at rest would lengthen the step without end

@@ -15,8 +15,8 @@ from contextlib import contextmanager
 from os import utime
 from pathlib import Path
 
-from ..errors import FmuError
-from .tolerant.rules import BACKSLASH, TWICE, Notes
+from ...errors import FmuError
+from ..tolerant.rules import BACKSLASH, TWICE, Notes
 
 LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
 MOST = 50_000  # entries

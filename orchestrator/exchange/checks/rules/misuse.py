@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from fmpy.model_description import ModelVariable
 
-from ...fmu.types import REALS
-from ...participant.lifecycle import FATAL, STATUS
-from .rows import Row
-from .subject import Subject, bounds
-from .tried import Tried
+from ....fmu.types import REALS
+from ....participant.lifecycle import FATAL, STATUS
+from ..rows import Row
+from ..subject import Subject, bounds
+from ..tried import Tried
 
 WIDE = ("Integer", "Int32", "Int64", "Enumeration")
 LARGEST_REAL, LARGEST_INTEGER = 1e37, 2.0**31  # Float32 and Int32 can hold them

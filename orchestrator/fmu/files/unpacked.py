@@ -18,8 +18,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from .. import cache
-from ..errors import FmuError
+from ... import cache
+from ...errors import FmuError
 from .archive import OURS, content_hash, date_of, extract, opened
 from .folder import pack_folder
 

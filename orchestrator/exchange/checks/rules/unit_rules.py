@@ -9,11 +9,11 @@ from typing import Any
 import pint
 from fmpy.model_description import Unit
 
-from ...errors import InputError
-from ...fmu.types import REALS
-from ...units import parse_unit
-from .rows import Row, judged
-from .subject import Subject
+from ....errors import InputError
+from ....fmu.types import REALS
+from ....units import parse_unit
+from ..rows import Row, judged
+from ..subject import Subject
 
 STAGE = "units"
 DIMENSIONS = {

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...fmu.tolerant.rules import RANGE, STARTS
-from .rows import Row, judged
-from .subject import STEP, Subject, bounds, numbers
+from ....fmu.tolerant.rules import RANGE, STARTS
+from ..rows import Row, judged
+from ..subject import STEP, Subject, bounds, numbers
 
 STAGE = "description"
 UNBOUNDED = ("String", "Binary", "Boolean")  # types without min and max

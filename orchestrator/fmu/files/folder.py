@@ -6,7 +6,7 @@ import os
 import zipfile
 from pathlib import Path
 
-from ..errors import FmuError
+from ...errors import FmuError
 from .archive import LARGEST, MOST
 
 DATE = (1980, 1, 1, 0, 0, 0)  # of every entry: the same content is the same archive

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ...errors import FmuError
-from ...participant.apart.meeting import meeting
-from ...participant.here.refusal import NotLoadedError
-from .rows import Row
-from .subject import Subject
-from .tried import Tried
+from ....errors import FmuError
+from ....participant.apart.meeting import meeting
+from ....participant.here.refusal import NotLoadedError
+from ..rows import Row
+from ..subject import Subject
+from ..tried import Tried
 
 STAGE = "dry run"
 STEPS = 50

@@ -1,0 +1,1 @@
+"""The rules of `rovbrush check`, a function each."""
