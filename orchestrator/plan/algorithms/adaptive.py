@@ -1,7 +1,7 @@
 """Jacobi with macro steps by step doubling: each is done whole and in two halves, and kept if both agree.
 
-For systems without power bonds whose FMUs can save their states; see `loop/solvers/step_doubling` for the method. The signals
-that are judged are the floating-point outputs that drive an input.
+For systems without power bonds whose FMUs can save their states; see `loop/solvers/step_doubling` for the method. The
+signals that are judged are the floating-point outputs that drive an input.
 """
 
 from __future__ import annotations
