@@ -89,6 +89,15 @@ def _number(variable: ModelVariable, value: object, label: str) -> Value:
     return number
 
 
+def is_number(text: str) -> bool:
+    """Whether a text is a number by itself, with no unit behind it."""
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 def _whole(text: str) -> int:
     """A whole number, exact to 64 bits; `3.0` is one."""
     try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ..errors import InputError
+from ..fmu.attributes import is_number
 from ..fmu.fmu import Fmu
 from ..units import conversion
 
@@ -18,7 +19,7 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
     """
     if not isinstance(value, str) or not fmu.is_real(scalar):
         return value
-    match = None if _is_number(value) else QUANTITY.fullmatch(value)
+    match = None if is_number(value) else QUANTITY.fullmatch(value)
     if match is None:
         return value
     number, unit = float(match[1]), match[2].strip()
@@ -30,11 +31,3 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
         )
     gain, offset = conversion(fmu.unit_called(unit, scalar), own, f"{label} = {value}")
     return gain * number + offset
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

@@ -12,7 +12,7 @@ from attrs import evolve
 from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
-from ...fmu.attributes import parse_value
+from ...fmu.attributes import is_number, parse_value
 from ...fmu.fmu import Fmu
 from ...fmu.types import FmiType, Value
 
@@ -28,7 +28,7 @@ def numbers(cells: Sequence[str], label: str) -> np.ndarray:
     try:
         return np.array(cells, dtype=float)
     except ValueError:
-        line, cell = next((k, cell) for k, cell in enumerate(cells, 2) if not _is_number(cell))
+        line, cell = next((k, cell) for k, cell in enumerate(cells, 2) if not is_number(cell))
         raise InputError(f"{_at(label, line)} = {cell!r} is not a number") from None
 
 
@@ -51,7 +51,7 @@ def cell_value(cell: str, variable: ModelVariable, kind: FmiType | None, label: 
     """A cell in the type of a variable, whatever its range and its items: a run may go beyond them, and not all FMUs
     begin within. Raises InputError."""
     known = evolve(variable, min=None, max=None)
-    bare = evolve(known, declaredType=None) if _is_number(cell) else known
+    bare = evolve(known, declaredType=None) if is_number(cell) else known
     return parse_value(bare, cell, label, kind)
 
 
@@ -66,11 +66,3 @@ def _first(cells: Sequence[str]) -> list[tuple[int, str]]:
 def _at(label: str, line: int) -> str:
     file, _, column = label.partition(": ")
     return f"{file}, line {line}: {column}"
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True

@@ -49,13 +49,7 @@ class Fmi1Instance(LoadedInstance):
         self._callbacks = self._make_callbacks()
         try:
             with fresh_library(self.fmu) as library:
-                self.slave = FMU1Instance(
-                    guid=self.fmu.description.guid,
-                    modelIdentifier=self.fmu.interface.modelIdentifier,
-                    unzipDirectory=str(self.fmu.folder),
-                    instanceName=self.name,
-                    libraryPath=str(library),
-                )
+                self.slave = self.bound(FMU1Instance, library)
             self.slave.instantiate(KIND, functions=self._callbacks, loggingOn=self.asked_for_all)
             if not self.slave.component:
                 raise FmuError("it gave no instance")

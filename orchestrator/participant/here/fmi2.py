@@ -37,13 +37,7 @@ class Fmi2Instance(LoadedInstance):
         self._callbacks = self._make_callbacks()
         try:
             with fresh_library(self.fmu) as library:
-                self.slave = FMU2Instance(
-                    guid=self.fmu.description.guid,
-                    modelIdentifier=self.fmu.interface.modelIdentifier,
-                    unzipDirectory=str(self.fmu.folder),
-                    instanceName=self.name,
-                    libraryPath=str(library),
-                )
+                self.slave = self.bound(FMU2Instance, library)
             with own_modules(self.fmu):
                 self.slave.instantiate(callbacks=self._callbacks, loggingOn=self.asked_for_all)
         except Exception as error:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 from ...errors import FmuError
@@ -44,6 +45,16 @@ class LoadedInstance(Participant):
     def instantiate(self) -> None:
         """Load and instantiate by fmpy. Raises FmuError if the FMU refuses."""
         raise NotImplementedError
+
+    def bound(self, slave: Callable[..., Any], library: Path) -> Any:
+        """The functions of a library as fmpy's class of FMI 1.0 or 2.0 binds them."""
+        return slave(
+            guid=self.fmu.description.guid,
+            modelIdentifier=self.fmu.interface.modelIdentifier,
+            unzipDirectory=str(self.fmu.folder),
+            instanceName=self.name,
+            libraryPath=str(library),
+        )
 
     @property
     def asked_for_all(self) -> bool:
