@@ -70,7 +70,7 @@ class Surroundings:
         if not self.handlers or threading.current_thread() is not threading.main_thread():
             return []
         here = [number for number in self.handlers if signal.getsignal(number) is not None]
-        return [number for number in here if _handler(number) != _expected(number)]
+        return [number for number in here if handler_of(number) != _expected(number)]
 
 
 def exact() -> bool:
@@ -88,12 +88,12 @@ def _handlers() -> tuple[signal.Signals, ...]:
     if threading.current_thread() is not threading.main_thread():
         return ()
     try:
-        return tuple(number for number in WATCHED if _handler(number) == _expected(number))
+        return tuple(number for number in WATCHED if handler_of(number) == _expected(number))
     except (OSError, AttributeError):  # Windows
         return ()
 
 
-def _handler(number: int) -> int:
+def handler_of(number: int) -> int:
     """The address of what the system calls at a signal; 0: the default, 1: nothing."""
     action = ctypes.create_string_buffer(ACTION)
     if _process().sigaction(int(number), None, action):
@@ -104,16 +104,16 @@ def _handler(number: int) -> int:
 def _expected(number: int) -> int:
     """What that address is where Python decides."""
     known = signal.getsignal(number)
-    return _handler_of_python() if callable(known) else int(known or 0)
+    return _own_handler() if callable(known) else int(known or 0)
 
 
 @cache
-def _handler_of_python() -> int:
+def _own_handler() -> int:
     """The address of the function by which Python hears of all signals that it handles."""
     spare = signal.SIGXFSZ
     before = signal.signal(spare, lambda _number, _frame: None)
     try:
-        return _handler(spare)
+        return handler_of(spare)
     finally:
         signal.signal(spare, before)
 

@@ -12,6 +12,7 @@ from ...errors import FmuError
 from ...fmu.fmu import Fmu
 from ...fmu.sharing import made_by_pythonfmu, made_here
 from ...fmu.types import Value, function_type
+from ..apart.leftovers import Leftovers
 from ..apart.library import unload
 from ..base import CallError, Participant, State
 from ..lifecycle import allowed
@@ -34,7 +35,7 @@ class LoadedInstance(Participant):
         self._unread = 0  # messages that the filter had kept back when its row was given back
         self.arrays: dict[int, list[Value]] = {}  # values of arrays by reference: one element needs all the others
         self.modes: dict[int, State] = {}  # of saved states: restoring one brings its mode back
-        before = Surroundings()
+        before, self._leftovers = Surroundings(), Leftovers()
         try:
             self.instantiate()
             self._choose_messages()
@@ -155,10 +156,11 @@ class LoadedInstance(Participant):
         self.call("reset", "reset", self.slave.reset)
 
     def free(self) -> None:
-        """Free the instance. Its library stays loaded where Python is inside, which is not safe to unload."""
+        """Free the instance. Its library stays loaded where that is not safe: Python inside, threads that go on."""
         free = getattr(self.slave, FREE[self.fmu.version])
         self.call("free", "free it", free, self.slave.component)
-        unload(self.fmu, self.slave.dll)
+        if not self._leftovers.any():
+            unload(self.fmu, self.slave.dll)
 
     def close(self) -> str:
         said = []

@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers import column, plan_of, rovbrush
+from helpers import column, plan_of, python, rovbrush
 from native_build import moody, needs_gcc
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.fmu.sharing import imports_late, why_alone
 from rovbrush.orchestrator.participant.apart.library import fresh_library
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
+from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.run.session import Session
@@ -91,6 +92,38 @@ def test_a_private_copy_leaves_nothing_behind_and_the_first_use_makes_none(tmp_p
     with fresh_library(fmu) as second:
         assert second not in before and second.parent == first.parent and second.read_bytes() == first.read_bytes()
     assert sorted(fmu.library.parent.iterdir()) == before
+
+
+STAYS = {
+    "a thread": {"BACKGROUND": "1", "ON_ENTER": "background()"},
+    "a handler that is called": {"ON_ENTER": "signal(SIGALRM, (void (*)(int))fmi2GetVersion); ualarm(2000, 2000)"},
+}  # fmt: skip
+
+
+@needs_gcc
+@linux
+@pytest.mark.parametrize("kind", STAYS)
+def test_a_library_stays_where_something_of_it_goes_on_behind_its_end(kind: str, tmp_path: Path) -> None:
+    """In a process of its own: what is unloaded too early ends it."""
+    plan = counting(tmp_path, "a", **STAYS[kind])
+    code = (
+        "import sys, time; from rovbrush.orchestrator import load\n"
+        "for _ in range(3): print(load(sys.argv[1], fmus=sys.argv[2]).run()['a.x'].values[-1]); time.sleep(0.05)"
+    )
+    done = python(code, str(plan.system.path), str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    assert list(map(float, done.stdout.split())) == [FRESH] * 3
+
+
+@needs_gcc
+@linux
+def test_and_is_unloaded_where_nothing_does(tmp_path: Path) -> None:
+    fmu = Fmu.open(moody(tmp_path / "goes.fmu"))
+    instance = load(fmu, "a")
+    name = fmu.library.name
+    assert name in Path("/proc/self/maps").read_text()
+    instance.close()
+    assert name not in Path("/proc/self/maps").read_text()
 
 
 def test_our_own_fmus_keep_nothing_and_stay_loaded(fmus: Path) -> None:
