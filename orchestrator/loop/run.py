@@ -122,13 +122,11 @@ def run(
     loops that are solved at an instant; states (n): FMU states; state_calls (n, 3): addresses of the functions that
     get, set and free one.
     """
-    start_tick = control[START]
-    stop = ((start_tick + control[PROMISED]) * numerator) / denominator if control[PROMISED] > 0 else FOREVER
-    ends_at = start_tick + control[ENDS_AT]
+    stop = ((control[START] + control[PROMISED]) * numerator) / denominator if control[PROMISED] > 0 else FOREVER
     begin = control[RESUME_AT]
     control[RESUME_AT] = 0
     for cycle in range(first_cycle, first_cycle + cycles):
-        base = start_tick + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
+        base = control[START] + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
         last_tick = -1
         m = begin - 1
         begin = 0
@@ -142,7 +140,7 @@ def run(
                 if control[STOP_REQUEST] != 0:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return INTERRUPTED
-                if base + tick > ends_at:
+                if base + tick > control[ENDS_AT]:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return ENDED
             if code == STEP:
@@ -290,7 +288,7 @@ def run(
                 clock[STEP_TICKS] //= 2
             elif code == ADVANCE:
                 clock[OFFSET] = clock[STEP_TICKS]
-                base = start_tick + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
+                base = control[START] + cycle * cycle_ticks + clock[NOW] + clock[OFFSET]
             elif code == ESTIMATE:
                 z[b + 1] = (2 * clock[STEP_TICKS] * numerator) / denominator
                 verdict = estimate(z, p, q, clock, coefficients, k, work)
@@ -299,7 +297,7 @@ def run(
                     work[REPEATED] = 0.0
                     m = a - 1
                 elif verdict == REJECTED:
-                    base = start_tick + cycle * cycle_ticks + clock[NOW]
+                    base = control[START] + cycle * cycle_ticks + clock[NOW]
                 else:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return NOT_CONVERGED

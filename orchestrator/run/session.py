@@ -155,7 +155,7 @@ class Session:
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
             self.at.time = clock.time(self.tick)
-            self._over = self.tick >= self.control[cells.ENDS_AT]
+            self._over = clock.start + self.tick >= self.control[cells.ENDS_AT]
 
     def _asked_to_end(self) -> bool:
         """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
@@ -168,10 +168,10 @@ class Session:
         self._blocks.no_more_inputs(asked.component)
         self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
         if asked.whole and not plan.algorithm.saves_states:
-            control[cells.ENDS_AT] = min(asked.tick, int(control[cells.ENDS_AT]))
+            control[cells.ENDS_AT] = min(plan.clock.start + asked.tick, int(control[cells.ENDS_AT]))
             if self.at.operation == len(plan.operations(self.at.cycle)):
                 self.at.cycle, self.at.operation = self.at.cycle + 1, 0
-                self._over = not plan.adaptive or self.tick >= control[cells.ENDS_AT]
+                self._over = not plan.adaptive or plan.clock.start + self.tick >= control[cells.ENDS_AT]
         else:
             self._over = True
         if self._over:

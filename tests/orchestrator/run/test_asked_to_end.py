@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +18,7 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = needs_gcc
 WHOLE = "if (m->steps == 4) { m->x += h * m->u; return fmi2Discard; }"  # the fourth step, done to its end
@@ -34,8 +37,6 @@ def plan(
     system = read_system(folder, folder, parts, ["m.x -> g.u"], "10 ms", algorithm=algorithm)
     text = system.path.read_text().replace("[components.m]\n", f'[components.m]\nisolation = "{isolation}"\n')
     system.path.write_text(text)
-    from rovbrush.orchestrator.system.file.reader import load_system
-
     return make_plan(load_system(str(system.path), folder))
 
 
@@ -50,6 +51,18 @@ def test_a_step_that_was_done_to_its_end_gives_the_last_row_of_all(
         t, values = column(run, name)
         assert t[-1] == 0.004 and len(values) == 5
     assert column(run, "m.x")[1][-1] == pytest.approx(4e-3, rel=1e-12) and run.end == 0.004
+
+
+@pytest.mark.parametrize("start", ["2 s", "-1 s", "-2 ms"])
+@pytest.mark.parametrize("fast", ["1 ms", "0.5 ms"])
+def test_and_so_it_does_in_a_run_that_begins_at_another_time(fast: str, start: str, tmp_path: Path) -> None:
+    """The others come to the same instant, whether they step as often or more often."""
+    system = plan(tmp_path, fast=fast, ON_STEP=WHOLE, REACHED="t0 + h0", **ENDS).system
+    begin = Fraction(start.split()[0]) / (1000 if "ms" in start else 1)
+    run = simulate(make_plan(replace(system, start=begin, stop=begin + Fraction(1, 100))))
+    end = float(begin + Fraction(4, 1000))
+    assert run.failure == "" and run.ended == f"component m asked to end the simulation at t = {end:.9g} s"
+    assert column(run, "m.x")[0][-1] == column(run, "g.x")[0][-1] == run.end == end
 
 
 @pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
