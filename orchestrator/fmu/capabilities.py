@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
-from fmpy.model_description import CoSimulation, ModelDescription
+from fmpy.model_description import ModelDescription
+
+from .kinds import CO_SIMULATION, Kind, interface_of
 
 SENSIBLE = 1e-30, 1e30  # s; a step beyond is none (`1e999999999` would be a number of as many digits)
 
@@ -13,12 +16,12 @@ class Capabilities:
     """The part of an FMU that tells what may be asked of it."""
 
     description: ModelDescription
+    kind: Kind
 
     @property
-    def interface(self) -> CoSimulation:
-        """What the description says about co-simulation."""
-        assert self.description.coSimulation is not None
-        return self.description.coSimulation
+    def interface(self) -> Any:
+        """What the description says about the kind that the FMU is taken for."""
+        return interface_of(self.description, self.kind)
 
     @property
     def can_save_state(self) -> bool:
@@ -33,7 +36,7 @@ class Capabilities:
     @property
     def can_vary_step(self) -> bool:
         """Whether steps of different lengths are allowed."""
-        return bool(self.interface.canHandleVariableCommunicationStepSize)
+        return self.kind != CO_SIMULATION or bool(self.interface.canHandleVariableCommunicationStepSize)
 
     @property
     def recommended_step(self) -> Fraction | None:
@@ -44,7 +47,7 @@ class Capabilities:
     @property
     def internal_step(self) -> Fraction | None:
         """The step that it makes inside (FMI 3 fixedInternalStepSize) [s]; a communication step is a multiple of it."""
-        return _step(self.interface.fixedInternalStepSize)
+        return _step(getattr(self.interface, "fixedInternalStepSize", None))
 
 
 def _step(stated: object) -> Fraction | None:

@@ -14,6 +14,7 @@ from .attributes import items_of
 from .description import described
 from .files.unpacked import unpack
 from .fmu import Fmu
+from .kinds import FIELDS, usual_kind
 
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",
@@ -22,7 +23,6 @@ FLAGS = (
     "canBeInstantiatedOnlyOncePerProcess", "canNotUseMemoryManagementFunctions",
 )  # fmt: skip
 TIMES = {"startTime": "start", "stopTime": "stop", "stepSize": "step", "tolerance": "tolerance"}
-KINDS = ("coSimulation", "modelExchange", "scheduledExecution")
 
 
 def readable(path: Path) -> tuple[Fmu, str]:
@@ -33,7 +33,8 @@ def readable(path: Path) -> tuple[Fmu, str]:
         if not os.path.exists(path):
             raise
         folder, digest = unpack(path)
-        return Fmu(path, folder, digest, *described(path, folder)), str(error)
+        found = described(path, folder)
+        return Fmu(path, folder, digest, *found, kind=usual_kind(found.description)), str(error)
 
 
 def contents_of(fmu: Fmu) -> dict[str, Any]:
@@ -48,7 +49,7 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
         "file": fmu.path.name, "sha256": fmu.digest, "model": d.modelName, "fmi": d.fmiVersion,
         "description": d.description, "version": d.version, "author": d.author, "tool": d.generationTool,
         "identity": d.guid,
-        "interfaces": [kind for kind in KINDS if getattr(d, kind, None) is not None],
+        "interfaces": [kind for kind in FIELDS.values() if getattr(d, kind) is not None],
         "platforms": sorted(path.name for path in (fmu.folder / "binaries").glob("*") if path.is_dir()),
         "sources": any((fmu.folder / "sources").glob("**/*.c*")),
         "capabilities": {

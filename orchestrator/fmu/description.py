@@ -18,6 +18,7 @@ from .attributes import resolve
 from .definitions import definitions_of
 from .files.binary import check_identifiers, find_library
 from .fmi1.translate import as_fmi2, negated_names
+from .kinds import interface_of, kinds_of, require_kind, usual_kind
 from .tolerant.head import mend_head, mend_version, version_of
 from .tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
 from .tolerant.structure import mend_structure
@@ -25,7 +26,6 @@ from .tolerant.variables import mend_variables
 from .tolerant.xml import safe_xml
 
 SCHEMAS = {1: "fmi1/fmiModelDescription.xsd", 2: "fmi2/fmi2ModelDescription.xsd", 3: "fmi3/fmi3ModelDescription.xsd"}
-KINDS = {"modelExchange": "model exchange", "scheduledExecution": "scheduled execution"}
 
 
 class Described(NamedTuple):
@@ -42,13 +42,14 @@ def read_description(path: Path, folder: Path) -> Described:
     """The description of an unpacked FMU that can be run here. Raises FmuError for what cannot."""
     found = described(path, folder)
     check_identifiers(path, found.description)
+    require_kind(path, found.description)
     notes = Notes()
-    find_library(path, folder, found.description, notes)
+    find_library(path, folder, found.description, interface_of(found.description, usual_kind(found.description)), notes)
     return found._replace(notes=(*found.notes, *notes.all()))
 
 
 def described(path: Path, folder: Path) -> Described:
-    """The description of an unpacked FMU of FMI 1.0, 2.0 or 3.0 with a co-simulation interface. Raises FmuError."""
+    """The description of an unpacked FMU of FMI 1.0, 2.0 or 3.0, of any kind. Raises FmuError."""
     xml = folder / "modelDescription.xml"
     if not xml.is_file():
         raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
@@ -90,10 +91,8 @@ def described(path: Path, folder: Path) -> Described:
         raise
     except Exception as error:
         raise FmuError(f"FMU {path}: its modelDescription.xml cannot be understood: {_reason(error)}") from error
-    if description.coSimulation is None:
-        there = " and ".join(kind for name, kind in KINDS.items() if getattr(description, name) is not None)
-        what = f"is for {there} only" if there else "has no interface at all"
-        raise FmuError(f"FMU {path} {what}; export it for co-simulation")
+    if not kinds_of(description):
+        raise FmuError(f"FMU {path} has no interface at all; export it for co-simulation")
     description.fmiVersion = f"{stated_version}.0"
     resolve(description, root)
     texts = {

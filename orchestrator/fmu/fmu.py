@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from .description import read_description
 from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
+from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
 from .tolerant.rules import Note, Notes
 from .types import REALS, TYPES, FmiType, Value
 from .variables import Elements, Place, elements_of
@@ -29,7 +30,7 @@ SETTLED = 0.1  # s; a file that was written later could be written again without
 
 @dataclass(frozen=True)
 class Fmu(Capabilities):
-    """An unpacked FMI 1.0, 2.0 or 3.0 co-simulation FMU and what its model description says."""
+    """An unpacked FMI 1.0, 2.0 or 3.0 FMU, what its model description says, and the kind that it is taken for."""
 
     path: Path
     folder: Path
@@ -40,6 +41,7 @@ class Fmu(Capabilities):
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
+    kind: Kind = CO_SIMULATION
 
     @classmethod
     def open(cls, path: Path) -> Fmu:
@@ -64,10 +66,20 @@ class Fmu(Capabilities):
         """1, 2 or 3."""
         return int(self.description.fmiMajorVersion)
 
+    @property
+    def kinds(self) -> tuple[Kind, ...]:
+        """The kinds that it could be taken for."""
+        return kinds_of(self.description)
+
+    def of_kind(self, kind: Kind) -> Fmu:
+        """The same FMU taken for a kind. Raises FmuError if it is not of that kind, or cannot be run so."""
+        require_kind(self.path, self.description, kind)
+        return replace(self, kind=kind)
+
     @cached_property
     def library(self) -> Path:
         """The binary for this machine, a file in the folder `binaries`."""
-        return find_library(self.path, self.folder, self.description)
+        return find_library(self.path, self.folder, self.description, self.interface)
 
     @cached_property
     def _elements(self) -> Elements:
@@ -174,7 +186,8 @@ def _read(path: Path) -> Fmu:
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):  # what is wrong with it was lost when it was unpacked
         found = read_description(path, folder)
-    fmu = Fmu(path, folder, digest, *found._replace(notes=(*notes.all(), *found.notes)))
+    kind = usual_kind(found.description)
+    fmu = Fmu(path, folder, digest, *found._replace(notes=(*notes.all(), *found.notes)), kind=kind)
     _ = fmu.library  # looked for while it is known to be there
     _ = fmu.places  # an array that cannot be laid out is refused now
     return fmu

@@ -108,7 +108,7 @@ def whole_part(step: Fraction, end: Fraction) -> Fraction:
 def stated_step(fmu: Fmu) -> Fraction | None:
     """The step of an FMU's default experiment, else its fixed internal one; None where it states neither."""
     experiment = stated_time(getattr(fmu.description.defaultExperiment, "stepSize", None))
-    return experiment or stated_time(getattr(fmu.description.coSimulation, "fixedInternalStepSize", None))
+    return experiment or stated_time(getattr(fmu.interface, "fixedInternalStepSize", None))
 
 
 def stated_time(stated: object, read: Callable[[object, str], Fraction] = duration) -> Fraction | None:

@@ -17,6 +17,7 @@ from ...fmu.description import described
 from ...fmu.files.archive import opened
 from ...fmu.files.binary import find_library, is_identifier, platform_folder
 from ...fmu.files.unpacked import archive_of, unpack
+from ...fmu.kinds import interface_of, require_kind, usual_kind
 from ...fmu.tolerant.rules import Note, Notes
 
 STEP = 1e-3  # s, where the FMU suggests none
@@ -33,7 +34,7 @@ SUFFIXES = {"darwin": ".dylib", "linux": ".so", "win": ".dll"}
 
 @dataclass(frozen=True)
 class Subject:
-    """An unpacked FMU of FMI 1.0, 2.0 or 3.0 with a co-simulation interface."""
+    """An unpacked FMU of FMI 1.0, 2.0 or 3.0 that can be run."""
 
     path: Path
     folder: Path
@@ -58,15 +59,15 @@ class Subject:
 
     @property
     def interface(self) -> Any:
-        """The CoSimulation element; its flags have the same names for all versions."""
-        return self.description.coSimulation
+        """The element of the kind that it is run as; its flags have the same names for all versions."""
+        return interface_of(self.description, usual_kind(self.description))
 
     @cached_property
     def step(self) -> float:
         """The communication step that the FMU suggests [s]; 1 ms where it suggests none."""
         experiment = self.description.defaultExperiment
         suggested = experiment.stepSize if experiment else None
-        return float(suggested or self.interface.fixedInternalStepSize or STEP)
+        return float(suggested or getattr(self.interface, "fixedInternalStepSize", None) or STEP)
 
     @cached_property
     def start_time(self) -> float:
@@ -113,8 +114,10 @@ def open_subject(path: Path) -> Subject:
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):
         found = described(path, folder)
+    require_kind(path, found.description)
+    interface = interface_of(found.description, usual_kind(found.description))
     with suppress(FmuError):  # none for this machine is a row of its own
-        if is_identifier(found.description.coSimulation.modelIdentifier):
-            find_library(path, folder, found.description, notes)
+        if is_identifier(interface.modelIdentifier):
+            find_library(path, folder, found.description, interface, notes)
     version = int(found.description.fmiMajorVersion)
     return Subject(path, folder, version, found.description, (*found.notes, *notes.all()), found.negated)

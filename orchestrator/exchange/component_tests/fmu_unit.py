@@ -27,7 +27,7 @@ class FmuUnit:
         self.fmu, self.bindings, self.mapping, self.tolerance = fmu, bindings, mapping, tolerance
         self.observed: list[tuple[str, float, float]] = []
         self.instances: list[RunningFmu] = []
-        self.described: Any = fmu.description.coSimulation
+        self.described: Any = fmu.interface
 
     def supports(self, name: str) -> bool:
         """Can this variable of ours be used?"""

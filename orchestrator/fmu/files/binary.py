@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 
 import fmpy
-from fmpy.model_description import ModelDescription
+from fmpy.model_description import InterfaceType, ModelDescription
 
 from ...errors import FmuError, listed
 from ..tolerant.rules import LIBRARY, PLATFORM, Notes
@@ -42,15 +42,16 @@ def platform_folder(version: int) -> str:
     return "" if fmpy.platform_tuple in ("aarch64-linux", "aarch64-windows") else str(fmpy.platform)
 
 
-def find_library(path: Path, folder: Path, description: ModelDescription, notes: Notes | None = None) -> Path:
-    """The library of an unpacked FMU for this machine, always inside its `binaries`.
+def find_library(
+    path: Path, folder: Path, description: ModelDescription, interface: InterfaceType, notes: Notes | None = None
+) -> Path:
+    """The library of an unpacked FMU for this machine and one of its interfaces, always inside its `binaries`.
 
     One in the folder of another FMI version's name, or of another name where it is the only one, is taken and noted.
     Raises FmuError if there is none; the text says what there is.
     """
-    assert description.coSimulation is not None
     notes, version = notes or Notes(), int(description.fmiMajorVersion)
-    identifier, suffix = str(description.coSimulation.modelIdentifier), fmpy.sharedLibraryExtension
+    identifier, suffix = str(interface.modelIdentifier), fmpy.sharedLibraryExtension
     own, ambiguous = platform_folder(version), ""
     for platform in dict.fromkeys(filter(None, (own, str(fmpy.platform_tuple), platform_folder(2)))):
         place = folder / "binaries" / platform

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ...clock import duration
-from ...errors import InputError, nearest
+from ...errors import FmuError, InputError, nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, Value
 from ...toml_file import TomlFile
@@ -44,6 +44,11 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
         file.entry(dict, key, entry, heading)
     table = checked(ComponentTable, entry, f"component {name}", file, heading)
     fmu = file.made[name] if name in file.made else Fmu.open(_path_of(table.fmu, file.path.parent, fmus))
+    if table.kind is not None:
+        try:
+            fmu = fmu.of_kind(table.kind)
+        except FmuError as error:
+            raise file.fail(f"component {name}: {error}", "kind", heading) from None
     if table.units:
         fmu = replace(fmu, units=stated_units(file, name, table.units, fmu, heading))
     try:

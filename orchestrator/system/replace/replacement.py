@@ -215,7 +215,7 @@ def _kept(name: str, fmu: Fmu, known: Collection[str]) -> Iterable[str]:
 
 
 def _tool(fmu: Fmu) -> Iterable[str]:
-    if fmu.description.coSimulation and fmu.description.coSimulation.needsExecutionTool:
+    if fmu.interface.needsExecutionTool:
         maker = fmu.description.generationTool or "the tool that made it"
         yield f"{fmu.path.name} says that it needs {maker} on this machine to run (needsExecutionTool)"
 

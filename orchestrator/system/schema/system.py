@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
+from ...fmu.kinds import Kind
 from .report import Balance, Comparison, Figure, Window
 from .values import Count, FigureOfMerit, Instant, Number, Positive, Time, Value, Values
 
@@ -34,6 +35,9 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         str, Meta(description="the name of a built FMU, or the path of a .fmu from the system file's folder")
     ]
     period: Annotated[Time, Meta(description="the communication step")]
+    kind: Annotated[
+        Kind | None, Meta(description="how an FMU of several kinds is run; else as co-simulation where it can be")
+    ] = None
     parameters: Annotated[Values, Meta(description="start values of parameters; a list for an array")] = {}
     inputs: Annotated[
         dict[str, Value | list[Value] | Table],

@@ -112,7 +112,7 @@ def capability_rows(subject: Subject) -> Iterator[Row]:
     )  # fmt: skip
     rules = (
         *(states if subject.version > 1 else ()),  # FMI 1.0 has none
-        ("steps may vary", flags.canHandleVariableCommunicationStepSize,
+        ("steps may vary", getattr(flags, "canHandleVariableCommunicationStepSize", True),
          "canHandleVariableCommunicationStepSize is false", "the host must step at the FMU's own step size"),
         ("several instances per process", not flags.canBeInstantiatedOnlyOncePerProcess,
          "canBeInstantiatedOnlyOncePerProcess is true", "each further instance needs a process of its own"),
