@@ -19,7 +19,9 @@ from .kinds import FIELDS, usual_kind
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",
     "canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative", "hasEventMode",
-    "canReturnEarlyAfterIntermediateUpdate", "fixedInternalStepSize", "needsExecutionTool",
+    "mightReturnEarlyFromDoStep", "canReturnEarlyAfterIntermediateUpdate", "providesIntermediateUpdate",
+    "recommendedIntermediateInputSmoothness", "providesEvaluateDiscreteStates", "fixedInternalStepSize",
+    "needsExecutionTool",
     "canBeInstantiatedOnlyOncePerProcess", "canNotUseMemoryManagementFunctions",
 )  # fmt: skip
 TIMES = {"startTime": "start", "stopTime": "stop", "stepSize": "step", "tolerance": "tolerance"}
@@ -56,18 +58,27 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
             key: value for key in FLAGS if (value := getattr(fmu.interface, key, None)) not in (None, False, 0, "0")
         },
         "experiment": experiment,
-        "variables": [_variable(v) for v in d.modelVariables],
+        "variables": [_variable(fmu, v) for v in d.modelVariables],
     }  # fmt: skip
 
 
-def _variable(v: ModelVariable) -> dict[str, Any]:
+def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:
     found = {
         "name": v.name, "type": v.type, "causality": v.causality or "local", "variability": v.variability,
         "initial": v.initial, "unit": v.unit, "min": _number(v, "min"), "max": _number(v, "max"),
         "start": v.start, "description": v.description,
     }  # fmt: skip
+    if v.displayUnit and v.displayUnit != v.unit:
+        found["displayUnit"] = v.displayUnit
+    if v.alias is not None:
+        found["alias"] = v.alias.name
     if v.shape:
         found["shape"] = list(v.shape)
+        found["dimensions"] = [d.start if d.variable is None else d.variable.name for d in v.dimensions]
+    if v.clocks:
+        found["clocks"] = [clock.name for clock in v.clocks]
+    if further := fmu.details.get(v.name if v.alias is None else v.alias.name):
+        found["further"] = dict(further)
     if items := items_of(v):
         found["items"] = items
     return found

@@ -7,6 +7,7 @@ import zipfile
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import fmpy
@@ -16,6 +17,7 @@ from ..errors import FmuError
 from ..units import Definition
 from .attributes import resolve
 from .definitions import definitions_of
+from .details import Details, details_of, leave_to_fmpy
 from .files.binary import check_identifiers, find_library
 from .fmi1.translate import as_fmi2, negated_names
 from .kinds import interface_of, kinds_of, require_kind, usual_kind
@@ -36,6 +38,7 @@ class Described(NamedTuple):
     definitions: Mapping[str, Definition]  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
+    details: Details = MappingProxyType({})  # what else is said of variables (FMI 3.0)
 
 
 def read_description(path: Path, folder: Path) -> Described:
@@ -72,6 +75,7 @@ def described(path: Path, folder: Path) -> Described:
             )
         _compare(root, 1, notes)
         as_fmi2(path, root, notes)
+    details = details_of(root) if version == 3 else {}
     mend_head(root, version, path.stem, notes)
     stated_variables = len(root.findall("ModelVariables/*"))
     places = mend_variables(root, version, notes)
@@ -85,6 +89,7 @@ def described(path: Path, folder: Path) -> Described:
         notes.leave_out(START_MISSING, UNIT)  # FMI 1.0 does not ask for them
     else:
         _compare(root, version, notes)
+    leave_to_fmpy(root)
     try:
         description = fmpy.read_model_description(_packed(path, folder, root, version, notes), validate=False)
     except FmuError:
@@ -100,7 +105,7 @@ def described(path: Path, folder: Path) -> Described:
         for e in root.iterfind("ModelVariables/String")
     }
     negated = negated_names(root) if stated_version == 1 else frozenset[str]()
-    return Described(description, texts, definitions_of(root), notes.all(), negated)
+    return Described(description, texts, definitions_of(root), notes.all(), negated, details)
 
 
 def _compare(root: Any, version: int, notes: Notes) -> None:

@@ -17,6 +17,7 @@ from ..units import Definition, Unit
 from .attributes import start_value
 from .capabilities import Capabilities
 from .description import read_description
+from .details import Details
 from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
@@ -40,6 +41,7 @@ class Fmu(Capabilities):
     definitions: Mapping[str, Definition] = field(default_factory=dict)  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
+    details: Details = field(default_factory=dict)  # what else is said of variables (FMI 3.0), by name
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
     kind: Kind = CO_SIMULATION
 
@@ -119,6 +121,13 @@ class Fmu(Capabilities):
         }
 
     @cached_property
+    def aliases(self) -> dict[str, str]:
+        """The scalars that are other names (FMI 3 Alias), and of which scalar each is one."""
+        others = [(v.name, v.alias.name) for v in self.description.modelVariables if v.alias is not None]
+        pairs = (zip(self._elements[name], self._elements[of], strict=True) for name, of in others)
+        return dict(pair for found in pairs for pair in found)
+
+    @cached_property
     def arrays(self) -> dict[str, list[str]]:
         """For every scalar the scalars that are set and got together with it, in their order."""
         return {name: list(elements) for elements in self._elements.values() for name in elements}
@@ -141,15 +150,28 @@ class Fmu(Capabilities):
         kind = self.type_of(name)
         return kind is not None and kind.real
 
-    def names(self, *causalities: str) -> list[str]:
-        """Names of the scalars with one of the causalities, in the order of the description."""
-        return [name for name, v in self.variables.items() if v.causality in causalities]
+    def names(self, *causalities: str, aliases: bool = False) -> list[str]:
+        """Names of the scalars with one of the causalities, in the order of the description; of outputs all of their
+        names, of others those that are aliases too only where these are asked for."""
+        known = self.aliases
+        return [
+            name
+            for name, v in self.variables.items()
+            if v.causality in causalities and (aliases or v.causality == "output" or name not in known)
+        ]
 
     def expand(self, name: str) -> list[str]:
-        """The scalars behind a name: itself, or the elements `name[1]`, `name[2]` ... of an array; [] if unknown."""
+        """The scalars behind a name: itself, or the elements `name[1]`, `name[2]` ... of an array; [] if unknown.
+
+        Behind an alias are those of the variable that it is.
+        """
         if name in self.variables:
-            return [name]
-        return [v for v in self.variables if v.startswith(f"{name}[") and v.endswith("]")]
+            return [self.main_name(name)]
+        return [self.main_name(v) for v in self.variables if v.startswith(f"{name}[") and v.endswith("]")]
+
+    def main_name(self, name: str) -> str:
+        """The name of the variable itself where `name` is an alias of it."""
+        return self.aliases.get(name, name)
 
     def base_names(self, *causalities: str) -> list[str]:
         """Names without their element index, for suggestions."""
@@ -173,6 +195,7 @@ class Fmu(Capabilities):
             if u.dependencies is not None
         }
         owners = {name: v for v, elements in self._elements.items() for name in elements}
+        owners |= {name: owners[of] for name, of in self.aliases.items()}
         known = initial and self.version > 1  # before FMI 2.0 nothing can be read until all is set
         fixed = {name for name, v in self.variables.items() if known and v.initial == "exact"}
         return {

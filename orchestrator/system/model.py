@@ -162,6 +162,7 @@ class System:
         """
         components, values = self.components, dict[str, dict[str, Value]]()
         tables = {f"{c.name}.{v}": series for c in components.values() for v, series in c.series.items()}
+        named: dict[tuple[str, str], str] = {}
         for given, value in assignments.items():
             key = self.full_name(given)
             name, _, variable = key.partition(".")
@@ -174,6 +175,8 @@ class System:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
             for scalar, scalar_value in checked_values(components[name], variable, value, origin).items():
                 self.require_free(name, scalar, origin)
+                if (other := named.setdefault((name, scalar), key)) != key and components[name].fmu.aliases:
+                    raise InputError(f"{origin}: {other} and {key} are one variable; give it one value")
                 if f"{name}.{scalar}" in tables:
                     followed = tables[f"{name}.{scalar}"].origin
                     raise InputError(f"{origin}: {name}.{scalar} follows {followed}; remove that first")

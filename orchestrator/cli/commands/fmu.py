@@ -49,19 +49,29 @@ def info(
     for causality, variables in in_order(found["variables"]).items():
         shown = variables if all_ else variables[:SHOWN]
         more = f" ({len(shown)} of {len(variables)}; --all shows the others)" if len(shown) < len(variables) else ""
-        cells = [
-            (v["name"], _type(v), v["unit"] or "", _range(v), _start(v), " ".join((v["description"] or "").split()))
-            for v in shown
-        ]
+        cells = [(v["name"], _type(v), _unit(v), _range(v), _start(v), _told(v)) for v in shown]
         headings = ("name", "type", "unit", "range", "start", "description")
         print_table(f"{causality}{more}", headings, cells, words=(0, 1, 2, 3, 4, 5))
 
 
 def _type(v: dict[str, Any]) -> str:
-    shape = f"[{','.join(map(str, v['shape']))}]" if "shape" in v else ""
+    shape = f"[{','.join(map(str, v['dimensions']))}]" if "shape" in v else ""
     usual = "fixed" if v["causality"] == "parameter" else "continuous"
     named = v["variability"] not in (None, usual) and not (v["type"] not in ("Real", "Float64") and usual)
     return f"{v['type']}{shape}{', ' + v['variability'] if named else ''}"
+
+
+def _unit(v: dict[str, Any]) -> str:
+    shown = v.get("displayUnit")
+    return f"{v['unit'] or '1'}, shown in {shown}" if shown else v["unit"] or ""
+
+
+def _told(v: dict[str, Any]) -> str:
+    """Its description, of which variable it is another name, and what there is to know of a clock or a binary."""
+    words = [f"alias of {v['alias']}"] if "alias" in v else []
+    words += [f"{key} = {value}" for key, value in v.get("further", {}).items()]
+    words += [f"clocked by {', '.join(v['clocks'])}"] if "clocks" in v else []
+    return "; ".join(filter(None, [" ".join((v["description"] or "").split()), *words]))
 
 
 def _range(v: dict[str, Any]) -> str:

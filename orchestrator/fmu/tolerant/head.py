@@ -8,6 +8,7 @@ from typing import Any
 from attrs import fields
 from fmpy.model_description import BaseUnit, CoSimulation, Item, ModelExchange, ScheduledExecution, SimpleType
 
+from ..details import OF_TYPE
 from .literals import mend_boolean, mend_number, number, place
 from .rules import MISSING, NAMELESS, NUMBER, UNKNOWN, VERSION, Notes
 
@@ -85,7 +86,8 @@ def _types(root: Any, version: int, notes: Notes) -> None:
             notes.add(NAMELESS, place(simple))
             simple.getparent().remove(simple)
             continue
-        _known(inner, TYPE_ATTRIBUTES | ({"name"} if version == 3 else set()), notes, simple.get("name"))
+        own = {"name", *OF_TYPE.get(str(inner.tag).removesuffix("Type"), ())} if version == 3 else set()
+        _known(inner, TYPE_ATTRIBUTES | own, notes, simple.get("name"))
         mend_boolean(inner, "relativeQuantity", notes, simple.get("name"))
         mend_boolean(inner, "unbounded", notes, simple.get("name"))
         for attribute in ("min", "max", "nominal"):

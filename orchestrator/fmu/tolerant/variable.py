@@ -176,3 +176,7 @@ class _Variable:
             self.notes.add(UNIT, unit)
         if shown and shown not in (unit, *self.known.units.get(unit or "", ())):
             self.notes.add(DISPLAY_UNIT, shown)
+        for alias in self.element.findall("Alias"):
+            other = alias.get("displayUnit")
+            if other and other not in (unit, *self.known.units.get(unit or "", ())):
+                self.notes.add(DISPLAY_UNIT, other)

@@ -35,7 +35,7 @@ class Access:
         if fmu.type_of(scalars[0]) is None:
             raise InputError(f"get {name}: values of type {fmu.variables[scalars[0]].type} cannot be exchanged")
         values = [self._value(component, scalar) for scalar in scalars]
-        return values[0] if scalars == [variable] else values
+        return values[0] if variable in fmu.variables else values
 
     def _instance(self, what: str, name: str, component: str) -> Participant:
         if component not in self.instances:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from msgspec import structs
+
 from ...errors import nearest
 from ...toml_file import TomlFile
 from ..model import Bond, Component, Connection, Requirement
@@ -37,6 +39,7 @@ def _bond(
         if key not in entry:
             raise file.fail(f"{label}: {key} = None is no connected input{nearest('', by_target)}", label, "bonds")
     table = checked(BondTable, entry, label, file, "bonds")
+    table = structs.replace(table, effort=_main(components, table.effort), flow=_main(components, table.flow))
     bond = Bond(
         table.name or table.effort, ("", ""), ("", ""), table.sign,
         limit=math.inf if table.limit is None else table.limit,
@@ -60,6 +63,12 @@ def _bond(
             f"bond {bond.name}: effort and flow do not cross between the same two components", table.effort, "bonds"
         )
     return _with_counters(file, components, table, replace(bond, effort=_ends(ends[0]), flow=_ends(ends[1])))
+
+
+def _main(components: Mapping[str, Component], name: str) -> str:
+    """`component.variable`, an alias by the name of the variable that it is."""
+    owner, _, variable = name.partition(".")
+    return f"{owner}.{components[owner].fmu.main_name(variable)}" if owner in components else name
 
 
 def _ends(connection: Connection) -> tuple[str, str]:

@@ -90,6 +90,10 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
             is_input = component.fmu.variables[next(iter(scalars))].causality == "input"
             if is_input != (kind == "inputs"):
                 raise InputError(f"{origin}: {name}.{key} is no {'parameter' if is_input else 'input'}")
+            if twice := found.keys() & scalars.keys():
+                raise InputError(
+                    f"{origin}: {name}.{min(twice)} has a value already; {name}.{key} is the same variable"
+                )
             found |= scalars
         component = component.with_values(found)
     return component

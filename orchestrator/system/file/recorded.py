@@ -1,7 +1,7 @@
 """Which signals are recorded: patterns of names, and a choice of them in place of the system file's.
 
-`*` and `?` stand for inputs and outputs. A local variable or a parameter is recorded by its own name, or by a pattern
-that no input or output matches; of an FMU without outputs `*` means all of its locals.
+`*` and `?` stand for inputs and outputs. A local variable, a parameter or another name of an input is recorded by its
+own name, or by a pattern that no input or output matches; of an FMU without outputs `*` means all of its locals.
 """
 
 from __future__ import annotations
@@ -34,9 +34,16 @@ class Recorded:
         return name in self.names or "*" in self.names or matches(self._patterns, name)
 
     def others(self, component: Component) -> list[str]:
-        """The locals and parameters of a component that are recorded, in the order of the description."""
+        """The locals, parameters and aliases of a component that are recorded, in the order of the description."""
         wanted = {name for owner, _, name in (n.partition(".") for n in self.names) if owner == component.name}
-        return [name for name in component.fmu.names(*OTHERS) if name in wanted]
+        return [name for name in _others(component) if name in wanted]
+
+
+def _others(component: Component) -> list[str]:
+    """What is recorded by its own name only."""
+    fmu = component.fmu
+    inputs = fmu.names("input")
+    return [name for name in fmu.names("input", *OTHERS, aliases=True) if name not in inputs]
 
 
 def recorded_names(
@@ -47,6 +54,7 @@ def recorded_names(
     Raises what `fail` makes of a pattern and the words why: nothing is called so, or it cannot be recorded.
     """
     usual = _names(components, "input", "output")
+    further = [f"{name}.{variable}" for name, c in components.items() for variable in _others(c)]
     found: list[str] = []
     for pattern in patterns:
         if pattern == "*":
@@ -57,10 +65,10 @@ def recorded_names(
         hits = _matching(pattern, usual)
         found += [pattern] if _is_pattern(pattern) else hits
         if not hits:
-            hits = _matching(pattern, _names(components, *OTHERS))
+            hits = _matching(pattern, further)
             found += [name for name in hits if _recordable(components, name)]
         if not hits:
-            raise fail(pattern, f"no variable is called so{nearest(pattern, [*usual, *_names(components, *OTHERS)])}")
+            raise fail(pattern, f"no variable is called so{nearest(pattern, [*usual, *further])}")
         if not any(_recordable(components, name) for name in hits):
             owner, _, variable = hits[0].partition(".")
             kind = components[owner].fmu.variables[variable].type

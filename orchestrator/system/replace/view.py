@@ -62,6 +62,11 @@ class View(Fmu):
         return {name: self.own.places[crossing.name] for name, crossing in self.crossings.items()}
 
     @cached_property
+    def aliases(self) -> dict[str, str]:
+        """None: a variable of ours is one of theirs, by whichever name."""
+        return {}
+
+    @cached_property
     def arrays(self) -> dict[str, list[str]]:
         return {name: self._together(name) for name in self.crossings}
 
