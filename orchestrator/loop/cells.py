@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT = range(7)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED = range(8)
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised [ticks from the start]; an instant behind which a component does not want to go
-# on, and the start [ticks from time 0]. The loop reads them where it needs them: a local of its own, alive over all
-# operations, costs 10 % of a small step.
-STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START, CONTROL_CELLS = range(10)
+# on, or an event happens between two instants; the start [ticks from time 0]; the instant at which an event happens
+# [ticks], and the first of the moments (below) in the memory of the solver. The loop reads them where it needs them: a
+# local of its own, alive over all operations, costs 10 % of a small step.
+STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START = range(9)
+EVENT_AT, MOMENTS, CONTROL_CELLS = range(9, 12)
 NEVER = 1 << 62  # ticks
 
 # `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before
 # it, and where in the macro step its second half begins while that is done.
 NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET, CLOCK_CELLS = range(8)
+
+# Moments [s], where there are events: no step goes beyond the first; then for each component how far it has come, and
+# behind them for each where its last step, or the part of it that was done last, began.
+LATEST, REACHED = range(2)
 
 # `components`: whose signatures its functions have (2: FMI 1.0 and 2.0; 3: FMI 3.0), instance, address of its step
 # function, what it writes (FMI 3), its blocks, 1 if no state before a step is restored behind it (FMI 1.0: always), and

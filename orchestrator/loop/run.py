@@ -22,6 +22,7 @@ from .cells import (
     DONE,
     ENDED,
     ENDS_AT,
+    EVENT_AT,
     FINAL,
     FIRST_AGAIN,
     FIRST_IN,
@@ -38,11 +39,15 @@ from .cells import (
     LAST_AGAIN,
     LAST_IN,
     LAST_OUT,
+    LATEST,
+    MOMENTS,
     NOT_CONVERGED,
     NOT_FINITE,
     NOW,
     OFFSET,
+    PAUSED,
     PROMISED,
+    REACHED,
     REFERENCES,
     RESUME_AT,
     SET_STATE,
@@ -61,6 +66,7 @@ from .last_step import length_to
 from .lookup import held_at, mean_over
 from .operations import (
     ACCUMULATE,
+    ACCUMULATE_ON,
     ADVANCE,
     AT_AN_INSTANT,
     CONTROL,
@@ -77,6 +83,7 @@ from .operations import (
     MIX,
     MOVE,
     NUMBER,
+    PAUSE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -89,7 +96,9 @@ from .operations import (
     SET,
     SOLVE,
     STEP,
+    STEP_ON,
     WORK,
+    WORK_ON,
 )  # fmt: skip
 from .solvers.iteration import AGAIN, CONVERGED, iterate
 from .solvers.step_control import control as choose_step
@@ -110,17 +119,17 @@ def run(
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
-    NOT_CONVERGED or UNFIT.
+    NOT_CONVERGED, UNFIT or PAUSED.
 
     operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (9): see cells.STOP_REQUEST...;
+    control (12): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
-    loops that are solved at an instant; states (n): FMU states; state_calls (n, 3): addresses of the functions that
-    get, set and free one.
+    loops that are solved at an instant, and the moments of events (cells.MOMENTS); states (n): FMU states; state_calls
+    (n, 3): addresses of the functions that get, set and free one.
     """
     stop = ((control[START] + control[PROMISED]) * numerator) / denominator if control[PROMISED] > 0 else FOREVER
     begin = control[RESUME_AT]
@@ -301,6 +310,40 @@ def run(
                 else:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
                     return NOT_CONVERGED
+            elif code == STEP_ON:
+                at = control[MOMENTS]
+                here = at + REACHED + c
+                time, end = ((base + b) * numerator) / denominator, ((base + b + a) * numerator) / denominator
+                length = (a * numerator) / denominator
+                if end > solver[at + LATEST]:
+                    end = solver[at + LATEST]
+                    length = length_to(time, end)
+                if solver[here] > time:
+                    time = solver[here]
+                    length = length_to(time, end)
+                if time + length > stop:
+                    length = length_to(time, stop)
+                solver[here + components.shape[0]] = time
+                if time < end:
+                    status = step(
+                        components[c, FMI], components[c, DO_STEP], components[c, INSTANCE], time, length,
+                        components[c, FINAL], components[c, FLAGS],
+                    )  # fmt: skip
+                    if not good(status):
+                        control[AT_OPERATION], control[AT_CYCLE], control[STATUS] = m, cycle, status
+                        return BAD_STATUS
+                    solver[here] = end
+            elif code == PAUSE:
+                if a != 0 or base + tick >= control[EVENT_AT]:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return PAUSED
+            elif code in (ACCUMULATE_ON, WORK_ON):
+                here = control[MOMENTS] + REACHED + c
+                h = solver[here] - solver[here + components.shape[0]]
+                if code == ACCUMULATE_ON:
+                    z[b] += coefficients[k] * h * (z[p] + z[a])
+                else:
+                    z[b] += z[q] * (coefficients[k] * z[p] + coefficients[k + 1] * z[a]) * h
         if cycle_ticks == 0 and clock[NOW] >= min(clock[UNTIL], control[ENDS_AT]):
             return DONE
     return DONE

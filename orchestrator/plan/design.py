@@ -10,6 +10,7 @@ from ..fmu.conversions import Conversion
 from ..system.inputs.series import Series
 from ..system.model import Connection, System
 from .algorithms.base import Algorithm
+from .events import Events
 from .instants import Instants
 from .schedule.bond_energy import BondEnergy
 from .schedule.formulas import Choice
@@ -34,6 +35,7 @@ class Design:
     bonds: tuple[BondEnergy, ...]
     groups: tuple[Group, ...]
     start: tuple[Block, ...]  # the order in which values propagate at time 0
+    events: Events | None  # what there is of events; None where there can be none
     instants: Instants  # which held inputs are given the value of their instant
 
     def into(self, name: str) -> list[Connection]:

@@ -11,6 +11,7 @@ from ..errors import counted
 from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
 from .capabilities import remarks
+from .events import event_words
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
 from .schedule.operation_text import OperationText
@@ -54,6 +55,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines.append(f"  {name} is read again at its instants: its outputs answer at once to {inputs}")
     for cut, loop in plan.instants.cuts.items():
         lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
+    if plan.events:
+        lines += ["", "events", *(f"  {line}" for line in event_words(plan.events, clock))]
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():
         changes = [words] if (words := plan.conversions[connection].words) else []

@@ -8,6 +8,7 @@ from itertools import groupby
 from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
+from .events import ends_early
 from .schedule.formulas import Choice
 
 
@@ -35,7 +36,8 @@ def leaders_of(system: System, samplers: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def order_of(system: System, clock: Clock) -> tuple[tuple[str, ...], str]:
-    """Faster components first; among equals, a source before its target where the graph allows it."""
+    """Faster components first; among equals those that may end a step early, so that others can be brought to their
+    events; then a source before its target where the graph allows it."""
     if system.order:
         slower = [
             (a, b) for a, b in zip(system.order, system.order[1:], strict=False) if clock.periods[a] > clock.periods[b]
@@ -47,7 +49,8 @@ def order_of(system: System, clock: Clock) -> tuple[tuple[str, ...], str]:
         return system.order, "stated in the system file"
     order: list[str] = []
     for _, rate in groupby(sorted(system.components, key=clock.periods.__getitem__), clock.periods.__getitem__):
-        order += _sources_first(list(rate), system)
+        names = _sources_first(list(rate), system)
+        order += sorted(names, key=lambda name: not ends_early(system.components[name]))
     return tuple(order), "fast before slow; at one rate a source before its target, cycles cut in the order of the file"
 
 

@@ -12,10 +12,12 @@ from ..system.model import System
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
 from .design import Design
+from .events import EventRows, events_of
 from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
 from .processes import with_processes
 from .schedule.bond_energy import bond_energies, check_names
+from .schedule.event_rows import event_rows
 from .schedule.layout import make_groups, make_layout
 from .start import start_order
 from .transfers import held_by_type, rereads_of
@@ -28,6 +30,8 @@ class Plan(Design):
     cycle: np.ndarray
     last: np.ndarray
     coefficients: np.ndarray
+    at_events: EventRows
+    at_last_events: EventRows  # in `last`
 
     @property
     def adaptive(self) -> bool:
@@ -81,13 +85,23 @@ def make_plan(system: System) -> Plan:
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
+    events = events_of(system, (*samplers, *leaders), algorithm.takes_events)
     instants = Instants(system, choices, (*samplers, *leaders), layout.outputs)
     design = Design(
         system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start,
-        instants,
+        events, instants,
     )  # fmt: skip
     schedule = algorithm.schedule(design)
     cycle = schedule.build(clock.hyperperiod)
+    at_events = event_rows(schedule, cycle)
     last = schedule.build(clock.rest) if clock.rest and not algorithm.steps_vary else cycle[:0]
+    at_last_events = event_rows(schedule, last) if len(last) else at_events
     decided = {field.name: getattr(design, field.name) for field in fields(Design)}
-    return Plan(**decided, cycle=cycle, last=last, coefficients=np.array(schedule.constants.values))
+    return Plan(
+        **decided,
+        cycle=cycle,
+        last=last,
+        coefficients=np.array(schedule.constants.values),
+        at_events=at_events,
+        at_last_events=at_last_events,
+    )

@@ -137,6 +137,7 @@ class System:
     strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
     format: int = FORMATS[-1]  # of its file: see `FORMATS`
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
+    events: tuple[Any, ...] = ()  # what happens at a time or when a signal crosses a value
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
 
     @cached_property

@@ -41,6 +41,7 @@ class Algorithm:
     saves_states: ClassVar[bool] = False  # goes back to saved states of the FMUs
     repeats_rows: ClassVar[bool] = False  # what was recorded of the last cycle may be of a pass that was not the last
     parallel: ClassVar[bool] = False  # one pass, all components at once, as a container of FMUs does it
+    takes_events: ClassVar[bool] = False  # goes along with steps that are stopped in the middle
     units: ClassVar[Mapping[str, str]] = {}  # of the signals `coupling.name` that it records
 
     def __init__(self, settings: Any) -> None:

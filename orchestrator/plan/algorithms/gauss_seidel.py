@@ -12,6 +12,7 @@ class GaussSeidel(Algorithm):
     """One pass, inputs from the latest values."""
 
     name = "gauss-seidel"
+    takes_events = True
 
     def explanation(self) -> str:
         return "one after the other, inputs from the latest values"

@@ -12,6 +12,7 @@ class Jacobi(Algorithm):
 
     name = "jacobi"
     parallel = True
+    takes_events = True
 
     def explanation(self) -> str:
         return "all at once, inputs from the beginning of the step"

@@ -9,6 +9,7 @@ from ...errors import counted
 from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
+    ACCUMULATE_ON,
     ADVANCE,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
@@ -26,6 +27,7 @@ from ...loop.operations import (
     MOVE,
     NAMES,
     NUMBER,
+    PAUSE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -38,7 +40,9 @@ from ...loop.operations import (
     SET,
     SOLVE,
     STEP,
+    STEP_ON,
     WORK,
+    WORK_ON,
 )
 from ..plan import Plan
 from .layout import by_component
@@ -73,8 +77,8 @@ class OperationText:
         """One operation in one line."""
         code, _, component, *_ = row
         name = self.components[component] if component >= 0 and code != SOLVE else ""
-        describe = self._exchange if code in (SET, STEP, GET, SAVE, RESTORE) else self._signal
-        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE):
+        describe = self._exchange if code in (SET, STEP, STEP_ON, GET, SAVE, RESTORE) else self._signal
+        if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE, PAUSE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
         return f"{NAMES[code]:<10}  {describe(row, name)}"
 
@@ -82,6 +86,9 @@ class OperationText:
         """What passes between the loop and an FMU."""
         code, _, component, a, b, *_ = row
         clock = self.plan.clock
+        if code == STEP_ON:
+            end = seconds_text(clock.seconds(a + b))
+            return f"{name} from where it is to {end}, or to an event before"
         if code == STEP:
             if self.plan.adaptive:
                 return f"{name} by the macro step"
@@ -109,6 +116,8 @@ class OperationText:
         if code == SOLVE:
             again = f"otherwise the last {counted(a, 'operation')} again"
             return f"{self.plan.layout.loops[row[2]]} within {c[k]:g}, {again}, at most {c[k + 1]:g} times"
+        if code == PAUSE:
+            return "for what happens at this instant, if anything does"
         if code == HALVE:
             return "the macro step, to do it again as two"
         if code == ADVANCE:
@@ -132,6 +141,10 @@ class OperationText:
             return f"{s[b]} = {s[a]}"
         if code == ACCUMULATE:
             return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]})"
+        if code == ACCUMULATE_ON:
+            return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]}) times the step"
+        if code == WORK_ON:
+            return f"{s[b]} += {s[q]} ({c[k]:g} {s[p]} + {c[k + 1]:g} {s[a]}) times the step"
         if code == LEDGER:
             return f"{s[q]} = {s[a]} - {s[p]}; {s[b]} = its rise"
         if code == WORK:

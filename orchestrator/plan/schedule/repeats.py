@@ -11,6 +11,7 @@ from itertools import count
 
 from ...loop.operations import (
     ACCUMULATE,
+    ACCUMULATE_ON,
     COPY,
     FIT,
     GET,
@@ -19,6 +20,7 @@ from ...loop.operations import (
     MEAN,
     MOVE,
     NUMBER,
+    PAUSE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -26,13 +28,15 @@ from ...loop.operations import (
     SERIES,
     SET,
     STEP,
+    STEP_ON,
     WORK,
+    WORK_ON,
 )
 from .steps import Row
 
 FOLLOWED = {
-    ACCUMULATE, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MOVE, NUMBER, PUSH, QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP,
-    WORK,
+    ACCUMULATE, ACCUMULATE_ON, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MOVE, NUMBER, PAUSE, PUSH, QUADRATIC, RECORD,
+    SAMPLE, SERIES, SET, STEP, STEP_ON, WORK, WORK_ON,
 }  # fmt: skip
 
 
@@ -62,7 +66,7 @@ def without_repeats(
             if sent.get(component) == now:
                 continue
             sent[component] = now
-        elif code == STEP:
+        elif code in (STEP, STEP_ON):
             sent.pop(component, None)
         elif code == GET:
             values.update((cell, next(fresh)) for cell in outputs[component])
@@ -71,7 +75,7 @@ def without_repeats(
         elif code in (COPY, NUMBER, FIT):
             copy = code, value(a), k
             values[b] = known.setdefault(copy, next(fresh))
-        elif code != RECORD:
+        elif code not in (RECORD, PAUSE):
             values[b] = next(fresh)
             if code in (MEAN, LEDGER):
                 values[q] = next(fresh)

@@ -23,6 +23,7 @@ from ...errors import InputError
 from ...loop.operations import (
     COLUMNS,
     LEDGER,
+    PAUSE,
     RECORD,
 )
 from ...system.model import Connection
@@ -104,6 +105,8 @@ class Schedule(Steps):
         """The energies of the bonds and the tables of this instant."""
         yield from self.energies(tick)
         yield from self.settle(tick)
+        if self.design.events:
+            yield (PAUSE, tick, -1, 0, 0, 0, 0, 0)
         yield from self.tables(tick)
 
     def settle(self, tick: int) -> Iterator[Row]:

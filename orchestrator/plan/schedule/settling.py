@@ -56,6 +56,13 @@ class Settling:
         if any(c.target[0] in known for c in self.old):
             yield from self._values(tick, known, self._upstream([c.source for c in connections], known))
 
+    def afresh(self, tick: int, known: Known) -> Iterator[Row]:
+        """The same at an event, where all that some components send may be new; what inputs were is not kept."""
+        self.old = {c for name in known for c in self.out.get(name, ())}
+        yield from self._values(tick, known, None)
+        self.old.clear()
+        self.changed.clear()
+
     def _upstream(self, outputs: list[Key], known: Known) -> set[Connection]:
         """The connections on which outputs rest at an instant, near and far."""
         found: set[Connection] = set()

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...fmu.conversions import How
 from ...loop.operations import (
     ACCUMULATE,
+    ACCUMULATE_ON,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
     AT_ITS_END,
@@ -23,7 +24,9 @@ from ...loop.operations import (
     SERIES,
     SET,
     STEP,
+    STEP_ON,
     WORK,
+    WORK_ON,
 )
 from ...system.model import Connection
 from ...system.replace.crossing import Crossing
@@ -46,6 +49,7 @@ class Steps:
         self.span = self.clock.hyperperiod  # of the operations that are listed [ticks]; steps end there at the latest
         layout = self.layout
         self.foreign_inputs, self.foreign_outputs = map(by_component, (layout.foreign_inputs, layout.foreign_outputs))
+        self.inputs = by_component(layout.inputs)
         self.outputs, self.previous = by_component(layout.outputs), by_component(layout.previous)
         self.before, self.begins = by_component(layout.before), by_component(layout.begins)
         self.averaged: dict[str, list[Connection]] = {}  # connections of which the mean is taken, by their sources
@@ -72,16 +76,19 @@ class Steps:
             for key, slot in self.begins.get(name, {}).items():
                 yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
-        yield (STEP, tick, component, self.length(name, start), start, 0, 0, 0)
+        step = STEP_ON if self.design.events else STEP
+        yield (step, tick, component, self.length(name, start), start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
             yield from self._get(tick, name, AT_ITS_END)
         for c in self.averaged.get(name, []):
             within = tick if start == tick else tick - 1  # of that step of the target
             whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))
-            weight = self.constants.at(self.ticks(name, start) / (2 * whole))
+            code, weight = ACCUMULATE, self.ticks(name, start) / (2 * whole)
+            if self.design.events:
+                code, weight = ACCUMULATE_ON, 1 / (2 * float(self.clock.seconds(whole)))
             a, p = layout.outputs[c.source], layout.start(c.source)
-            yield (ACCUMULATE, tick, component, a, layout.integrals[c.target], p, 0, weight)
+            yield (code, tick, component, a, layout.integrals[c.target], p, 0, self.constants.at(weight))
         yield from self.works(tick, name, start)
 
     def rescaled(self, tick: int, name: str) -> Iterator[Row]:
@@ -172,7 +179,10 @@ class Steps:
                 weights = (side.sign / 2, side.sign / 2, self.duration(name, start))
             a = self.layout.outputs[side.own]
             p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
-            yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
+            if self.design.events and not side.counter:
+                yield (WORK_ON, tick, self.index[name], a, side.work, p, side.held, self.constants.at(*weights))
+            else:
+                yield (WORK, tick, -1, a, side.work, p, side.held, self.constants.at(*weights))
 
     def begin_of(self, name: str, tick: int) -> int:
         """Where the step of a component begins that goes on at an instant or begins there."""

@@ -1,0 +1,88 @@
+"""Events between the instants of a plan: who can have them, who is brought to their instant, and who comes late.
+
+An event acts at the first instant of the component that it touches which is not before it: exactly where that FMU can
+vary its step, otherwise when its step is done.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..clock import Clock, seconds_text
+from ..errors import InputError
+from ..loop.operations import STEP_ON
+from ..system.model import Component, System
+
+Known = frozenset[str]
+
+
+@dataclass(frozen=True)
+class Events:
+    """`sources`: components that end a step where they have an event; `stopped`: those that are brought to the instant
+    of an event within their step; `late`: all others, and why they are not."""
+
+    sources: tuple[str, ...]
+    stopped: tuple[str, ...]
+    late: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class EventRows:
+    """Operations that are done at an event, beside those of a cycle.
+
+    `bring`: a step of each component that is stopped, as from the start of the cycle; `after`: values along all held
+    connections among components that are at one instant, by which these are.
+    """
+
+    bring: Mapping[str, np.ndarray] = field(default_factory=dict)
+    after: Mapping[Known, np.ndarray] = field(default_factory=dict)
+
+
+def ends_early(component: Component) -> bool:
+    """Whether an FMU may end a step before its end, at an event."""
+    return False
+
+
+def events_of(system: System, early: tuple[str, ...], able: bool) -> Events | None:
+    """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them.
+
+    Raises InputError where the system has events and its algorithm cannot.
+    """
+    sources = tuple(name for name, component in system.components.items() if ends_early(component))
+    if not sources and not system.events:
+        return None
+    if not able:
+        raise InputError(
+            f"events need algorithm jacobi or gauss-seidel: {system.algorithm} repeats steps or chooses their lengths "
+            f"({system.path.name})"
+        )
+    late: dict[str, str] = {}
+    for name, component in system.components.items():
+        if name in early:
+            late[name] = "its step is done at its beginning"
+        elif not component.fmu.can_vary_step:
+            late[name] = "its step cannot vary"
+    return Events(sources, tuple(name for name in system.components if name not in late), late)
+
+
+def starts_behind(rows: np.ndarray, row: int, count: int, end: int) -> list[int]:
+    """For each component where in the cycle its first step begins that is not done before operation `row` [ticks]."""
+    steps = rows[row:][rows[row:, 0] == STEP_ON]
+    found = [end] * count
+    for component, start in steps[::-1, [2, 4]].tolist():
+        found[component] = start
+    return found
+
+
+def event_words(events: Events, clock: Clock) -> list[str]:
+    """Who has events and how late they act, for the plan."""
+    lines = [f"{name} may end a step at an event" for name in events.sources]
+    if events.stopped:
+        lines.append(f"brought to the instant of an event: {', '.join(events.stopped)}")
+    for name, why in events.late.items():
+        delay = seconds_text(clock.seconds(clock.periods[name]))
+        lines.append(f"{name} sees events up to {delay} late, at its own instants: {why}")
+    return lines

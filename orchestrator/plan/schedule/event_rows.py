@@ -1,0 +1,65 @@
+"""The operations of an event: components brought to its instant, and values along the connections there."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import numpy as np
+
+from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
+from ..events import EventRows, Known, starts_behind
+from .schedule import Schedule
+from .steps import Row
+
+
+def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:
+    """What is done at the events of a cycle that was listed last."""
+    events = schedule.design.events
+    if events is None:
+        return EventRows()
+    bring = {name: _table(schedule.advance(0, name, 0)) for name in events.stopped}
+    return EventRows(bring, {known: _table(_after(schedule, known)) for known in _together(schedule, cycle)})
+
+
+def _table(rows: Iterator[Row]) -> np.ndarray:
+    return np.array(list(rows), dtype=np.int64).reshape(-1, len(COLUMNS))
+
+
+def _together(schedule: Schedule, cycle: np.ndarray) -> list[Known]:
+    """All sets of components that can be at the instant of an event together, or behind it."""
+    events, names = schedule.design.events, list(schedule.index)
+    assert events is not None
+    found: dict[Known, None] = {frozenset(events.stopped): None}
+    whole = frozenset(name for name in names if name not in schedule.early)
+    found[whole] = None
+    for row in np.flatnonzero((cycle[:, 0] == STEP_ON) | (cycle[:, 0] == PAUSE)).tolist():
+        if cycle[row, 0] == STEP_ON and names[cycle[row, 2]] not in events.sources:
+            continue
+        starts = starts_behind(cycle, row, len(names), schedule.span)
+        for instant in {int(cycle[row, 1]), *starts}:
+            found[at_instant(starts, names, instant, events.stopped, schedule.early)] = None
+    return list(found)
+
+
+def at_instant(
+    starts: list[int], names: Collection[str], instant: int, stopped: Collection[str], early: Collection[str]
+) -> Known:
+    """Who is at an instant [ticks] or behind it, by where their next steps begin, or is brought there."""
+    there = (name for name, start in zip(names, starts, strict=True) if start >= instant and name not in early)
+    return frozenset(stopped) | frozenset(there)
+
+
+def _after(schedule: Schedule, known: Known) -> Iterator[Row]:
+    """All held values among some components, set, and what they make of them."""
+    design, layout = schedule.design, schedule.layout
+    direct = set(design.instants.held)
+    for c, choice in design.choices.items():
+        if choice.transfer == "hold" and {c.source[0], c.target[0]} <= known and c not in direct:
+            yield schedule.sent(c, 0, layout.outputs[c.source])
+    yield from schedule.settling.afresh(0, known)
+    for name in design.order:
+        if name in known and (schedule.inputs.get(name)):
+            yield from schedule.set_inputs(0, name)
+    for name in design.order:
+        if name in known and name in schedule.outputs:
+            yield from schedule._get(0, name, AT_ITS_END)
