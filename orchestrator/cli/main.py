@@ -23,6 +23,9 @@ __all__ = ["bench", "cache", "check", "doctor", "exchange", "fmu", "main", "pape
 LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "strategies", "bench")
 
 
+COMPILE = "ROVBRUSH_COMPILE"  # see fmu/files/compiled.py, which few commands need
+
+
 def program() -> NoReturn:
     """The command as it is started from a shell: what loads FMUs is guarded against their crashes."""
     if command_of(sys.argv[1:]) in LOADING:
@@ -37,8 +40,10 @@ def command_of(arguments: Sequence[str]) -> str:
 
 def main() -> NoReturn:
     """Entry point: every error that a user can meet becomes one message on stderr and an exit code."""
-    arguments = [a for a in sys.argv[1:] if a != "--debug"]
-    debug = len(arguments) < len(sys.argv) - 1
+    arguments = [a for a in sys.argv[1:] if a not in ("--debug", "--compile")]
+    debug = "--debug" in sys.argv[1:]
+    if "--compile" in sys.argv[1:]:
+        os.environ[COMPILE] = "1"  # for processes that are started here, too
     try:
         code = app(arguments, standalone_mode=False)
     except RovbrushError as error:

@@ -27,11 +27,17 @@ def every_command(
     debug: Annotated[
         bool, typer.Option("--debug", help="Tracebacks of unexpected errors; may stand anywhere.")
     ] = False,
+    compile_: Annotated[
+        bool,
+        typer.Option(
+            "--compile", help="Compile FMUs that bring sources and no library for this machine; may stand anywhere."
+        ),
+    ] = False,
     version_: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
-    """Options of all commands: `--debug` is taken away before the command line is read."""
+    """Options of all commands: `--debug` and `--compile` are taken away before the command line is read."""
 
 
 SYSTEM_HELP = (

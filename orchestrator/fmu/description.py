@@ -41,13 +41,14 @@ class Described(NamedTuple):
     details: Details = MappingProxyType({})  # what else is said of variables (FMI 3.0)
 
 
-def read_description(path: Path, folder: Path) -> Described:
-    """The description of an unpacked FMU that can be run here. Raises FmuError for what cannot."""
+def read_description(path: Path, folder: Path, compiled: bool = False) -> Described:
+    """The description of an unpacked FMU that can be run here, be it `compiled`. Raises FmuError for what cannot."""
     found = described(path, folder)
     check_identifiers(path, found.description)
     require_kind(path, found.description)
     notes = Notes()
-    find_library(path, folder, found.description, interface_of(found.description, usual_kind(found.description)), notes)
+    interface = interface_of(found.description, usual_kind(found.description))
+    find_library(path, folder, found.description, interface, notes, compiled)
     return found._replace(notes=(*found.notes, *notes.all()))
 
 

@@ -44,19 +44,23 @@ class Fmu(Capabilities):
     details: Details = field(default_factory=dict)  # what else is said of variables (FMI 3.0), by name
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
     kind: Kind = CO_SIMULATION
+    compiled: bool = False  # its sources may be compiled where it brings no library for this machine
 
     @classmethod
-    def open(cls, path: Path) -> Fmu:
-        """Unpack and read an FMU, each file once. Raises FmuError: missing, corrupt, or none that can be run here."""
+    def open(cls, path: Path, compiled: bool = False) -> Fmu:
+        """Unpack and read an FMU, each file once. `compiled`: from its sources, where it brings no library for here.
+
+        Raises FmuError: missing, corrupt, or none that can be run here.
+        """
         try:
             status = path.stat()
         except (OSError, ValueError):
             raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`") from None
         unchanged = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
         if path.is_dir() or time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
-            return _read(path)
-        fmu = _read_once(path, cache_folder(), unchanged)
-        return fmu if fmu.library.is_file() else _read(path)  # the cache was emptied by hand
+            return _read(path, compiled)
+        fmu = _read_once(path, cache_folder(), unchanged, compiled)
+        return fmu if fmu.library.is_file() else _read(path, compiled)  # the cache was emptied by hand
 
     @property
     def archive(self) -> Path:
@@ -80,8 +84,8 @@ class Fmu(Capabilities):
 
     @cached_property
     def library(self) -> Path:
-        """The binary for this machine, a file in the folder `binaries`."""
-        return find_library(self.path, self.folder, self.description, self.interface)
+        """The binary for this machine: a file in the folder `binaries`, or what its sources were compiled to."""
+        return find_library(self.path, self.folder, self.description, self.interface, compiled=self.compiled)
 
     @cached_property
     def _elements(self) -> Elements:
@@ -204,18 +208,19 @@ class Fmu(Capabilities):
         }
 
 
-def _read(path: Path) -> Fmu:
+def _read(path: Path, compiled: bool) -> Fmu:
     folder, digest = unpack(path)
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):  # what is wrong with it was lost when it was unpacked
-        found = read_description(path, folder)
+        found = read_description(path, folder, compiled)
     kind = usual_kind(found.description)
-    fmu = Fmu(path, folder, digest, *found._replace(notes=(*notes.all(), *found.notes)), kind=kind)
+    found = found._replace(notes=(*notes.all(), *found.notes))
+    fmu = Fmu(path, folder, digest, *found, kind=kind, compiled=compiled)
     _ = fmu.library  # looked for while it is known to be there
     _ = fmu.places  # an array that cannot be laid out is refused now
     return fmu
 
 
 @cache
-def _read_once(path: Path, _cache: Path, _unchanged: tuple[int, ...]) -> Fmu:
-    return _read(path)
+def _read_once(path: Path, _cache: Path, _unchanged: tuple[int, ...], compiled: bool) -> Fmu:
+    return _read(path, compiled)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import os
 import re
-import shlex
-import zipfile
 from pathlib import Path
 
 import fmpy
@@ -12,6 +11,8 @@ from fmpy.model_description import InterfaceType, ModelDescription
 
 from ...errors import FmuError, listed
 from ..tolerant.rules import LIBRARY, PLATFORM, Notes
+from .compiled import ASKED, compiled_library
+from .sources import build_of
 
 IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"  # a name in C
 LONGEST = 200  # characters of an identifier: it becomes a file name
@@ -43,12 +44,14 @@ def platform_folder(version: int) -> str:
 
 
 def find_library(
-    path: Path, folder: Path, description: ModelDescription, interface: InterfaceType, notes: Notes | None = None
-) -> Path:
-    """The library of an unpacked FMU for this machine and one of its interfaces, always inside its `binaries`.
+    path: Path, folder: Path, description: ModelDescription, interface: InterfaceType, notes: Notes | None = None,
+    compiled: bool = False,
+) -> Path:  # fmt: skip
+    """The library of an unpacked FMU for this machine and one of its interfaces, inside its `binaries`.
 
     One in the folder of another FMI version's name, or of another name where it is the only one, is taken and noted.
-    Raises FmuError if there is none; the text says what there is.
+    `compiled`, or $ROVBRUSH_COMPILE: where there is none, it is made of the FMU's sources. Raises FmuError if there is
+    none; the text says what there is, and what can be done.
     """
     notes, version = notes or Notes(), int(description.fmiMajorVersion)
     identifier, suffix = str(interface.modelIdentifier), fmpy.sharedLibraryExtension
@@ -66,12 +69,16 @@ def find_library(
         if platform != own:
             notes.add(PLATFORM, f"{platform} instead of {own}" if own else platform)
         return found
+    if (compiled or os.environ.get(ASKED)) and (made := compiled_library(path, folder, version, identifier)):
+        return made
     if not own:
         raise FmuError(
             f"FMU {path}: FMI {version}.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "
             f"export it as FMI 3.0"
         )
-    raise FmuError(f"FMU {path} has no binary for {own}; it has {_there(path, folder, ambiguous)}")
+    raise FmuError(
+        f"FMU {path} has no binary for {own}; it has {_there(path, folder, description, interface, ambiguous)}"
+    )
 
 
 def _called(identifier: str, libraries: list[Path]) -> Path | None:
@@ -83,30 +90,23 @@ def _called(identifier: str, libraries: list[Path]) -> Path | None:
     return libraries[0] if len(libraries) == 1 else None
 
 
-def _there(path: Path, folder: Path, ambiguous: str) -> str:
+def _there(path: Path, folder: Path, description: ModelDescription, interface: InterfaceType, ambiguous: str) -> str:
     """What binaries there are, and what can be done."""
     there = sorted(p.name for p in (folder / "binaries").glob("*")) or ["none"]
     if ambiguous:
         return ", ".join(there) + ambiguous
-    return f"{', '.join(there)}; {remedy(path, folder)}"
+    return f"{', '.join(there)}; {remedy(path, folder, description, interface)}"
 
 
-def remedy(path: Path, folder: Path) -> str:
+def remedy(path: Path, folder: Path, description: ModelDescription, interface: InterfaceType) -> str:
     """What helps where an FMU has no library for this machine."""
-    if command := _compiles(path, folder):
-        return f"it carries its sources, which CMake and a C compiler make a library of: `{command}`"
+    try:
+        version, identifier = int(description.fmiMajorVersion), str(interface.modelIdentifier)
+        build = build_of(path, folder, version, identifier) if version > 1 and is_identifier(identifier) else None
+    except FmuError as error:
+        return f"ask for a binary of this platform: {str(error).removeprefix(f'FMU {path}: ')}"
+    if build:
+        return "it carries its sources: --compile makes a library of them, or `compile = true` under its component"
     if any((folder / "sources").glob("**/*.c*")):
         return "ask for a binary of this platform: its sources are not complete, or nothing says how to compile them"
     return "ask for a binary of this platform, or for the sources"
-
-
-def _compiles(path: Path, folder: Path) -> str:
-    """The command that makes a library of an FMU's sources; empty where it would not: it takes sound FMUs only."""
-    try:
-        build = fmpy.read_model_description(path).buildConfigurations[0].sourceFileSets[0]
-        with zipfile.ZipFile(path) as archive:
-            sound = not any("\\" in entry.orig_filename for entry in archive.infolist())
-    except Exception:  # whatever it is that is not as the standard wants it
-        return ""
-    files = [folder / "sources" / name for name in build.sourceFiles]
-    return f"fmpy compile {shlex.quote(str(path))}" if sound and files and all(f.is_file() for f in files) else ""

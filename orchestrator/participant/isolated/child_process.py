@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 from ...errors import FmuError
+from ...fmu.files.compiled import ASKED
 from ...fmu.fmu import Fmu
 from ...processes import end, how_ended, start
 from .channel import Channel, ChannelBrokenError, ChannelClosedError, ChannelSilentError
@@ -31,6 +32,7 @@ class ChildProcess:
             pass_fds=ends,
             stdin=subprocess.DEVNULL,
             start_new_session=True,  # Ctrl-C is for the master
+            env=os.environ | {ASKED: "1"} if fmu.own.compiled else None,
         )
         os.close(to_child)
         os.close(from_child)

@@ -43,7 +43,8 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
     for key in ("parameters", "inputs"):
         file.entry(dict, key, entry, heading)
     table = checked(ComponentTable, entry, f"component {name}", file, heading)
-    fmu = file.made[name] if name in file.made else Fmu.open(_path_of(table.fmu, file.path.parent, fmus))
+    path = _path_of(table.fmu, file.path.parent, fmus)
+    fmu = file.made[name] if name in file.made else Fmu.open(path, table.compile)
     if table.kind is not None:
         try:
             fmu = fmu.of_kind(table.kind)

@@ -64,6 +64,9 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             "must not be read again at an instant"
         ),
     ] = "stated"
+    compile: Annotated[
+        bool, Meta(description="true: its C or C++ sources are compiled where it brings no library for this machine")
+    ] = False
     units: Annotated[
         dict[str, str] | str,
         Meta(

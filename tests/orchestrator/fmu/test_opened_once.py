@@ -17,7 +17,7 @@ def reads(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
     """The files that are read, in their order."""
     seen: list[Path] = []
     original = opening.read_description
-    monkeypatch.setattr(opening, "read_description", lambda path, folder: seen.append(path) or original(path, folder))
+    monkeypatch.setattr(opening, "read_description", lambda path, *more: seen.append(path) or original(path, *more))
     return seen
 
 

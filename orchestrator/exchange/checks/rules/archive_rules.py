@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import itertools
+import os
 import posixpath
 import zipfile
 from collections.abc import Iterator
 
-from ....errors import counted, listed
-from ....fmu.files.binary import LONGEST, is_identifier, remedy
+from ....errors import FmuError, counted, listed
+from ....fmu.files.binary import LONGEST, find_library, is_identifier, remedy
+from ....fmu.files.compiled import ASKED
 from ..rows import Row, judged
 from ..subject import PLATFORMS, Subject, suffix
 
@@ -77,10 +79,19 @@ def _binaries(subject: Subject) -> Iterator[Row]:
 
 
 def loadable_row(subject: Subject) -> Row:
-    """Whether there is a binary for this machine, and if not, what can be done."""
+    """Whether there is a binary for this machine, or one was made, and if not, what can be done."""
     rule, platform = "binary for this machine", subject.platform
     library = f"{subject.interface.modelIdentifier}{suffix(platform)}"
     if library in subject.binaries.get(platform, ()):
         return Row("dry run", rule, "pass", f"binaries/{platform}/{library}")
+    if os.environ.get(ASKED) and is_identifier(subject.interface.modelIdentifier):
+        try:
+            made = find_library(subject.path, subject.folder, subject.description, subject.interface)
+        except FmuError as error:
+            found = str(error).removeprefix(f"FMU {subject.path}").lstrip(": ")
+            return Row("dry run", rule, "error", found, "pack sources that compile, or a binary of this platform")
+        return Row("dry run", rule, "pass", f"{made.name}, compiled from its sources")
     found = f"none for {platform}; there is {listed(subject.binaries) or 'none at all'}"
-    return Row("dry run", rule, "error", found, remedy(subject.path, subject.folder))
+    return Row(
+        "dry run", rule, "error", found, remedy(subject.path, subject.folder, subject.description, subject.interface)
+    )
