@@ -16,6 +16,7 @@ from ..errors import FmuError
 from ..units import Definition, Unit
 from .attributes import start_value
 from .capabilities import Capabilities
+from .clocks import ClockVariable, read_clocks
 from .description import read_description
 from .details import Details
 from .files.archive import opened
@@ -123,6 +124,15 @@ class Fmu(Capabilities):
             for elements in self._elements.values()
             for k, (name, v) in enumerate(elements.items())
         }
+
+    @cached_property
+    def clocks(self) -> dict[str, ClockVariable]:
+        """The clocks of FMI 3.0, by all of their names."""
+        return read_clocks(self.description.modelVariables, self.details) if self.version == 3 else {}
+
+    def clocks_of(self, name: str) -> tuple[str, ...]:
+        """The clocks at whose ticks alone a scalar may be set and got, outside of initialization."""
+        return tuple(clock.name for clock in self.variables[name].clocks or ())
 
     @cached_property
     def aliases(self) -> dict[str, str]:

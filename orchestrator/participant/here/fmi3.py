@@ -1,4 +1,4 @@
-"""An instance of an FMI 3.0 FMU in this process: no event mode, no early return, no intermediate update."""
+"""An instance of an FMI 3.0 FMU in this process: no intermediate update; with event mode see `event_mode.py`."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _log_of_any(environment: Any, status: int, category: bytes, message: bytes) 
         instance._log(status, category, message)
 
 
-_LOGGER = fmi3.fmi3LogMessageCallback(_log_of_any)
+LOGGER = fmi3.fmi3LogMessageCallback(_log_of_any)
 
 
 class FMU3Instance(Judged, fmi3.FMU3Slave):  # type: ignore[misc]
@@ -40,35 +40,37 @@ class Fmi3Instance(LoadedInstance):
 
     prefix = PREFIX[3]
     state_functions = STATE_FUNCTIONS[3]
+    kind: type[Any] = FMU3Instance  # fmpy's, which binds the functions
+    event_mode = False  # whether the FMU is told that events are handled, and that its steps may end early
     span: tuple[float, float | None] | None = None  # s, the start and the stop of the run
 
     def instantiate(self) -> None:
         try:
             with fresh_library(self.fmu) as library:
-                self.slave = FMU3Instance(
+                self.slave = self.kind(
                     guid=self.fmu.description.instantiationToken,
                     modelIdentifier=str(library.with_suffix("")),  # of which fmpy makes the path of the library
                     unzipDirectory=str(self.fmu.folder),
                     instanceName=self.name,
                 )
-            self._instantiate()
+            _LOGGING[id(self)] = self
+            self.slave.component = self._create()
+            if not self.slave.component:
+                raise FmuError("it gave no instance")
         except Exception as error:
             raise refused(self.fmu, self.name, error, self.reasons()) from error
 
-    def _instantiate(self) -> None:
-        """As fmpy does it, with an environment by which its messages are known."""
-        _LOGGING[id(self)] = self
+    def _create(self) -> Any:
+        """The instance, as fmpy makes it, with an environment by which its messages are known."""
         self._row = Row(id(self), self.log.logging == "all")
         slave, nothing = self.slave, fmi3.fmi3IntermediateUpdateCallback()
-        logger = fmi3.fmi3LogMessageCallback(filtered(3, address_of(_LOGGER)))
-        self._callbacks = logger, nothing  # alive as long as the FMU may call them
+        logger = fmi3.fmi3LogMessageCallback(filtered(3, address_of(LOGGER)))
+        self._callbacks: tuple[Any, ...] = logger, nothing  # alive as long as the FMU may call them
         folder = f"{self.fmu.folder / 'resources'}{os.sep}"
-        slave.component = slave.fmi3InstantiateCoSimulation(
-            self.name.encode(), slave.guid.encode(), folder.encode(), False, self.asked_for_all, False, False,
-            (fmi3.fmi3ValueReference * 0)(), 0, id(self), logger, nothing,
+        return slave.fmi3InstantiateCoSimulation(
+            self.name.encode(), slave.guid.encode(), folder.encode(), False, self.asked_for_all, self.event_mode,
+            self.event_mode, (fmi3.fmi3ValueReference * 0)(), 0, id(self), logger, nothing,
         )  # fmt: skip
-        if not slave.component:
-            raise FmuError("it gave no instance")
 
     def _log(self, status: int, category: bytes, message: bytes) -> None:
         words = ((part or b"").decode("utf-8", "replace").strip() for part in (category, message))

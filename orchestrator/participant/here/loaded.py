@@ -28,6 +28,7 @@ class LoadedInstance(Participant):
     """An instance whose library is in this process; `slave` is fmpy's. Raises FmuError if the FMU refuses."""
 
     slave: Any
+    between = State.STEPPING  # where it is when a state that was kept elsewhere is restored
 
     def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
         super().__init__(fmu, name, logging, tolerance)
@@ -135,7 +136,7 @@ class LoadedInstance(Participant):
 
     def restore(self, state: int) -> None:
         self.call("restore", "restore its state", self.slave.setFMUState, ctypes.c_void_p(state))
-        self.state = self.modes.get(state, State.STEPPING)
+        self.state = self.modes.get(state, self.between)
 
     def forget(self, state: int) -> None:
         self.call("forget", "forget a state", self.slave.freeFMUState, ctypes.c_void_p(state))
