@@ -17,7 +17,8 @@ from numba.extending import intrinsic, overload
 
 _INT64 = ir.IntType(64)
 _INT32 = ir.IntType(32)
-STEP_FLAGS = 16  # bytes: event handling needed, terminate simulation, early return; from byte 8 the last time reached
+STEP_FLAGS = 16  # bytes that a step of FMI 3.0 writes
+EVENT_NEEDED, TERMINATES, EARLY_RETURN, LAST_TIME = 0, 1, 2, 8  # where: three flags, and the last time that it reached
 
 
 @cache

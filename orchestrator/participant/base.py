@@ -114,6 +114,11 @@ class Participant(ABC):
     def deserialize(self, content: bytes) -> int:
         """A state from bytes, kept and ready for `restore`."""
 
+    @property
+    def events(self) -> Any:
+        """Itself where it has events of its own: see `run.events.handler.EventMode`; None where it has none."""
+        return None
+
     @abstractmethod
     def close(self) -> str:
         """End its life as its state allows: terminate, free. What went wrong in that; empty if nothing did."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -26,6 +26,16 @@ class Stored(Protocol):
 
     def finish(self, path: Any, complete: bool, partly: bool = False) -> None:
         """Say how the run ended, and rename the file, without rows that the disk refused if `partly`."""
+
+
+class EventRow(NamedTuple):
+    """What is true in an event: the instant [s], a number in the order of what happens there, 0 before it; what
+    happened, in words; cells of all recorded signals, of the first table first."""
+
+    time: float
+    number: int
+    what: str
+    cells: np.ndarray
 
 
 @dataclass
@@ -53,6 +63,7 @@ class Run:
     notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
     messages: list[str] = field(default_factory=list)  # what FMUs logged
     ended: str = ""  # who asked to end the run before its stop, and when
+    events: list[EventRow] = field(default_factory=list)
 
     @property
     def simulated(self) -> float:

@@ -16,6 +16,7 @@ from .memory.memory import Memory
 from .position import Position
 from .recording.recorder import Recorder
 
+NO_ROWS = (np.zeros(0, dtype=np.int64), np.zeros((0, 3), dtype=np.int64), np.zeros(1), np.zeros(1, dtype=np.int64))
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 
 
@@ -24,30 +25,30 @@ class Blocks:
 
     def __init__(
         self, function: Callable[..., int], plan: Plan, instances: dict[str, Participant], memory: Memory,
-        recorder: Recorder, space: AlgorithmState, control: np.ndarray,
+        space: AlgorithmState, control: np.ndarray,
     ) -> None:  # fmt: skip
-        self.function, self.plan, self.memory, self.recorder = function, plan, memory, recorder
+        self.function, self.plan, self.memory = function, plan, memory
         self.space, self.control = space, control
         self.components, self.blocks, self.typed = memory.tables(instances)
         self.began = 0.0  # s from the start of the process to the end of the first block
         self._size, self._looked = 1, 0.0
 
-    def size(self, at: Position, cycles: int) -> int:
+    def size(self, at: Position, cycles: int, recorder: Recorder) -> int:
         """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
-        return 1 if at.operation else self.recorder.make_room(min(self._size, cycles))
+        return 1 if at.operation else recorder.make_room(min(self._size, cycles))
 
     def no_more_inputs(self, component: int) -> None:
         """Set nothing more of a component, which has asked to end: FMI allows to read it only."""
         self.components[component, cells.LAST_IN] = self.components[component, cells.FIRST_IN]
 
-    def run(self, at: Position, size: int) -> tuple[int, bool]:
+    def run(self, at: Position, size: int, recorder: Recorder) -> tuple[int, bool]:
         """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
         clock = self.plan.clock
         self.control[cells.RESUME_AT] = at.operation
         begin = time.perf_counter()
         code = self.function(
             self.plan.operations(at.cycle), self.plan.coefficients, self.components, self.blocks, self.memory.z,
-            *self.typed, *self.recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
+            *self.typed, *recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
             clock.numerator, clock.denominator,
         )  # fmt: skip
         spent = time.perf_counter() - begin
@@ -57,3 +58,16 @@ class Blocks:
         self.began = self.began or seconds_since_start()
         self._size = max(1, min(2 * self._size, int(size * BLOCK / max(spent, 1e-6))))
         return code, due
+
+    def run_rows(self, rows: np.ndarray, cycle: int) -> int:
+        """Do some operations at once, as of a cycle, whatever the loop is waiting for; the code that it ends with."""
+        control, clock = self.control, self.plan.clock
+        kept = control[[cells.STOP_REQUEST, cells.ENDS_AT]]
+        control[[cells.STOP_REQUEST, cells.ENDS_AT, cells.RESUME_AT]] = 0, cells.NEVER, 0
+        code = self.function(
+            rows, self.plan.coefficients, self.components, self.blocks, self.memory.z, *self.typed, *NO_ROWS,
+            self.control, *self.space.arrays, cycle, 1, self.plan.cycle_ticks, clock.numerator, clock.denominator,
+        )  # fmt: skip
+        control[cells.STOP_REQUEST] = max(control[cells.STOP_REQUEST], kept[0])
+        control[cells.ENDS_AT] = kept[1]
+        return code

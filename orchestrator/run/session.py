@@ -7,16 +7,18 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from ..errors import InputError, RunError
+from ..errors import InputError, RovbrushError, RunError
 from ..loop import cells
 from ..loop.compiled import compiled_run
 from ..loop.run import run
+from ..participant.base import AskedToEndError
 from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
 from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
+from .events.handler import EventHandler
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -71,13 +73,23 @@ class Session:
                 self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
                 self._access = Access(plan, self.memory, self.instances)
+                self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
+                self.events = self._event_handler()
+                if self.events:
+                    self.events.begin()
                 self.recorder = Recorder(plan, self.memory, file)
-                self._blocks = Blocks(
-                    function, plan, self.instances, self.memory, self.recorder, self.space, self.control
-                )
             except BaseException:
                 self.participants.abandon()
                 raise
+
+    def _event_handler(self) -> EventHandler | None:
+        moments = self.space.moments
+        if moments is None:
+            return None
+        blocks, control = self._blocks, self.control
+        return EventHandler(
+            self.plan, self.instances, self.memory, moments, control, blocks.components, blocks.run_rows
+        )
 
     @property
     def time(self) -> float:
@@ -130,11 +142,18 @@ class Session:
         if not plan.adaptive and self.at.cycle < clock.cycles:  # what is left behind them is done by itself
             cycles = min(cycles, clock.cycles - self.at.cycle)
         try:
-            size = self._blocks.size(self.at, cycles)
+            size = self._blocks.size(self.at, cycles, self.recorder)
         except RunError as error:  # the disk refuses: what was computed is not to be lost for it
             self.failure = f"t = {self.at.time:.9g} s: {error}"
             return
-        code, due = self._blocks.run(self.at, size)
+        begin = self.at.cycle
+        code, due = self._blocks.run(self.at, size, self.recorder)
+        while self.events and code in (cells.PAUSED, cells.ENDED, cells.BAD_STATUS) and self._handled(code):
+            if self.over:
+                return
+            size -= self.at.cycle - begin
+            begin = self.at.cycle
+            code, due = self._blocks.run(self.at, size, self.recorder) if size else (cells.DONE, due)
         reached = clock.time(min(self.tick + size * plan.cycle_ticks, clock.stop))
         self.participants.look_around(f"before t = {reached:.9g} s", due)
         if due:
@@ -155,7 +174,31 @@ class Session:
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
             self.at.time = clock.time(self.tick)
-            self._over = clock.start + self.tick >= self.control[cells.ENDS_AT]
+            self._over = clock.start + self.tick >= self._ends_at
+
+    @property
+    def _ends_at(self) -> int:
+        """The instant [ticks from time 0] behind which a component does not want to go on."""
+        return self.events.ends_at if self.events else int(self.control[cells.ENDS_AT])
+
+    def _handled(self, code: int) -> bool:
+        """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
+        assert self.events is not None
+        cycle = int(self.control[cells.AT_CYCLE])
+        try:
+            operation = self.events.paused(code)
+        except RovbrushError as error:
+            self.at.cycle, self.at.operation = cycle, int(self.control[cells.AT_OPERATION])
+            self.at.time = float(self.events.rows[-1].time) if self.events.rows else self.at.time
+            if isinstance(error, AskedToEndError):
+                self.ended, self._over = "\n".join(filter(None, [self.ended, str(error)])), True
+            else:
+                self.failure = str(error)
+            return True
+        if operation is not None:
+            whole = operation == len(self.plan.operations(cycle))
+            self.at.cycle, self.at.operation = (cycle + 1, 0) if whole else (cycle, operation)
+        return operation is not None
 
     def _asked_to_end(self) -> bool:
         """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
@@ -168,10 +211,12 @@ class Session:
         self._blocks.no_more_inputs(asked.component)
         self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
         if asked.whole and not plan.algorithm.saves_states:
-            control[cells.ENDS_AT] = min(plan.clock.start + asked.tick, int(control[cells.ENDS_AT]))
+            control[cells.ENDS_AT] = min(plan.clock.start + asked.tick, self._ends_at)
+            if self.events:
+                self.events.end_at(int(control[cells.ENDS_AT]))
             if self.at.operation == len(plan.operations(self.at.cycle)):
                 self.at.cycle, self.at.operation = self.at.cycle + 1, 0
-                self._over = not plan.adaptive or plan.clock.start + self.tick >= control[cells.ENDS_AT]
+                self._over = not plan.adaptive or plan.clock.start + self.tick >= self._ends_at
         else:
             self._over = True
         if self._over:
@@ -231,6 +276,7 @@ class Session:
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated, self.participants.notes,
             self.participants.messages(), self.ended,
+            self.events.rows if self.events else [],
         )  # fmt: skip
 
     def close(self) -> None:

@@ -14,14 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...loop import cells, versions
-from ...loop.operations import STEP
+from ...loop.calls import EARLY_RETURN, LAST_TIME
+from ...loop.operations import STEP, STEP_ON
 from ...participant.base import Participant
 from ...participant.lifecycle import DISCARD
 from ...plan.plan import Plan
 from ..memory.algorithm_state import AlgorithmState
 
 NEARLY = 1e-9  # of a step, by which what an FMU says that it reached may miss the step's end
-EARLY_RETURN, REACHED = 2, 8  # bytes behind the first flag of a step of FMI 3.0
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def asked_to_end(
     """What the component that stopped the loop asks for; None if it does not ask to end. Arrays as in `loop.run`."""
     operation = plan.operations(int(control[cells.AT_CYCLE]))[control[cells.AT_OPERATION]]
     status = int(control[cells.STATUS])
-    if operation[0] != STEP or status not in (versions.TERMINATE, DISCARD):
+    if operation[0] not in (STEP, STEP_ON) or status not in (versions.TERMINATE, DISCARD):
         return None
     k = int(operation[2])
     name, instance = list(instances.items())[k]
@@ -51,7 +51,7 @@ def asked_to_end(
     if status == versions.TERMINATE:
         flags = int(components[k, cells.FLAGS])
         if ctypes.c_ubyte.from_address(flags + EARLY_RETURN).value:
-            reached = ctypes.c_double.from_address(flags + REACHED).value
+            reached = ctypes.c_double.from_address(flags + LAST_TIME).value
     else:
         instance.noted("step", status)
         if instance.dead or not instance.terminated():

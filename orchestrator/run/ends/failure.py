@@ -8,7 +8,7 @@ import numpy as np
 
 from ...fmu.types import decode
 from ...loop import cells, versions
-from ...loop.operations import SET, SOLVE, STEP
+from ...loop.operations import SET, SOLVE, STEP, STEP_ON
 from ...participant.base import Participant
 from ...participant.lifecycle import DISCARD, FATAL, PENDING, status_text
 from ...plan.plan import Plan
@@ -45,20 +45,29 @@ def failure_of(
         end = clock.time(begin)
     if code == cells.INTERRUPTED:
         return end, f"interrupted by the user at t = {end:.9g} s"
+    if code == cells.NOT_CONVERGED and row[0] != SOLVE:
+        return end, plan.algorithm.failure(plan, space.loop, at)
+    instant = clock.time(begin + int(row[1])) if row[0] == SOLVE else at
+    return end, failed_at(plan, instances, code, control, z, row, f"t = {instant:.9g} s")
+
+
+def failed_at(
+    plan: Plan, instances: Mapping[str, Participant], code: int, control: np.ndarray, z: np.ndarray, row: np.ndarray,
+    at: str, event: bool = False,
+) -> str:  # fmt: skip
+    """What happened in an operation, of a cycle or of an event."""
     if row[0] == SOLVE and code == cells.NOT_CONVERGED:
-        loop, instant = plan.layout.loops[int(row[2])], clock.time(begin + int(row[1]))
-        loops = plan.system.loops
-        return end, (
-            f"Newton's method finds no solution of the algebraic {loop} at t = {instant:.9g} s within "
+        loop, loops = plan.layout.loops[int(row[2])], plan.system.loops
+        return (
+            f"Newton's method finds no solution of the algebraic {loop} at {at} within "
             f"{loops.tolerance:g} in {loops.max_iterations} iterations ([loops]); break it with a state, "
             'or forbid reading again with direct = "off" under [components.NAME]'
         )
     if code == cells.UNFIT:
-        return end, f"{_unfit(plan, row, z, int(control[cells.SLOT]))} at t = {at:.9g} s"
-    if code == cells.NOT_CONVERGED:
-        return end, plan.algorithm.failure(plan, space.loop, at)
-    did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] == STEP else "get")
-    return end, f"component {name}{did} in the step to t = {at:.9g} s{hint}"
+        return f"{_unfit(plan, row, z, int(control[cells.SLOT]))} at {at}"
+    name = list(plan.system.components)[row[2]]
+    did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] in (STEP, STEP_ON) else "get")
+    return f"component {name}{did} {'at the event at' if event else 'in the step to'} {at}{hint}"
 
 
 def _unfit(plan: Plan, row: np.ndarray, z: np.ndarray, slot: int) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from ...participant.base import Participant
 from ...plan.algorithms.base import LoopArrays
 from ...plan.plan import Plan
+from .moments import Moments
 
 
 @dataclass
@@ -19,6 +20,7 @@ class AlgorithmState:
     solver: np.ndarray
     states: np.ndarray
     state_calls: np.ndarray
+    moments: Moments | None = None  # cells of the solver's memory, where there are events
 
     @property
     def clock(self) -> np.ndarray:
@@ -36,6 +38,11 @@ def make_state(plan: Plan, instances: dict[str, Participant]) -> AlgorithmState:
         plan.algorithm.arrays(plan), plan.layout.loop_memory(), np.zeros(count, dtype=np.int64),
         np.zeros((count, 3), dtype=np.int64),
     )  # fmt: skip
+    if plan.events:
+        loops = len(state.solver)
+        state.solver = np.concatenate([state.solver, np.zeros(Moments.size(count))])
+        state.moments = Moments(state.solver[loops:], count)
+        state.moments.begin(plan.clock.time(0))
     if plan.algorithm.saves_states:
         for k, instance in enumerate(instances.values()):
             if instance.fmu.can_save_state:

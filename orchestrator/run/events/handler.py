@@ -1,0 +1,177 @@
+"""Events of a run: when the loop is to pause, and what is done then.
+
+An event comes from a step that ends early, from a participant that has announced it, or from the system (`[[events]]`).
+At its instant everybody who can be there is; values and discrete states go round until nothing changes any more.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Protocol
+
+import numpy as np
+
+from ...errors import RunError
+from ...loop import cells
+from ...loop.operations import STEP_ON
+from ...participant.base import Participant
+from ...plan.events import Known
+from ...plan.plan import Plan
+from ...results.tables import EventRow
+from ..memory.memory import Memory
+from ..memory.moments import Moments
+from .instant import Instant, Place, RunRows, exactly
+
+MOST_ROUNDS = 1000  # of one instant
+
+
+class EventMode(Protocol):
+    """A participant that has events of its own."""
+
+    name: str
+
+    def enter_event_mode(self) -> None:
+        """Before anything of an instant is done; nothing where it is in event mode already."""
+
+    def happen(self, now: Fraction) -> str:
+        """What is due for it at an instant [s], its clocks among them; in words, empty if nothing is."""
+
+    def update(self) -> bool:
+        """End a round; whether it asks for another one. Raises AskedToEndError."""
+
+    def leave_event_mode(self) -> None:
+        """Nothing more happens at this instant."""
+
+    def next_instant(self) -> Fraction | None:
+        """When something is due for it next [s]; None if it does not know of anything."""
+
+
+class Happenings(Protocol):
+    """Events that the system states."""
+
+    def next_instant(self) -> Fraction | None:
+        """When the next one is due [s]; None if none is."""
+
+    def happen(self, now: Fraction) -> str:
+        """Do what is due at an instant [s]; in words, empty if nothing is."""
+
+
+class EventHandler:
+    """`modes`: the participants that have event mode, by name; `others`: what else happens."""
+
+    def __init__(
+        self, plan: Plan, instances: Mapping[str, Participant], memory: Memory, moments: Moments,
+        control: np.ndarray, components: np.ndarray, run: RunRows, others: Sequence[Happenings] = (),
+    ) -> None:  # fmt: skip
+        self.plan, self.instances, self.memory, self.moments, self.control = plan, instances, memory, moments, control
+        self.instant = Instant(plan, instances, memory, moments, control, components, run)
+        self.modes: dict[str, EventMode] = {n: mode for n, i in instances.items() if (mode := i.events) is not None}
+        self.others = others
+        self.rows: list[EventRow] = []
+        self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
+        self.ends_at = cells.NEVER  # ticks from time 0; behind it a component does not want to go on
+        self._same = 0  # events at one instant, one behind the other
+
+    def begin(self) -> None:
+        """Behind initialization, where participants with event mode are in it. Raises RunError, AskedToEndError."""
+        self._go_round(Place(self.plan, 0, 0), Fraction(self.plan.clock.start) * self.plan.clock.seconds(1), "start")
+        self.plan_next()
+
+    def end_at(self, tick: int) -> None:
+        """The run is to end behind an instant [ticks from time 0]."""
+        self.ends_at = tick
+        self.plan_next()
+
+    def plan_next(self) -> None:
+        """Tell the loop where to pause next."""
+        self.control[cells.EVENT_AT], self.control[cells.ENDS_AT] = cells.NEVER, self.ends_at
+        known = [when for one in (*self.modes.values(), *self.others) if (when := one.next_instant()) is not None]
+        if not known:
+            return
+        clock, ticks = self.plan.clock, exactly(self.plan, min(known))
+        if ticks.denominator == 1 and (any(ticks % p == 0 for p in clock.periods.values()) or ticks == clock.stop):
+            self.control[cells.EVENT_AT] = clock.start + int(ticks)
+        else:
+            self.control[cells.ENDS_AT] = min(self.ends_at, clock.start + math.ceil(ticks) - 1)
+
+    def paused(self, code: int) -> int | None:
+        """Handle why the loop came back; the operation with which it goes on in its cycle, None if that was no event.
+
+        Raises RunError for what goes wrong, AskedToEndError.
+        """
+        cycle, operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
+        place = Place(self.plan, cycle, operation)
+        row = place.rows[operation]
+        if code == cells.PAUSED:
+            now = self.plan.clock.seconds(self.plan.clock.start + place.base + int(row[1]))
+            self._go_round(place, now, "")
+            operation += 1
+        elif code == cells.ENDED and self.plan.clock.start + place.base + int(row[1]) <= self.ends_at:
+            known = [when for one in (*self.modes.values(), *self.others) if (when := one.next_instant()) is not None]
+            self._go_round(place, min(known), "")
+        elif code == cells.BAD_STATUS and row[0] == STEP_ON:
+            k = int(row[2])
+            stopped = self.instant.stopped_early(k, place.time_of(int(row[3] + row[4])))
+            if stopped is None:
+                return None
+            time, happened = stopped
+            self._require_progress(time, self.instant.names[k])
+            if happened:
+                self._go_round(place, Fraction(time), f"{self.instant.names[k]} has an event")
+        else:
+            return None
+        self.plan_next()
+        return operation
+
+    def _go_round(self, place: Place, now: Fraction, cause: str) -> None:
+        time, known = float(now), place.known(float(now))
+        assert self.plan.events is not None
+        for name in self.plan.order:
+            if name in self.plan.events.stopped:
+                while not self.instant.bring(name, place, time):
+                    at = float(self.moments.reached[self.instant.names.index(name)])
+                    self._require_progress(at, name)
+                    self._rounds(place, frozenset((name,)), Fraction(at), f"{name} has an event", alone=True)
+        self._rounds(place, known, now, cause)
+
+    def _rounds(self, place: Place, known: Known, now: Fraction, cause: str, alone: bool = False) -> None:
+        """Values and discrete states until nothing changes; `alone`: a component that others cannot meet there."""
+        time = float(now)
+        modes = [self.modes[name] for name in self.plan.order if name in known and name in self.modes]
+        self._row(time, 0, cause)
+        for mode in modes:
+            mode.enter_event_mode()
+        done = [] if alone else [words for other in self.others if (words := other.happen(now))]
+        number = 0
+        for _ in range(MOST_ROUNDS):
+            done += [words for mode in modes if (words := mode.happen(now))]
+            changed = not alone and self.instant.values(place, known, time)
+            again = any([mode.update() for mode in modes])
+            if changed or again or done:
+                number += 1
+                self._row(time, number, "; ".join(done))
+            if not changed and not again and not done:
+                break
+            done = []
+        else:
+            names = ", ".join(mode.name for mode in modes) or "the connections"
+            raise RunError(
+                f"the events at t = {time:.9g} s do not settle: after {MOST_ROUNDS} rounds {names} "
+                f"still ask for another one, or values still change"
+            )
+        for mode in modes:
+            mode.leave_event_mode()
+
+    def _require_progress(self, time: float, cause: str) -> None:
+        """Raise RunError where one step after the other ends at the same instant."""
+        self._same = self._same + 1 if self.rows and self.rows[-1].time == time else 0
+        if self._same > MOST_ROUNDS:
+            raise RunError(
+                f"time stands still at t = {time:.9g} s: {MOST_ROUNDS} steps have ended there, one behind the other "
+                f"({cause}); an event may switch itself on and off (chattering), which a hysteresis would end"
+            )
+
+    def _row(self, time: float, number: int, what: str) -> None:
+        self.rows.append(EventRow(time, number, what, self.memory.z[self.slots]))

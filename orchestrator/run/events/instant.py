@@ -1,0 +1,112 @@
+"""One instant of an event: who takes part, how they are brought there, and the values among them."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+
+import numpy as np
+
+from ...errors import RunError
+from ...loop import cells, versions
+from ...loop.calls import EARLY_RETURN, EVENT_NEEDED, LAST_TIME
+from ...loop.operations import SAMPLE, SERIES, STEP_ON
+from ...loop.run import FOREVER
+from ...participant.base import Participant
+from ...plan.events import EventRows, Known, starts_behind
+from ...plan.plan import Plan
+from ...plan.schedule.event_rows import at_instant
+from ..ends.failure import failed_at
+from ..memory.memory import Memory
+from ..memory.moments import Moments
+
+RunRows = Callable[[np.ndarray, int], int]  # does operations in the loop, as of a cycle; the code that it ends with
+
+
+class Place:
+    """Where the loop stands: a cycle, an operation of it that is not done yet, and where each component is."""
+
+    def __init__(self, plan: Plan, cycle: int, operation: int) -> None:
+        self.plan, self.cycle, self.operation = plan, cycle, operation
+        self.rows = plan.operations(cycle)
+        last = cycle >= plan.clock.cycles
+        self.base = cycle * plan.cycle_ticks  # ticks from the start
+        span = plan.clock.rest if last else plan.clock.hyperperiod
+        self.starts = starts_behind(self.rows, operation, len(plan.system.components), span)
+        self.event_rows: EventRows = plan.at_last_events if last else plan.at_events
+
+    def time_of(self, tick: int) -> float:
+        """An instant of the cycle [ticks] as the loop has it [s]."""
+        return self.plan.clock.time(self.base + tick)
+
+    def known(self, time: float) -> Known:
+        """Who is at an instant [s], or behind it, or is brought there."""
+        events = self.plan.events
+        assert events is not None
+        there = [int(self.time_of(start) >= time) for start in self.starts]
+        return at_instant(there, list(self.plan.system.components), 1, events.stopped, self.plan.early)
+
+
+class Instant:
+    """The work of an event; `run` calls the loop with a few operations."""
+
+    def __init__(
+        self, plan: Plan, instances: Mapping[str, Participant], memory: Memory, moments: Moments,
+        control: np.ndarray, components: np.ndarray, run: RunRows,
+    ) -> None:  # fmt: skip
+        self.plan, self.instances, self.memory, self.moments = plan, instances, memory, moments
+        self.control, self.components, self._run = control, components, run
+        self.names = list(plan.system.components)
+
+    def bring(self, name: str, place: Place, time: float) -> bool:
+        """Bring a component that can be stopped to an instant [s], if it is not there; False if an event of its own
+        stopped it before. Raises RunError if it cannot be brought there."""
+        k = self.names.index(name)
+        start = place.starts[k]
+        if max(place.time_of(start), float(self.moments.reached[k])) >= time:
+            return True
+        self.moments.latest = time
+        code = self._do(place.event_rows.bring[name], place, start)
+        self.moments.latest = FOREVER
+        if code == cells.BAD_STATUS and self.stopped_early(k, time) is not None:
+            return False
+        self._require(code, time)
+        return True
+
+    def stopped_early(self, component: int, end: float) -> tuple[float, bool] | None:
+        """How far a step to `end` [s] went that an event ended, and whether something happened there; None where that
+        was not why it ended. The component is there then."""
+        status = int(self.control[cells.STATUS])
+        if status not in (versions.EARLY, versions.EVENT):
+            return None
+        flags = int(self.components[component, cells.FLAGS])
+        early = ctypes.c_ubyte.from_address(flags + EARLY_RETURN).value
+        reached = min(ctypes.c_double.from_address(flags + LAST_TIME).value, end) if early else end
+        self.moments.reached[component] = reached
+        return reached, bool(ctypes.c_ubyte.from_address(flags + EVENT_NEEDED).value)
+
+    def values(self, place: Place, known: Known, time: float) -> bool:
+        """Values along the held connections among those at an instant; whether any has changed."""
+        before = self.memory.whole.copy()
+        self._require(self._do(place.event_rows.after[known], place, 0), time)
+        return not np.array_equal(before, self.memory.whole)
+
+    def _do(self, rows: np.ndarray, place: Place, start: int) -> int:
+        """Do operations that are listed as from the start of a cycle for a step that begins at `start`."""
+        self._rows = rows.copy()
+        self._rows[self._rows[:, 0] == STEP_ON, 4] += start
+        self._rows[(self._rows[:, 0] == SERIES) | (self._rows[:, 0] == SAMPLE), 5] += start
+        return self._run(self._rows, place.cycle)
+
+    def _require(self, code: int, time: float) -> None:
+        if code != cells.DONE:
+            row, at = self._rows[int(self.control[cells.AT_OPERATION])], f"t = {time:.9g} s"
+            raise RunError(failed_at(self.plan, self.instances, code, self.control, self.memory.z, row, at, True))
+
+
+def exactly(plan: Plan, time: float | Fraction) -> Fraction:
+    """An instant [s] in ticks from the start; where it is the double of a whole tick, that."""
+    clock = plan.clock
+    ticks = Fraction(time) / clock.seconds(1) - clock.start
+    return Fraction(round(ticks)) if clock.time(round(ticks)) == float(time) else ticks
