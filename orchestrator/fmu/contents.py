@@ -15,6 +15,7 @@ from .description import described
 from .files.unpacked import unpack
 from .fmu import Fmu
 from .kinds import FIELDS, usual_kind
+from .terminals import as_data
 
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",
@@ -58,6 +59,7 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
             key: value for key in FLAGS if (value := getattr(fmu.interface, key, None)) not in (None, False, 0, "0")
         },
         "experiment": experiment,
+        "terminals": as_data(fmu.terminals),
         "variables": [_variable(fmu, v) for v in d.modelVariables],
     }  # fmt: skip
 

@@ -21,6 +21,7 @@ from .details import Details, details_of, leave_to_fmpy
 from .files.binary import check_identifiers, find_library
 from .fmi1.translate import as_fmi2, negated_names
 from .kinds import interface_of, kinds_of, require_kind, usual_kind
+from .terminals import Terminal, terminals_of
 from .tolerant.head import mend_head, mend_version, version_of
 from .tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
 from .tolerant.structure import mend_structure
@@ -39,6 +40,7 @@ class Described(NamedTuple):
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
     details: Details = MappingProxyType({})  # what else is said of variables (FMI 3.0)
+    terminals: Mapping[str, Terminal] = MappingProxyType({})  # by name, with those inside of others
 
 
 def read_description(path: Path, folder: Path, compiled: bool = False) -> Described:
@@ -105,8 +107,9 @@ def described(path: Path, folder: Path) -> Described:
         e.get("name"): [start.get("value") for start in e.iterfind("Start")]
         for e in root.iterfind("ModelVariables/String")
     }
+    terminals = terminals_of(path, folder, {v.name for v in description.modelVariables}, notes)
     negated = negated_names(root) if stated_version == 1 else frozenset[str]()
-    return Described(description, texts, definitions_of(root), notes.all(), negated, details)
+    return Described(description, texts, definitions_of(root), notes.all(), negated, details, terminals)
 
 
 def _compare(root: Any, version: int, notes: Notes) -> None:

@@ -23,6 +23,7 @@ from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
+from .terminals import Terminal
 from .tolerant.rules import Note, Notes
 from .types import REALS, TYPES, FmiType, Value
 from .variables import Elements, Place, elements_of
@@ -43,6 +44,7 @@ class Fmu(Capabilities):
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
     details: Details = field(default_factory=dict)  # what else is said of variables (FMI 3.0), by name
+    terminals: Mapping[str, Terminal] = field(default_factory=dict)  # by name, with those inside of others
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
     kind: Kind = CO_SIMULATION
     compiled: bool = False  # its sources may be compiled where it brings no library for this machine

@@ -52,6 +52,19 @@ def info(
         cells = [(v["name"], _type(v), _unit(v), _range(v), _start(v), _told(v)) for v in shown]
         headings = ("name", "type", "unit", "range", "start", "description")
         print_table(f"{causality}{more}", headings, cells, words=(0, 1, 2, 3, 4, 5))
+    for terminal in found["terminals"]:
+        _show_terminal(terminal)
+
+
+def _show_terminal(terminal: dict[str, Any]) -> None:
+    cells = [(m["name"], m["variable"], m["kind"]) for m in terminal["members"]]
+    for stream in terminal["streams"]:
+        cells += [(stream[side]["name"], stream[side]["variable"], f"{side}flowing stream") for side in ("in", "out")]
+    words = (f"matched by {terminal['matchingRule']}", terminal["terminalKind"], terminal["description"])
+    print_table(
+        f"terminal {terminal['name']}: {', '.join(filter(None, words))}", ("member", "variable", "kind"), cells,
+        words=(0, 1, 2),
+    )  # fmt: skip
 
 
 def _type(v: dict[str, Any]) -> str:

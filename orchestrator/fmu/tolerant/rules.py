@@ -25,6 +25,10 @@ FUNCTIONS = Rule(
     "functions that the library lacks", "only a call of them fails", "export all functions of the standard"
 )
 BUILD = Rule("sources/buildDescription.xml cannot be understood", "it is not used", "correct it, or leave it out")
+TERMINALS_FILE = Rule("terminalsAndIcons.xml cannot be understood", "it has none", "correct it, or leave it out")
+TERMINAL = Rule(
+    "terminals and members that name no variable, or not one of their own", "passed over", "complete or leave them out"
+)
 # text
 ENCODING = Rule("bytes that are not of the declared encoding", "taken for Windows-1252", "write UTF-8, and declare it")
 BEFORE = Rule("blank space before the XML declaration", "passed over", "begin the file with <?xml")

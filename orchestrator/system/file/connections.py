@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ...errors import InputError, nearest
 from ...fmu.conversions import LossyError, conversion_of
@@ -13,32 +13,23 @@ from ...toml_file import TomlFile
 from ...units import conversion
 from ..model import Component, Connection
 from ..schema.system import TRANSFERS
-
-ROUND = "round"  # what a connection says where its values may lose what the input's type does not hold
-
-
-@dataclass(frozen=True)
-class Link:
-    """A connection as a file states it. `factor` and `offset`, where given, are all that happens to the value."""
-
-    source: str
-    output: str
-    target: str
-    input_: str
-    transfer: str = ""
-    factor: float | None = None
-    offset: float = 0.0
-    where: str = ""
-    rounded: bool = False
-
-    def __str__(self) -> str:
-        return f"{self.source}.{self.output} -> {self.target}.{self.input_}"
+from .link import ROUND, Link
+from .terminals import links_of_terminals
 
 
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
-    link = entry if isinstance(entry, Link) else _parsed(file, components, entry)
+    """The connections of an entry: of two variables, of the elements of two arrays, or of all that two terminals have
+    in common. Raises InputError."""
+    if isinstance(entry, Link):
+        return _of_variables(components, entry, entry.where or file.at(str(entry)))
+    link, where = _parsed(file, components, entry), file.at(str(entry))
+    links = links_of_terminals(components, link, where) or [link]
+    return [connection for one in links for connection in _of_variables(components, one, one.where or where)]
+
+
+def _of_variables(components: dict[str, Component], link: Link, where: str) -> list[Connection]:
     source, output, target, input_, transfer = link.source, link.output, link.target, link.input_, link.transfer
-    label, where = f"connection {link}", link.where or file.at(str(entry))
+    label = f"connection {link}"
     if transfer and transfer not in TRANSFERS:
         raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, (*TRANSFERS, ROUND))} {where}")
     ends = []
@@ -51,10 +42,9 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
         fmu = components[name].fmu
         scalars = [s for s in fmu.expand(variable) if fmu.variables[s].causality == causality]
         if not scalars:
-            raise InputError(
-                f"{label}: {fmu.description.modelName} has {article} '{variable}'"
-                f"{_other_causality(fmu, variable, causality) or nearest(variable, fmu.base_names(causality))} {where}"
-            )
+            known = [*fmu.base_names(causality), *fmu.terminals]
+            why = _other_causality(fmu, variable, causality) or nearest(variable, known)
+            raise InputError(f"{label}: {fmu.description.modelName} has {article} '{variable}'{why} {where}")
         ends.append(scalars)
     if len(ends[0]) != len(ends[1]):
         raise InputError(f"{label}: {len(ends[0])} elements cannot drive {len(ends[1])} {where}")
@@ -66,6 +56,7 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
             gain, offset = conversion(*units, label) if link.factor is None else (link.factor, link.offset)
         except InputError as error:
             raise InputError(f"{error} {where}") from None
+        gain, offset = link.sign * gain, link.sign * offset + 0.0  # no -0.0
         real = components[source].fmu.is_real(a) or components[target].fmu.is_real(b)
         if (gain, offset) != (1.0, 0.0) and not real:
             kind = components[target].fmu.variables[b].type

@@ -175,7 +175,14 @@ def test_run_counts_what_is_wrong_and_strict_refuses_it(
 
 def test_every_rule_is_tried() -> None:
     tried = [*(row[0] for row in (*DESCRIPTIONS, *DESCRIPTIONS3)), *(row[0] for row in ARCHIVES.values())]
-    elsewhere = {rules.TWICE, rules.ENCODING, rules.FUNCTIONS, rules.ALIAS}  # each has its own test
+    elsewhere = {
+        rules.TWICE,
+        rules.ENCODING,
+        rules.FUNCTIONS,
+        rules.ALIAS,
+        rules.TERMINAL,
+        rules.TERMINALS_FILE,
+    }  # each has its own test
     assert set(rules.RULES) - set(tried) == elsewhere
 
 
