@@ -14,7 +14,8 @@ import numpy as np
 from ..clock import Clock, seconds_text
 from ..errors import InputError
 from ..loop.operations import STEP_ON
-from ..system.model import Component, System
+from ..system.model import Component, Connection, System
+from .schedule.formulas import Choice
 
 Known = frozenset[str]
 
@@ -46,7 +47,9 @@ def ends_early(component: Component) -> bool:
     return False
 
 
-def events_of(system: System, early: tuple[str, ...], able: bool) -> Events | None:
+def events_of(
+    system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool
+) -> Events | None:
     """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them.
 
     Raises InputError where the system has events and its algorithm cannot.
@@ -59,12 +62,15 @@ def events_of(system: System, early: tuple[str, ...], able: bool) -> Events | No
             f"events need algorithm jacobi or gauss-seidel: {system.algorithm} repeats steps or chooses their lengths "
             f"({system.path.name})"
         )
+    means = {c.target[0]: c.target[1] for c, choice in choices.items() if choice.transfer == "mean"}
     late: dict[str, str] = {}
     for name, component in system.components.items():
         if name in early:
             late[name] = "its step is done at its beginning"
         elif not component.fmu.can_vary_step:
             late[name] = "its step cannot vary"
+        elif name in means and name not in sources:
+            late[name] = f"{means[name]} is the mean over its whole step"
     return Events(sources, tuple(name for name in system.components if name not in late), late)
 
 

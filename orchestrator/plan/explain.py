@@ -89,6 +89,12 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += _listed(plan, plan.cycle, f"every {'macro step' if plan.adaptive else again} again", operations)
     if len(plan.last):
         lines += _listed(plan, plan.last, f"in the last {seconds_text(clock.seconds(clock.rest))}", operations)
+    if plan.events:
+        for name, rows in plan.at_events.bring.items():
+            lines += _listed(plan, rows, f"to bring {name} to an event, as from the beginning of its step", operations)
+        for known, rows in plan.at_events.after.items():
+            them = ", ".join(name for name in plan.order if name in known) or "nobody"
+            lines += _listed(plan, rows, f"in each round of an event at which are {them}", operations)
     return "\n".join(lines)
 
 

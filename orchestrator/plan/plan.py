@@ -79,13 +79,13 @@ def make_plan(system: System) -> Plan:
     order, reason = order_of(system, clock)
     check_leaders(choices, leaders, order)
     rereads = rereads_of(system, choices)
-    layout = make_layout(system, choices, rereads)
+    events = events_of(system, (*samplers, *leaders), choices, algorithm.takes_events)
+    layout = make_layout(system, choices, rereads, events is not None)
     bonds = bond_energies(system, clock, layout)
     algorithm.extend(system, clock, order, choices, layout)
     check_names(system, layout)
     groups = make_groups(system, clock, layout)
     start = start_order(system)
-    events = events_of(system, (*samplers, *leaders), algorithm.takes_events)
     instants = Instants(system, choices, (*samplers, *leaders), layout.outputs)
     design = Design(
         system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start,

@@ -58,7 +58,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
                 f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at {begin_text(plan.clock)}, "
                 f"allowed are {r.minimum:g} to {r.maximum:g} {unit} ({system.path.name})"
             )
-    for table in (plan.layout.previous, plan.layout.before, plan.layout.begins):
+    for table in (plan.layout.previous, plan.layout.before, plan.layout.begins, plan.layout.samples, plan.layout.parts):
         for key, slot in table.items():
             z[slot] = z[plan.layout.outputs[key]]
     return started

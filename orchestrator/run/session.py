@@ -87,6 +87,7 @@ class Session:
         if moments is None:
             return None
         blocks, control = self._blocks, self.control
+        control[cells.MOMENTS] = len(self.space.solver) - len(moments.cells)
         return EventHandler(
             self.plan, self.instances, self.memory, moments, control, blocks.components, blocks.run_rows
         )

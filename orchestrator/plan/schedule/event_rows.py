@@ -17,7 +17,7 @@ def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:
     events = schedule.design.events
     if events is None:
         return EventRows()
-    bring = {name: _table(schedule.advance(0, name, 0)) for name in events.stopped}
+    bring = {name: _table(schedule.advance(0, name, 0, part=True)) for name in events.stopped}
     return EventRows(bring, {known: _table(_after(schedule, known)) for known in _together(schedule, cycle)})
 
 

@@ -43,6 +43,10 @@ class Layout:
     previous: dict[Key, int] = field(default_factory=dict)  # an output one period ago
     before: dict[Key, int] = field(default_factory=dict)  # an output two periods ago
     begins: dict[Key, int] = field(default_factory=dict)  # an output read again at the beginning of the step
+    # Where events cut steps: an output at its last planned instant, and where the part of a step began.
+    samples: dict[Key, int] = field(default_factory=dict)
+    parts: dict[Key, int] = field(default_factory=dict)
+    part_integrals: dict[Key, int] = field(default_factory=dict)  # of the step that goes on, by the input of the mean
     integrals: dict[Key, int] = field(default_factory=dict)  # by the input that takes the mean
     unknowns: dict[tuple[Key, int], int] = field(default_factory=dict)  # of an iteration: input, step in the cycle
     images: dict[tuple[Key, int], int] = field(default_factory=dict)  # what a pass makes of the unknowns
@@ -78,7 +82,7 @@ class Layout:
 
     def start(self, key: Key) -> int:
         """The slot of an output's value at the beginning of the step that was done last."""
-        return self.begins.get(key, self.previous[key])
+        return self.begins.get(key, self.parts.get(key, self.previous[key]))
 
     def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
         """Slots of the inputs and outputs that a component is given and gives, by variable, once all have theirs."""
@@ -105,7 +109,9 @@ class Group:
     slots: np.ndarray
 
 
-def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict[str, str]) -> Layout:
+def make_layout(
+    system: System, choices: dict[Connection, Choice], rereads: dict[str, str], eventful: bool = False
+) -> Layout:
     """Outputs and inputs of a component are contiguous, grouped by type, in the order of its description.
 
     Of an FMI 3 array all elements have a cell where one has: they are set and got together.
@@ -139,9 +145,14 @@ def make_layout(system: System, choices: dict[Connection, Choice], rereads: dict
     for key in layout.previous:
         if key[0] in rereads:
             layout.add(layout.begins, key)
+        if eventful:
+            layout.add(layout.samples, key)
+            layout.add(layout.parts, key)
     for connection, choice in choices.items():
         if choice.transfer == "mean":
             layout.add(layout.integrals, connection.target)
+            if eventful:
+                layout.add(layout.part_integrals, connection.target)
     sides = [
         (by_component(ours), foreign)
         for ours, foreign in ((layout.inputs, layout.foreign_inputs), (layout.outputs, layout.foreign_outputs))

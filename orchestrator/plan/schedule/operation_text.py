@@ -67,6 +67,9 @@ class OperationText:
             ("previous", layout.previous),
             ("twice previous", layout.before),
             ("integral for", layout.integrals),
+            ("integral, in this step, for", layout.part_integrals),
+            ("the planned", layout.samples),
+            ("the last", layout.parts),
         ):
             self.slots |= {slot: f"{words} {'.'.join(key)}" for key, slot in table.items()}
         self.slots |= {slot: f"{'.'.join(key)} at the beginning" for key, slot in layout.begins.items()}

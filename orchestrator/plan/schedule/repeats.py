@@ -18,6 +18,7 @@ from ...loop.operations import (
     LEDGER,
     LINEAR,
     MEAN,
+    MIX,
     MOVE,
     NUMBER,
     PAUSE,
@@ -35,7 +36,7 @@ from ...loop.operations import (
 from .steps import Row
 
 FOLLOWED = {
-    ACCUMULATE, ACCUMULATE_ON, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MOVE, NUMBER, PAUSE, PUSH, QUADRATIC, RECORD,
+    ACCUMULATE, ACCUMULATE_ON, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH, QUADRATIC, RECORD,
     SAMPLE, SERIES, SET, STEP, STEP_ON, WORK, WORK_ON,
 }  # fmt: skip
 

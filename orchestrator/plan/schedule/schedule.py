@@ -107,6 +107,8 @@ class Schedule(Steps):
         yield from self.settle(tick)
         if self.design.events:
             yield (PAUSE, tick, -1, 0, 0, 0, 0, 0)
+            for name in self.due(tick):
+                yield from self.sampled(tick, name)
         yield from self.tables(tick)
 
     def settle(self, tick: int) -> Iterator[Row]:

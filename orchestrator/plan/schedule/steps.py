@@ -16,6 +16,7 @@ from ...loop.operations import (
     GET,
     LINEAR,
     MEAN,
+    MIX,
     MOVE,
     NUMBER,
     PUSH,
@@ -52,6 +53,7 @@ class Steps:
         self.inputs = by_component(layout.inputs)
         self.outputs, self.previous = by_component(layout.outputs), by_component(layout.previous)
         self.before, self.begins = by_component(layout.before), by_component(layout.begins)
+        self.samples, self.parts = by_component(layout.samples), by_component(layout.parts)
         self.averaged: dict[str, list[Connection]] = {}  # connections of which the mean is taken, by their sources
         for c, choice in design.choices.items():
             if choice.transfer == "mean":
@@ -61,14 +63,19 @@ class Steps:
             for side in bond.sides:
                 self.sides.setdefault(side.component, []).append(side)
 
-    def advance(self, tick: int, name: str, start: int) -> Iterator[Row]:
-        """Set inputs, step from `start` over one period, or to the end of the span, get outputs."""
+    def advance(self, tick: int, name: str, start: int, part: bool = False) -> Iterator[Row]:
+        """Set inputs, step from `start` over one period, or to the end of the span, get outputs.
+
+        `part`: only as far as the instant of an event."""
         component, layout = self.index[name], self.layout
         yield from self._series(tick, name, start)
         if self.design.into(name) or self.system.components[name].series:
             yield from self.set_inputs(tick, name)
         pushes = [(layout.previous[key], slot) for key, slot in self.before.get(name, {}).items()]
-        pushes += [(layout.outputs[key], slot) for key, slot in self.previous.get(name, {}).items()]
+        known = layout.outputs | layout.samples
+        pushes += [(known[key], slot) for key, slot in self.previous.get(name, {}).items()]
+        pushes = [] if part else pushes
+        pushes += [(layout.outputs[key], slot) for key, slot in self.parts.get(name, {}).items()]
         rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
         if name in self.design.rereads:
             yield from rows
@@ -84,12 +91,23 @@ class Steps:
         for c in self.averaged.get(name, []):
             within = tick if start == tick else tick - 1  # of that step of the target
             whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))
-            code, weight = ACCUMULATE, self.ticks(name, start) / (2 * whole)
-            if self.design.events:
-                code, weight = ACCUMULATE_ON, 1 / (2 * float(self.clock.seconds(whole)))
-            a, p = layout.outputs[c.source], layout.start(c.source)
-            yield (code, tick, component, a, layout.integrals[c.target], p, 0, self.constants.at(weight))
+            a, p, b = layout.outputs[c.source], layout.start(c.source), layout.integrals[c.target]
+            if not self.design.events:
+                weight = self.constants.at(self.ticks(name, start) / (2 * whole))
+                yield (ACCUMULATE, tick, component, a, b, p, 0, weight)
+                continue
+            each = self.constants.at(1 / (2 * float(self.clock.seconds(whole))))
+            parts = layout.part_integrals[c.target]
+            yield (ACCUMULATE_ON, tick, component, a, parts, p, 0, each)
+            if not part:
+                yield (MIX, tick, component, parts, b, parts, 0, self.constants.at(1.0, 1.0, 0.0, 0.0))
+                yield (COPY, tick, component, parts, parts, 0, 0, self.constants.at(0.0, 0.0))
         yield from self.works(tick, name, start)
+
+    def sampled(self, tick: int, name: str) -> Iterator[Row]:
+        """What the outputs are at a planned instant, where events can make parts of steps."""
+        for key, slot in self.samples.get(name, {}).items():
+            yield (PUSH, tick, self.index[name], self.layout.outputs[key], slot, 0, 0, 0)
 
     def rescaled(self, tick: int, name: str) -> Iterator[Row]:
         """What means have been given already for a step that is shorter than those before it."""
@@ -137,7 +155,8 @@ class Steps:
             return (QUADRATIC, tick, target, a, b, p, layout.before[c.source], k)
         if transfer == "mean":
             k = self.constants.at(c.gain, c.offset, *mean_tail(sample, h, start + H, H))
-            return (MEAN, tick, target, a, b, layout.start(c.source), layout.integrals[c.target], k)
+            a, p = layout.samples.get(c.source, a), layout.begins.get(c.source, p)
+            return (MEAN, tick, target, a, b, p, layout.integrals[c.target], k)
         ratio = value_ratio(sample, h, start) if transfer == "hold" else linear_ratio(sample, h, start, H)
         return (LINEAR, tick, target, a, b, p, 0, self.constants.at(c.gain, c.offset, ratio))
 

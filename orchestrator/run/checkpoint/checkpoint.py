@@ -45,6 +45,8 @@ def unserializable(plan: Plan) -> str:
         for name, component in plan.system.components.items()
         if not component.fmu.can_serialize_state
     ]
+    if plan.events:
+        names += [f"component {name}: when its next event is due is not kept" for name in plan.events.sources]
     return "; ".join(names)
 
 
@@ -92,6 +94,7 @@ def _arrays(session: Session) -> dict[str, np.ndarray]:
     return {
         "z": session.memory.z, "clock": space.clock, "work": space.loop.work, "saved": space.loop.saved,
         "texts": pool, "text_index": index,
+        **({"moments": space.moments.cells} if space.moments else {}),
     }  # fmt: skip
 
 
