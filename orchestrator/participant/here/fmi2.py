@@ -29,6 +29,7 @@ class Fmi2Instance(LoadedInstance):
 
     prefix = PREFIX[2]
     state_functions = STATE_FUNCTIONS[2]
+    kind: type[Any] = FMU2Instance  # fmpy's, which binds the functions
 
     def instantiate(self) -> None:
         self.made_by_pythonfmu = made_by_pythonfmu(self.fmu)
@@ -37,7 +38,7 @@ class Fmi2Instance(LoadedInstance):
         self._callbacks = self._make_callbacks()
         try:
             with fresh_library(self.fmu) as library:
-                self.slave = self.bound(FMU2Instance, library)
+                self.slave = self.bound(self.kind, library)
             with own_modules(self.fmu):
                 self.slave.instantiate(callbacks=self._callbacks, loggingOn=self.asked_for_all)
         except Exception as error:

@@ -37,7 +37,8 @@ def native_fmu(
     with tempfile.TemporaryDirectory() as folder:
         library = Path(folder) / f"{target.stem}{fmpy.sharedLibraryExtension}"
         options = [f"-D{key}={value}" for key, value in (defines or {}).items()]
-        command = [gcc, "-O2", "-fPIC", "-shared", "-s", f"-I{HEADERS}", *options, *map(str, sources), "-lm", "-o"]
+        options = ["-O2", "-fPIC", "-shared", "-s", f"-I{HEADERS}", f"-I{SOURCES}", *options]
+        command = [gcc, *options, *map(str, sources), "-lm", "-o"]
         done = subprocess.run([*command, str(library)], capture_output=True, text=True, check=False)
         if done.returncode:
             raise RunError(f"{target.name} cannot be compiled: {done.stderr.strip()}")

@@ -1,0 +1,71 @@
+"""The functions of a group that others call: compiled, and kept by Numba under names that hold a hash of all sources.
+
+They hold no address, so that one compilation serves every group. With NUMBA_DISABLE_JIT they are plain Python.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from ..loop.compiled import loop_hash, numba_compiles
+from . import connections, cvode, events, members, one_step
+from . import step as steps
+
+# What C passes: w a whole number or pointer, d a double, b a truth value.
+FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
+    "evaluate": (members.evaluate_all, "wdww"),
+    "exchange": (connections.exchange_all, "w"),
+    "indicate": (members.indicate_all, "ww"),
+    "trial": (one_step.try_step, "wdd"),
+    "settle": (events.settle_all, "w"),
+    "step": (steps.step, "wddbwwww"),
+    "begin": (steps.start, "w"),
+    "save": (steps.save, "ww"),
+    "restore": (steps.restore, "ww"),
+    "forget": (steps.forget, "ww"),
+    "right_hand_side": (cvode.right_hand_side, "dwww"),
+    "roots": (cvode.roots, "dwww"),
+    "jacobian": (cvode.jacobian, "dwwwwwww"),
+}
+
+
+@cache
+def address_of(name: str) -> int:
+    """The address of one of FUNCTIONS."""
+    function, kinds = FUNCTIONS[name]
+    return _address(function, kinds, _hash())[0]
+
+
+@cache
+def _hash() -> str:
+    return loop_hash(Path(steps.__file__))
+
+
+@cache
+def _address(function: Callable[..., int], kinds: str, digest: str) -> tuple[int, Any]:
+    """The address, and what must live as long as it is used."""
+    if not numba_compiles():
+        types: dict[str, Any] = {"w": ctypes.c_int64, "d": ctypes.c_double, "b": ctypes.c_bool}
+        made = ctypes.CFUNCTYPE(ctypes.c_int, *(types[kind] for kind in kinds))(function)
+        return ctypes.cast(made, ctypes.c_void_p).value or 0, made
+    import numba
+    from numba.core.ccallback import CFunc
+    from numba.core.sigutils import normalize_signature
+
+    from ..loop.compiled_files import CheckedCache
+
+    known = {"w": numba.int64, "d": numba.float64, "b": numba.uint8}
+    named = FunctionType(function.__code__, vars(sys.modules[function.__module__]))
+    named.__qualname__ = f"{function.__name__}_{digest}"
+    signature = numba.int32(*(known[kind] for kind in kinds))
+    normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
+    compiled: Any = CFunc(named, normal, {}, {"error_model": "numpy"})
+    compiled._cache = CheckedCache(named)
+    compiled.compile()
+    return int(compiled.address), compiled

@@ -1,0 +1,187 @@
+"""CVODE between two instants, and what it calls: right-hand side, indicators, Jacobian.
+
+It begins anew after every event, and wherever something was set from outside: its history is none then.
+"""
+
+from __future__ import annotations
+
+from numba.extending import register_jitable
+
+from ..loop.versions import good
+from .advance import EVENT, REACHED, after_step, note_event
+from .cells import (
+    CELL,
+    CURRENT,
+    CV_ABSOLUTE,
+    CV_BAND,
+    CV_COLUMN,
+    CV_FOUND,
+    CV_LOWER,
+    CV_ONE_STEP,
+    CV_POINTER,
+    CV_REACHED,
+    CV_REINIT,
+    CV_ROOTS,
+    CV_STATES,
+    CV_STEP,
+    CV_STOP_TIME,
+    CV_TOLERANCES,
+    CV_UPPER,
+    CVODE,
+    DERIVATIVE_REFERENCES,
+    DIRECTIONAL,
+    FAILED,
+    FAULT,
+    FIRST_STATE,
+    INDICATORS,
+    INSTANCE,
+    MEMBER,
+    MEMBER_COUNT,
+    MEMBERS,
+    NOTHING,
+    OK,
+    RELATIVE,
+    RESTART,
+    SEED_OUT,
+    SEEDS,
+    SOLVER,
+    STATE_COUNT,
+    STATE_REFERENCES,
+    STEPS,
+    TIME,
+    VERSION,
+    Z_NEW,
+    X,
+)  # fmt: skip
+from .members import evaluate, fault, indicate, place
+from .memory import call, call_whole, half, number, put, put_whole, whole
+from .roots import EPSILON, first_changed, keep_indicators
+
+NORMAL, ONE_STEP = 1, 2
+STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27
+
+
+def right_hand_side(time: float, states: int, derivatives: int, g: int) -> int:
+    """CVRhsFn; below 0 where it does not go on, 1 where a smaller step may."""
+    status = evaluate(
+        g, time, call_whole(whole(g + CV_POINTER), states), call_whole(whole(g + CV_POINTER), derivatives)
+    )
+    return status if status < FAILED else -1
+
+
+def roots(time: float, states: int, values: int, g: int) -> int:
+    """CVRootFn."""
+    status = place(g, time, call_whole(whole(g + CV_POINTER), states))
+    if status == OK:
+        status = indicate(g, values)
+    return 0 if status == OK else -1
+
+
+def jacobian(time: float, states: int, now: int, matrix: int, g: int, a: int, b: int, c: int) -> int:
+    """CVLsJacFn, by directional derivatives of members that are not connected: dense, or the columns of a band whose
+    rows do not meet at once."""
+    status = place(g, time, call_whole(whole(g + CV_POINTER), states))
+    if status != OK:
+        return status if status < FAILED else -1
+    for m in range(whole(g + MEMBER_COUNT)):
+        row = whole(g + MEMBERS) + MEMBER * m
+        if whole(row + STATE_COUNT) > 0:
+            status = columns(g, row, matrix)
+            if not good(status):
+                return 1 if status == 2 else -1
+    return 0
+
+
+@register_jitable
+def columns(g: int, row: int, matrix: int) -> int:
+    """The columns of one member's states; a status of FMI."""
+    n, first = whole(row + STATE_COUNT), whole(row + FIRST_STATE) // CELL
+    lower, upper, seeds, out = whole(g + CV_LOWER), whole(g + CV_UPPER), whole(g + SEEDS), whole(g + SEED_OUT)
+    band = whole(g + CV_BAND) != 0
+    apart = min(lower + upper + 1, n) if band else n
+    for turn in range(apart):
+        for j in range(n):
+            put(seeds + CELL * j, 1.0 if j % apart == turn else 0.0)
+        known, unknown = whole(row + STATE_REFERENCES), whole(row + DERIVATIVE_REFERENCES)
+        if whole(row + VERSION) == 2:
+            status = call(whole(row + DIRECTIONAL), whole(row + INSTANCE), unknown, n, known, n, seeds, out)
+        else:
+            status = call(whole(row + DIRECTIONAL), whole(row + INSTANCE), unknown, n, known, n, seeds, n, out, n)
+        if not good(status):
+            return status
+        for j in range(turn, n, apart):
+            column = call_whole(whole(g + CV_COLUMN), matrix, first + j)
+            if band:  # the address of the element on the diagonal
+                for i in range(max(j - upper, 0), min(j + lower + 1, n)):
+                    put(column + CELL * (i - j), number(out + CELL * i))
+            else:
+                for i in range(n):
+                    put(column + CELL * (first + i), number(out + CELL * i))
+    return 0
+
+
+@register_jitable
+def begin_anew(g: int) -> int:
+    """CVODE from TIME and X, with the tolerances of now."""
+    flag = call(whole(g + CV_REINIT), whole(g + CVODE), number(g + TIME), whole(g + CV_STATES))
+    if flag == 0:
+        flag = call(whole(g + CV_TOLERANCES), whole(g + CVODE), number(g + RELATIVE), whole(g + CV_ABSOLUTE))
+    put_whole(g + RESTART, 0)
+    return flag
+
+
+@register_jitable
+def advance_by_cvode(g: int, target: float) -> int:
+    """From TIME to an instant or to an event before it: REACHED, EVENT, or a status that is bad."""
+    put_whole(g + CURRENT, 0)
+    flag = begin_anew(g) if whole(g + RESTART) != 0 else 0
+    if flag == 0:
+        flag = call(whole(g + CV_STOP_TIME), whole(g + CVODE), target)
+    task = ONE_STEP if whole(g + CV_ONE_STEP) != 0 else NORMAL
+    while flag >= 0:
+        put_whole(g + FAULT, NOTHING)
+        reached = whole(g + CV_REACHED)
+        flag = call(whole(g + CV_STEP), whole(g + CVODE), target, whole(g + CV_STATES), reached, task)
+        if flag == TOO_MUCH_WORK:
+            flag = 0
+            continue
+        if flag == TOO_CLOSE and target - number(g + TIME) <= 1e3 * EPSILON * abs(target):
+            put(reached, target)  # nothing happens in so short a time
+            put_whole(g + RESTART, 1)
+            flag = STOP_REACHED
+        if flag < 0:
+            break
+        put(g + TIME, target if flag == STOP_REACHED else number(reached))
+        put_whole(g + STEPS, whole(g + STEPS) + 1)
+        status = place(g, number(g + TIME), whole(g + X))
+        if status == OK:
+            status = indicate(g, whole(g + Z_NEW))
+        if status != OK:
+            return FAILED
+        event = first_changed(g)
+        if flag == ROOT and event < 0:
+            event = first_found(g)
+        keep_indicators(g)
+        said = after_step(g)
+        if event >= 0:
+            note_event(g, event)
+            if said in (OK, EVENT):
+                return EVENT
+        if said != OK:
+            return said
+        if number(g + TIME) >= target:
+            return REACHED
+    if whole(g + FAULT) == NOTHING:
+        fault(g, SOLVER, 0, flag, -1)
+    return FAILED
+
+
+@register_jitable
+def first_found(g: int) -> int:
+    """The first indicator that CVODE found to cross zero."""
+    found = whole(g + CV_FOUND)
+    call(whole(g + CV_ROOTS), whole(g + CVODE), found)
+    for j in range(whole(g + INDICATORS)):
+        if half(found + 4 * j) != 0:
+            return j
+    return 0

@@ -1,0 +1,161 @@
+"""The functions of the members of a group, called by address: FMI 2.0 and 3.0 alike."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from numba.extending import register_jitable
+
+from ..loop.calls import byte_at
+from ..loop.versions import good
+from .cells import (
+    CELL,
+    COMPLETED,
+    EVALUATE,
+    EVALUATIONS,
+    FAILED,
+    FAULT,
+    FAULT_INDEX,
+    FAULT_MEMBER,
+    FAULT_STATUS,
+    FAULT_TIME,
+    FIRST_INDICATOR,
+    FIRST_STATE,
+    GET_DERIVATIVES,
+    GET_INDICATORS,
+    IN_COMPLETED,
+    IN_DERIVATIVES,
+    IN_INDICATORS,
+    IN_STATES,
+    IN_TIME,
+    INDICATE,
+    INDICATOR_COUNT,
+    INDICATORS,
+    INFO,
+    INSTANCE,
+    MEMBER,
+    MEMBER_COUNT,
+    MEMBERS,
+    NO_STATE_BEFORE,
+    NOT_FINITE,
+    OK,
+    RETRY,
+    SET_STATES,
+    SET_TIME,
+    STATE_COUNT,
+    STATES,
+    TIME,
+    VERSION,
+)  # fmt: skip
+from .connections import exchange
+from .memory import call, half, number, put, put_whole, whole
+
+DISCARD = 2
+
+
+@register_jitable
+def fault(g: int, what: int, member: int, status: int, index: int) -> None:
+    """Note what is wrong: in which call, whose, its status, which derivative or indicator."""
+    put_whole(g + FAULT, what)
+    put_whole(g + FAULT_MEMBER, member)
+    put_whole(g + FAULT_STATUS, status)
+    put_whole(g + FAULT_INDEX, index)
+    put(g + FAULT_TIME, number(g + TIME))
+
+
+@register_jitable
+def refused(g: int, what: int, member: int, status: int) -> int:
+    """What a bad status of a member means: Discard may go with a smaller step."""
+    fault(g, what, member, status, -1)
+    return RETRY if status == DISCARD else FAILED
+
+
+@register_jitable
+def place(g: int, time: float, states: int) -> int:
+    """Put all members at a time [s] and to states, and solve their connections."""
+    count = whole(g + MEMBER_COUNT)
+    for m in range(count):
+        row = whole(g + MEMBERS) + MEMBER * m
+        status = call(whole(row + SET_TIME), whole(row + INSTANCE), time)
+        if not good(status):
+            return refused(g, IN_TIME, m, status)
+        n = whole(row + STATE_COUNT)
+        if n > 0:
+            status = call(whole(row + SET_STATES), whole(row + INSTANCE), states + whole(row + FIRST_STATE), n)
+            if not good(status):
+                return refused(g, IN_STATES, m, status)
+    return exchange(g)
+
+
+@register_jitable
+def evaluate(g: int, time: float, states: int, derivatives: int) -> int:
+    """The right-hand side: all members placed, their derivatives to an address; RETRY where one is not finite."""
+    return call(whole(g + EVALUATE), g, time, states, derivatives)
+
+
+def evaluate_all(g: int, time: float, states: int, derivatives: int) -> int:
+    """What EVALUATE is the address of."""
+    status = place(g, time, states)
+    if status != OK:
+        return status
+    put_whole(g + EVALUATIONS, whole(g + EVALUATIONS) + 1)
+    count = whole(g + MEMBER_COUNT)
+    for m in range(count):
+        row = whole(g + MEMBERS) + MEMBER * m
+        n = whole(row + STATE_COUNT)
+        if n > 0:
+            first = derivatives + whole(row + FIRST_STATE)
+            status = call(whole(row + GET_DERIVATIVES), whole(row + INSTANCE), first, n)
+            if not good(status):
+                return refused(g, IN_DERIVATIVES, m, status)
+            for j in range(n):
+                if not isfinite(number(first + CELL * j)):
+                    fault(g, NOT_FINITE, m, 0, j)
+                    return RETRY
+    if whole(g + STATES) == 0:
+        put(derivatives, 0.0)  # of the one that stands for none
+    return OK
+
+
+@register_jitable
+def indicate(g: int, indicators: int) -> int:
+    """The event indicators of all members where they are placed, to an address."""
+    return call(whole(g + INDICATE), g, indicators) if whole(g + INDICATORS) > 0 else OK
+
+
+def indicate_all(g: int, indicators: int) -> int:
+    """What INDICATE is the address of."""
+    for m in range(whole(g + MEMBER_COUNT)):
+        row = whole(g + MEMBERS) + MEMBER * m
+        n = whole(row + INDICATOR_COUNT)
+        if n > 0:
+            status = call(
+                whole(row + GET_INDICATORS), whole(row + INSTANCE), indicators + whole(row + FIRST_INDICATOR), n
+            )
+            if not good(status):
+                return refused(g, IN_INDICATORS, m, status)
+    return OK
+
+
+@register_jitable
+def completed(g: int) -> int:
+    """Tell the members that want it that a step of the solver is accepted: a status, or -1 - m where member m asks for
+    an event, or -1001 - m where it asks to end."""
+    info = whole(g + INFO)
+    for m in range(whole(g + MEMBER_COUNT)):
+        row = whole(g + MEMBERS) + MEMBER * m
+        if whole(row + COMPLETED) != 0:
+            put_whole(info, 0)
+            status = call(
+                whole(row + COMPLETED), whole(row + INSTANCE), whole(g + NO_STATE_BEFORE), info, info + CELL // 2
+            )
+            if not good(status):
+                return refused(g, IN_COMPLETED, m, status)
+            wide = whole(row + VERSION) == 2  # FMI 2.0 writes an int, FMI 3.0 a byte
+            event = half(info) if wide else byte_at(info)
+            ends = half(info + CELL // 2) if wide else byte_at(info + CELL // 2)
+            if ends != 0:
+                return -1001 - m
+            if event != 0:
+                return -1 - m
+    return OK

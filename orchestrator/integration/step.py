@@ -1,0 +1,210 @@
+"""A step of a group of FMUs for Model Exchange, as the loop asks for it: with the signature of fmi3DoStep."""
+
+from __future__ import annotations
+
+from numba.extending import register_jitable
+
+from .advance import EVENT, REACHED, SWITCH, advance, note_event
+from .cells import (
+    ARRAYS,
+    ARRAYS_SIZE,
+    CELL,
+    CHANGED,
+    CHATTERS,
+    CURRENT,
+    CVODES,
+    ENDING,
+    ENTRY,
+    EVENTS,
+    FAILED,
+    FAULT,
+    FREE,
+    IN_EVENTS,
+    KEPT,
+    LOG,
+    LOG_COUNT,
+    LOG_SIZE,
+    MALLOC,
+    METHOD,
+    NEXT_EVENT,
+    NEXT_STEP,
+    NEXT_WHO,
+    NO_STATE_BEFORE,
+    NOTHING,
+    OK,
+    RESTART,
+    RESTARTS,
+    RESTS_IN_EVENTS,
+    RETRY,
+    SEEN,
+    TIME,
+    TIME_EVENT,
+    WATCHED,
+    WATCHED_COUNT,
+    Z_NEW,
+    X,
+)  # fmt: skip
+from .connections import exchange
+from .cvode import advance_by_cvode
+from .events import enter_events, log, read_nominals, read_states, settle
+from .members import fault, indicate, place
+from .memory import call, call_whole, number, put, put_byte, put_whole, whole
+from .roots import EPSILON, first_changed
+
+MOST_EVENTS = 1000  # in one step
+BACK = 1e-9  # of a step, by which its beginning may differ from where the group is
+
+
+def step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
+    """fmi3DoStep of the group: a status of FMI, and through addresses whether a member asks to end, and when."""
+    put_byte(event, 0)
+    put_byte(ends, 0)
+    put_byte(early, 0)
+    put_whole(g + NO_STATE_BEFORE, final)
+    put_whole(g + FAULT, NOTHING)
+    end = time + length
+    status = begin(g, time, length)
+    if status == OK:
+        status = to_the_end(g, end)
+    if status == OK and whole(g + RESTS_IN_EVENTS) != 0:
+        status = enter_events(g)
+    put(last, number(g + TIME))
+    if status == ENDING:
+        put_byte(ends, 1)
+        put_byte(early, 1 if number(g + TIME) < end else 0)
+        return 0
+    return 0 if status == OK else 3
+
+
+@register_jitable
+def begin(g: int, time: float, length: float) -> int:
+    """Take in what was set since the last step."""
+    if abs(time - number(g + TIME)) > BACK * length:
+        put_whole(g + CURRENT, 0)
+        put_whole(g + RESTART, 1)
+        put_whole(g + CHANGED, 1)
+        put(g + TIME, time)
+    if number(g + NEXT_STEP) <= 0.0:
+        put(g + NEXT_STEP, length)
+    if watched_changed(g):
+        put_whole(g + CHANGED, 1)
+    if whole(g + RESTARTS) != 0:
+        put_whole(g + RESTART, 1)
+    if whole(g + IN_EVENTS) != 0:
+        return settle(g)
+    if whole(g + CHANGED) == 0:
+        return OK
+    put_whole(g + CHANGED, 0)
+    put_whole(g + CURRENT, 0)
+    put_whole(g + RESTART, 1)
+    status = exchange(g)
+    if status == OK:
+        status = indicate(g, whole(g + Z_NEW))
+    if status != OK:
+        return status
+    crossed = first_changed(g)
+    if crossed >= 0:
+        note_event(g, crossed)
+        return settle(g)
+    return OK
+
+
+@register_jitable
+def watched_changed(g: int) -> bool:
+    """Whether an input from outside is not what it was at the last step."""
+    changed, watched, seen = False, whole(g + WATCHED), whole(g + SEEN)
+    for j in range(0, CELL * whole(g + WATCHED_COUNT), CELL):
+        now = whole(whole(watched + j))
+        if now != whole(seen + j):
+            changed = True
+            put_whole(seen + j, now)
+    return changed
+
+
+@register_jitable
+def to_the_end(g: int, end: float) -> int:
+    """From event to event until an instant; a time event on it is done."""
+    events = 0
+    while True:
+        time = number(g + TIME)
+        due = number(g + NEXT_EVENT)
+        close = 4.0 * EPSILON * abs(end)
+        target = min(end, due) if due < end - close else end
+        how = REACHED
+        if target > time:
+            how = advance_by_cvode(g, target) if whole(g + METHOD) == CVODES else advance(g, target)
+        if how < REACHED:
+            return FAILED if how == RETRY else how
+        if how == SWITCH:
+            continue
+        time = number(g + TIME)
+        if how == REACHED and due <= time + close:
+            if due > time and place(g, due, whole(g + X)) != OK:  # by rounding
+                return FAILED
+            log(g, whole(g + NEXT_WHO), TIME_EVENT)
+            how = EVENT
+        if how == EVENT:
+            events += 1
+            put_whole(g + EVENTS, whole(g + EVENTS) + 1)
+            if events > MOST_EVENTS:
+                entry = whole(g + LOG) + ENTRY * ((whole(g + LOG_COUNT) - 1) % whole(g + LOG_SIZE))
+                fault(g, CHATTERS, whole(entry + CELL), 0, whole(entry + 2 * CELL))
+                return FAILED
+            status = settle(g)
+            if status != OK:
+                return status
+        if number(g + TIME) >= end:
+            return OK
+
+
+def save(g: int, state: int) -> int:
+    """fmi3GetFMUState: what the group keeps beside its members, in memory of its own."""
+    size = CELL * KEPT + whole(g + ARRAYS_SIZE)
+    at = whole(state)
+    if at == 0:
+        at = call_whole(whole(g + MALLOC), size)
+        if at == 0:
+            return 3
+        put_whole(state, at)
+    copy(g, at, CELL * KEPT)
+    copy(whole(g + ARRAYS), at + CELL * KEPT, whole(g + ARRAYS_SIZE))
+    return 0
+
+
+def restore(g: int, state: int) -> int:
+    """fmi3SetFMUState."""
+    copy(state, g, CELL * KEPT)
+    copy(state + CELL * KEPT, whole(g + ARRAYS), whole(g + ARRAYS_SIZE))
+    put_whole(g + RESTART, 1)
+    put_whole(g + CHANGED, 1)  # inputs may not be what they were
+    return 0
+
+
+def forget(g: int, state: int) -> int:
+    """fmi3FreeFMUState."""
+    if whole(state) != 0:
+        call(whole(g + FREE), whole(state))
+        put_whole(state, 0)
+    return 0
+
+
+@register_jitable
+def copy(source: int, target: int, size: int) -> None:
+    for j in range(0, size, CELL):
+        put_whole(target + j, whole(source + j))
+
+
+def start(g: int) -> int:
+    """Behind initialization mode: the first event of all members, and their states, as a status of FMI."""
+    put_whole(g + FAULT, NOTHING)
+    put_whole(g + IN_EVENTS, 1)
+    status = read_nominals(g)
+    if status == OK:
+        status = settle(g)
+    if status == OK:
+        status = read_states(g)
+    if status == OK and whole(g + RESTS_IN_EVENTS) != 0:
+        status = enter_events(g)
+    if status == ENDING:
+        return 2
+    return 0 if status == OK else 3

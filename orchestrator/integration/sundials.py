@@ -1,0 +1,156 @@
+"""CVODE of SUNDIALS 7, as fmpy ships its libraries: made here by ctypes, called in steps by address.
+
+There is none for some platforms (ARM with Linux, for one): the one-step methods are left then.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from contextlib import suppress
+from functools import cache
+from typing import Any
+
+from .cells import (
+    ABSOLUTE,
+    CV_ABSOLUTE,
+    CV_BAND,
+    CV_COLUMN,
+    CV_FOUND,
+    CV_LOWER,
+    CV_POINTER,
+    CV_REACHED,
+    CV_REINIT,
+    CV_ROOTS,
+    CV_STATES,
+    CV_STEP,
+    CV_STOP_TIME,
+    CV_TOLERANCES,
+    CV_UPPER,
+    CVODE,
+    INDICATORS,
+    RELATIVE,
+    STATES,
+    TIME,
+    X,
+)  # fmt: skip
+from .compiled import address_of
+from .memory import number, put_whole, whole
+from .settings import SolverSettings
+
+BDF = 2
+MOST_STEPS = 100_000  # between two returns
+LIBRARIES = (  # of fmpy.sundials.libraries, the core first: the others find it by its name once it is loaded
+    "sundials_core", "sundials_nvecserial", "sundials_sunmatrixdense", "sundials_sunlinsoldense", "sundials_cvode",
+)  # fmt: skip
+
+
+@cache
+def libraries() -> tuple[Any, ...]:
+    """The libraries of SUNDIALS; none where fmpy has none for this platform."""
+    try:
+        from fmpy.sundials import libraries as shipped
+
+        return tuple(getattr(shipped, name) for name in LIBRARIES)
+    except (ImportError, OSError, AttributeError):
+        return ()
+
+
+def is_there() -> bool:
+    """Whether CVODE can be used on this machine."""
+    return bool(libraries())
+
+
+def _function(name: str) -> Any:
+    for library in libraries():
+        with suppress(AttributeError):
+            return library[name]  # one of our own: fmpy states types of those that it uses
+    raise AttributeError(f"SUNDIALS has no function {name}")
+
+
+def _address(name: str) -> int:
+    return ctypes.cast(_function(name), ctypes.c_void_p).value or 0
+
+
+def _made(name: str, *arguments: Any) -> int:
+    """What a function that makes something gives: its address."""
+    function = _function(name)
+    function.restype = ctypes.c_void_p
+    return int(function(*arguments) or 0)
+
+
+def _done(name: str, *arguments: Any) -> None:
+    function = _function(name)
+    function.restype = ctypes.c_int
+    if flag := function(*arguments):
+        raise RuntimeError(f"{name} answered {flag}")
+
+
+def _pointer(address: int) -> Any:
+    return ctypes.c_void_p(address)
+
+
+class Cvode:
+    """An integrator of a group, with its context, vectors, matrix and linear solver, until `free`.
+
+    `bands`: the widths below and above the diagonal where the Jacobian is a band; None where it is dense. `exact`: it
+    is made of directional derivatives, otherwise of differences.
+    """
+
+    def __init__(self, g: int, settings: SolverSettings, bands: tuple[int, int] | None, exact: bool) -> None:
+        n, indicators = max(whole(g + STATES), 1), whole(g + INDICATORS)
+        self._reached, self._found = (ctypes.c_double * 1)(), (ctypes.c_int32 * max(indicators, 1))()
+        context = ctypes.c_void_p()
+        _done("SUNContext_Create", ctypes.c_int(0), ctypes.byref(context))
+        self._context = context
+        _done("SUNContext_ClearErrHandlers", context)  # it would write to stderr; messages are made of its flags
+        vectors = (_made("N_VMake_Serial", ctypes.c_int64(n), _pointer(whole(g + a)), context) for a in (X, ABSOLUTE))
+        self._x, self._absolute = map(_pointer, vectors)
+        self._memory = memory = _pointer(_made("CVodeCreate", ctypes.c_int(BDF), context))
+        begin = ctypes.c_double(number(g + TIME))
+        _done("CVodeInit", memory, _pointer(address_of("right_hand_side")), begin, self._x)
+        _done("CVodeSVtolerances", memory, ctypes.c_double(number(g + RELATIVE)), self._absolute)
+        _done("CVodeSetUserData", memory, _pointer(g))
+        if bands:
+            lower, upper = map(ctypes.c_int64, bands)
+            self._matrix = _pointer(_made("SUNBandMatrix", ctypes.c_int64(n), upper, lower, context))
+            self._solver = _pointer(_made("SUNLinSol_Band", self._x, self._matrix, context))
+        else:
+            self._matrix = _pointer(_made("SUNDenseMatrix", ctypes.c_int64(n), ctypes.c_int64(n), context))
+            self._solver = _pointer(_made("SUNLinSol_Dense", self._x, self._matrix, context))
+        _done("CVodeSetLinearSolver", memory, self._solver, self._matrix)
+        if exact:
+            _done("CVodeSetJacFn", memory, _pointer(address_of("jacobian")))
+        if indicators:
+            _done("CVodeRootInit", memory, ctypes.c_int(indicators), _pointer(address_of("roots")))
+            _done("CVodeSetNoInactiveRootWarn", memory)
+        _done("CVodeSetMaxNumSteps", memory, ctypes.c_long(MOST_STEPS))
+        _done("CVodeSetMaxOrd", memory, ctypes.c_int(settings.max_order))
+        if settings.max_step:
+            _done("CVodeSetMaxStep", memory, ctypes.c_double(settings.max_step))
+        self._into(g, bands)
+
+    def _into(self, g: int, bands: tuple[int, int] | None) -> None:
+        """What the steps of a group call, into its table."""
+        column = _address("SUNBandMatrix_Column" if bands else "SUNDenseMatrix_Column")
+        for cell, value in (
+            (CVODE, self._memory.value), (CV_STATES, self._x.value), (CV_ABSOLUTE, self._absolute.value),
+            (CV_STEP, _address("CVode")), (CV_REINIT, _address("CVodeReInit")),
+            (CV_STOP_TIME, _address("CVodeSetStopTime")), (CV_ROOTS, _address("CVodeGetRootInfo")),
+            (CV_TOLERANCES, _address("CVodeSVtolerances")), (CV_POINTER, _address("N_VGetArrayPointer")),
+            (CV_REACHED, ctypes.addressof(self._reached)), (CV_FOUND, ctypes.addressof(self._found)),
+            (CV_COLUMN, column), (CV_BAND, int(bands is not None)), (CV_LOWER, bands[0] if bands else 0),
+            (CV_UPPER, bands[1] if bands else 0),
+        ):  # fmt: skip
+            put_whole(g + cell, value or 0)
+
+    def free(self) -> None:
+        """Give all of it back, once."""
+        if self._memory.value:
+            for name, what in (("CVodeFree", self._memory), ("SUNContext_Free", self._context)):
+                if name == "SUNContext_Free":
+                    for free, part in (("SUNLinSolFree", self._solver), ("SUNMatDestroy", self._matrix)):
+                        _function(free)(part)
+                    for vector in (self._x, self._absolute):
+                        _function("N_VDestroy")(vector)
+                _function(name)(ctypes.byref(what))
+            self._memory.value = None

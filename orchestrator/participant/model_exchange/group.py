@@ -1,0 +1,266 @@
+"""The FMUs for Model Exchange of a system as one participant: their states are one vector, integrated together.
+
+    group = Group([ball, wall], [LinkBlock((Link((0, "h"), (1, "h")),))], SolverSettings())
+    ...                                      # the members are initialized
+    group.begin()                            # their first event
+    group.step(0.0, 0.01)
+
+`loop.run` steps it by address, as any FMU: the address of its table is the instance, `step` has the signature of
+fmi3DoStep.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ...errors import FmuError
+from ...integration import cells
+from ...integration.choice import choose
+from ...integration.compiled import address_of
+from ...integration.memory import call, number, put, put_whole, whole
+from ...integration.settings import TOLERANCE, SolverSettings
+from ...integration.sundials import Cvode, is_there
+from ...loop.calls import STEP_FLAGS, do_step3
+from ..here.loaded import LoadedInstance
+from .links import LinkBlock
+from .pattern import bands_of
+from .tables import Tables, gives_directional, needs_completed
+from .words import why
+
+CELL = cells.CELL
+LOGGED = 4096  # events that are kept
+METHODS = {"dormand-prince": cells.DORMAND_PRINCE, "rk4": cells.RUNGE_KUTTA, "cvode": cells.CVODES}
+CODES = {code: name for name, code in METHODS.items()}
+
+
+class Event(NamedTuple):
+    """An event inside a step: when [s], whose, and its indicator, or one of cells.TIME_EVENT..."""
+
+    time: float
+    member: str
+    indicator: int
+
+
+class Group:
+    """`blocks`: the links between the members, each behind those that it needs. Raises FmuError if that cannot be."""
+
+    def __init__(
+        self, members: Sequence[LoadedInstance], blocks: Sequence[LinkBlock] = (),
+        settings: SolverSettings | None = None, rests_in_events: bool = False,
+    ) -> None:  # fmt: skip
+        self.members, self.blocks = list(members), list(blocks)
+        self.settings = settings or SolverSettings()
+        self.begun = False
+        self._rests, self._watched = rests_in_events, np.zeros(0, dtype=np.int64)
+        self._kept: dict[int, int] = {}  # states of the group, by those of a member that is alone
+        self._table = np.zeros(cells.TABLE, dtype=np.int64)
+        self._flags = np.zeros(STEP_FLAGS, dtype=np.uint8)
+        self._cvode: Cvode | None = None
+        self._lay_out()
+
+    @property
+    def pointer(self) -> int:
+        """What its functions take first."""
+        return int(self._table.ctypes.data)
+
+    @property
+    def alone(self) -> bool:
+        """Whether its only member is run by itself: states of the two are saved together."""
+        return len(self.members) == 1 and self.members[0].__dict__.get("group") is self
+
+    def _lay_out(self) -> None:
+        tables = self.tables = Tables(self.members)
+        g = self.pointer
+        members = tables.member_rows()
+        tables.lay_out(self.blocks)
+        n, z, v = max(tables.states, 1), tables.indicators, len(tables.slots)
+        tables.discrete = [link for block in self.blocks for link in block.links if not tables.solved(link)]
+        discrete = tables.discrete_rows()
+        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.DISCRETE: discrete.size}
+        self._block = np.zeros(sum(sizes.values()) + 1)
+        at = int(self._block.ctypes.data)
+        put_whole(g + cells.ARRAYS, at)
+        put_whole(g + cells.ARRAYS_SIZE, CELL * self._block.size)
+        for cell, size in sizes.items():
+            put_whole(g + cell, at)
+            at += CELL * size
+        self._view(cells.DISCRETE, discrete.size, np.int64)[:] = discrete.ravel()
+        rows = tables.link([block for block in self.blocks], whole(g + cells.V))
+        work = {cells.K2: 6 * n, cells.STAGE: n, cells.X_NEW: n, cells.Z_NEW: 2 * z, cells.V_OLD: v, cells.NOMINAL: n,
+                cells.INFO: 8, cells.SEEDS: n, cells.SEED_OUT: n, cells.LOG: LOGGED * cells.ENTRY // CELL,
+                cells.SOURCES: v, cells.GAINS: v, cells.OFFSETS: v}  # fmt: skip
+        self._arrays = {cell: np.zeros(max(size, 1)) for cell, size in work.items()}
+        for cell, array in self._arrays.items():
+            put_whole(g + cell, array.ctypes.data)
+        for block in self.blocks:
+            for link in block.links:
+                if link.source in tables.slots and link.target in tables.slots and tables.solved(link):
+                    k = tables.slots[link.target]
+                    self._arrays[cells.SOURCES].view(np.int64)[k] = (
+                        whole(g + cells.V) + CELL * tables.slots[link.source]
+                    )
+                    self._arrays[cells.GAINS][k], self._arrays[cells.OFFSETS][k] = link.gain, link.offset
+        self._keep = members, rows
+        for cell, value in (
+            (cells.STATES, tables.states), (cells.MEMBERS, members.ctypes.data),
+            (cells.MEMBER_COUNT, len(self.members)), (cells.INDICATORS, z), (cells.VALUES, v),
+            (cells.ROWS, rows.ctypes.data), (cells.ROW_COUNT, len(rows)), (cells.DISCRETE_COUNT, len(discrete)),
+            (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)), (cells.CHANGED, 1),
+            (cells.MALLOC, ctypes.cast(ctypes.pythonapi.PyMem_RawMalloc, ctypes.c_void_p).value),
+            (cells.FREE, ctypes.cast(ctypes.pythonapi.PyMem_RawFree, ctypes.c_void_p).value),
+            *((cell, address_of(name)) for name, cell in (
+                ("evaluate", cells.EVALUATE), ("exchange", cells.EXCHANGE), ("indicate", cells.INDICATE),
+                ("trial", cells.TRIAL), ("settle", cells.SETTLE),
+            )),
+        ):  # fmt: skip
+            put_whole(g + cell, int(value or 0))
+
+    def _view(self, cell: int, size: int, dtype: type = np.float64) -> np.ndarray:
+        """An array at an address of the table."""
+        at = (whole(self.pointer + cell) - int(self._block.ctypes.data)) // CELL
+        return self._block[at : at + size].view(dtype)
+
+    @property
+    def tolerance(self) -> float:
+        """Relative: stated, or the smallest of the members', or the usual one."""
+        stated = [member.tolerance for member in self.members if member.tolerance is not None]
+        return self.settings.tolerance or min(stated, default=TOLERANCE)
+
+    def watch(self, addresses: Sequence[int]) -> None:
+        """Cells of inputs from outside: where one is not what it was, the solver begins anew."""
+        self._watched = np.array(addresses, dtype=np.int64)
+        self._seen = np.zeros(max(len(addresses), 1), dtype=np.int64)
+        for cell, value in (
+            (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(addresses)),
+            (cells.SEEN, self._seen.ctypes.data),
+        ):  # fmt: skip
+            put_whole(self.pointer + cell, int(value))
+
+    def begin(self, time: float = 0.0) -> None:
+        """Behind initialization mode: the first event of all members. Raises FmuError if that fails."""
+        g, settings = self.pointer, self.settings
+        put(g + cells.TIME, time)
+        put(g + cells.NEXT_EVENT, 1e300)
+        put(g + cells.RELATIVE, self.tolerance)
+        put(g + cells.LONGEST, settings.max_step or 1e300)
+        put(g + cells.STEP, (settings.step or 1e300) if settings.method == "rk4" else 0.0)
+        self.chosen = choose(settings, self.tables.states)
+        put_whole(g + cells.METHOD, METHODS[self.chosen.method])
+        put_whole(g + cells.RESTARTS, int(settings.restart))
+        put_whole(g + cells.CV_ONE_STEP, int(any(map(needs_completed, self.members))))
+        status = call(address_of("begin"), g)
+        if status == 2:
+            who = self.members[whole(g + cells.FAULT_MEMBER)]
+            raise FmuError(f"component {who.name} asks to end the simulation at its start{who.log_text()}")
+        if status:
+            raise FmuError(f"component {self.failed_name}: {self.why()}{self._at_fault().reasons()}")
+        self.begun = True
+        if self.chosen.method == "cvode":
+            self.make_cvode()
+        elif self.chosen.method == "dormand-prince" and self.tables.states:
+            self.make_cvode(needed=False)
+
+    def make_cvode(self, needed: bool = True) -> None:
+        """An integrator, to be used at once or should the group prove stiff. Raises FmuError if there is none."""
+        if not is_there():
+            if needed:
+                raise FmuError('there is no CVODE for this platform; take method = "dormand-prince" under [solver]')
+            return
+        sources = {link.target: link.source for block in self.blocks for link in block.links}
+        self.bands = bands_of([member.fmu for member in self.members], sources)
+        self.exact = not sources and all(map(gives_directional, self.members))
+        put_whole(self.pointer + cells.RESTART, 1)
+        self._cvode = Cvode(self.pointer, self.settings, self.bands, self.exact)
+
+    @property
+    def time(self) -> float:
+        """Where it is [s]."""
+        return number(self.pointer + cells.TIME)
+
+    @property
+    def method(self) -> str:
+        """Of integration, now."""
+        return CODES[whole(self.pointer + cells.METHOD)]
+
+    @property
+    def failed(self) -> bool:
+        """Whether the last step failed."""
+        return whole(self.pointer + cells.FAULT) != cells.NOTHING
+
+    @property
+    def failed_name(self) -> str:
+        """The member whose call failed."""
+        return self._at_fault().name
+
+    def _at_fault(self) -> LoadedInstance:
+        return self.members[whole(self.pointer + cells.FAULT_MEMBER)]
+
+    def why(self) -> str:
+        """What went wrong in the last step, in words."""
+        return why(self.pointer, [member.fmu.own for member in self.members])
+
+    def counts(self) -> Mapping[str, int]:
+        """Steps of the solver, those that were rejected, evaluations of all right-hand sides, events."""
+        names = {"steps": cells.STEPS, "rejected": cells.REJECTED, "evaluations": cells.EVALUATIONS,
+                 "events": cells.EVENTS}  # fmt: skip
+        return {name: whole(self.pointer + cell) for name, cell in names.items()}
+
+    def events(self) -> list[Event]:
+        """The last events inside steps, in their order."""
+        count, log = whole(self.pointer + cells.LOG_COUNT), self._arrays[cells.LOG]
+        found = []
+        for k in range(max(count - LOGGED, 0), count):
+            time, member, indicator = log[3 * (k % LOGGED) : 3 * (k % LOGGED) + 3]
+            bits = np.array([member, indicator]).view(np.int64)
+            found.append(Event(float(time), self.members[int(bits[0])].name, int(bits[1])))
+        return found
+
+    def changed(self) -> None:
+        """Something was set: the solver begins anew."""
+        put_whole(self.pointer + cells.CHANGED, 1)
+
+    def enter_events(self) -> None:
+        """Put all members into event mode, where anything may be set; the next step begins with the event."""
+        if whole(self.pointer + cells.IN_EVENTS):
+            return
+        for member in self.members:
+            function = member.address(f"{member.prefix}EnterEventMode")
+            if status := call(function, member.pointer):
+                raise FmuError(f"component {member.name}: cannot enter event mode (status {status}){member.reasons()}")
+        put_whole(self.pointer + cells.IN_EVENTS, 1)
+
+    def step(self, time: float, length: float, final: bool = False) -> bool:
+        """Go from `time` over `length` [s]; whether a member asks to end. `failed` and `why` tell what went wrong."""
+        flags = int(self._flags.ctypes.data)
+        do_step3(address_of("step"), self.pointer, time, length, int(final), flags)
+        return bool(self._flags[1])
+
+    def save(self, key: int) -> None:
+        """Keep the state of the group beside that of its member."""
+        cell = np.zeros(1, dtype=np.int64)
+        if call(address_of("save"), self.pointer, int(cell.ctypes.data)):
+            raise FmuError("there is no memory for the state of the solver")
+        self._kept[key] = int(cell[0])
+
+    def restore(self, key: int) -> None:
+        """Go back to where `save` was called."""
+        if key in self._kept:
+            call(address_of("restore"), self.pointer, self._kept[key])
+
+    def forget(self, key: int) -> None:
+        """Give a kept state back."""
+        cell = np.array([self._kept.pop(key, 0)], dtype=np.int64)
+        call(address_of("forget"), self.pointer, int(cell.ctypes.data))
+
+    def free(self) -> None:
+        """Give the solver back."""
+        for key in list(self._kept):
+            self.forget(key)
+        if self._cvode is not None:
+            self._cvode.free()
+            self._cvode = None
+            put_whole(self.pointer + cells.CVODE, 0)
