@@ -70,6 +70,8 @@ def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:
         "initial": v.initial, "unit": v.unit, "min": _number(v, "min"), "max": _number(v, "max"),
         "start": v.start, "description": v.description,
     }  # fmt: skip
+    if len(texts := fmu.texts.get(v.name, [])) > 1:
+        found["start"] = texts
     if v.displayUnit and v.displayUnit != v.unit:
         found["displayUnit"] = v.displayUnit
     if v.alias is not None:

@@ -46,9 +46,9 @@ class Described(NamedTuple):
 def read_description(path: Path, folder: Path, compiled: bool = False) -> Described:
     """The description of an unpacked FMU that can be run here, be it `compiled`. Raises FmuError for what cannot."""
     found = described(path, folder)
-    check_identifiers(path, found.description)
-    require_kind(path, found.description)
     notes = Notes()
+    check_identifiers(path, found.description, notes)
+    require_kind(path, found.description)
     interface = interface_of(found.description, usual_kind(found.description))
     find_library(path, folder, found.description, interface, notes, compiled)
     return found._replace(notes=(*found.notes, *notes.all()))

@@ -51,7 +51,8 @@ def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, f
 
 
 def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: float) -> float:
-    """One number from one or two signals; see the head of this module."""
+    """One number from one or two signals; see the head of this module. One of the values of whole numbers is whole."""
+    own = signals[0].values
     signal = as_numbers(signals[0])
     if operation == "mean":
         return signal.mean(begin, end)
@@ -65,13 +66,15 @@ def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: fl
     if operation == "ratio":
         other = abs(float(signals[1].values[-1]))
         return abs(float(signal.values[-1])) / other if other else 0.0
+    exact = own if own.dtype.kind in "iu" else signal.values  # neighbours beyond 2^53 are one float
     at = {
         "peak": int(np.argmax(np.abs(signal.values))),
-        "max": int(np.argmax(signal.values)),
-        "min": int(np.argmin(signal.values)),
+        "max": int(np.argmax(exact)),
+        "min": int(np.argmin(exact)),
         "last": -1,
     }
-    return float(signal.values[at[operation]])
+    found: float = exact[at[operation]].item()
+    return found
 
 
 def as_numbers(signal: Signal) -> Signal:

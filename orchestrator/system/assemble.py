@@ -12,6 +12,7 @@ from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
 from .file.reader import load_system
 from .file.recorded import select_recorded
+from .inputs.free_inputs import require_values
 from .inputs.series_file import with_files
 from .model import System
 from .one_fmu import component_name, is_fmu
@@ -46,9 +47,10 @@ def assemble(
             raise InputError(f"--period {given[1]}: {alone} has {given[0]} already")
         step = given[0] if given else step
         changes = replace(changes, periods=tuple(p for p in changes.periods if p[0] not in ("", alone)))
-    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)), start)
+    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)), start, complete=False)
     system = apply_changes(loaded, changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
+    system = require_values(system, lambda message, table: InputError(f"{message} ({system.path.name}, {table})"))
     if record:
         system = select_recorded(system, record)
     for component in boundaries:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import gcd, lcm
-from typing import Any
 
 from ..clock import duration, instant, require_span, seconds_text
 from ..fmu.fmu import Fmu
-from .model import start_as_toml
 from .one_fmu import STEPS, STOP, stated_time, whole_part
 
 
@@ -67,15 +65,6 @@ def whole_stop(start: Fraction, stop: Fraction, periods: Iterable[Fraction], rem
         return stop
     remarks.append(f"{seconds_text(stop)} is no whole number of steps: the run goes on to {seconds_text(later)}")
     return later
-
-
-def lacking_starts(fmu: Fmu, known: Collection[str]) -> Iterator[tuple[str, Any]]:
-    """Inputs that are not `known`, by themselves or with their array, and have no start value, with what is taken."""
-    for name in fmu.names("input"):
-        variable = fmu.variables[name]
-        given = name in known or name.split("[")[0] in known or fmu.type_of(name) is None
-        if variable.start is None and not given:
-            yield name, {"String": "", "Boolean": False}.get(variable.type, start_as_toml(variable))
 
 
 def _own(fmu: Fmu, key: str) -> Fraction | None:

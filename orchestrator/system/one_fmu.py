@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 from collections.abc import Callable
@@ -10,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from ..clock import duration, instant, require_span, seconds_text
-from ..errors import InputError
+from ..errors import InputError, listed
 from ..fmu.fmu import Fmu
 from ..toml_file import TomlFile
+from .inputs.free_inputs import lacking_starts
 from .model import FORMATS
 
 STOP = Fraction(1)  # s, where neither the FMU nor anybody else says how long
@@ -57,6 +59,12 @@ class FmuFile(TomlFile):
             of = "" if start else ", as its experiment does"
             self._said.append(f"the run begins at {seconds_text(begin)}{of}")
         component = component_name(path)
+        taken = dict(lacking_starts(fmu))
+        if taken:
+            said = listed(f"{name} = {value if value != '' else json.dumps(value)}" for name, value in taken.items())
+            self._said.append(
+                f"{path.name} states no start value of inputs: {said}, unless --set or --input gives another"
+            )
         if (end - begin) % own and not fmu.can_vary_step:
             end = self._whole(begin, end, own)
         self.notes = {component: tuple(self._said)}
@@ -65,7 +73,7 @@ class FmuFile(TomlFile):
             "description": " ".join((fmu.description.description or "").split()),
             "start_time": _text(begin),
             "stop_time": _text(end),
-            "components": {component: {"fmu": str(path.absolute()), "period": _text(own)}},
+            "components": {component: {"fmu": str(path.absolute()), "period": _text(own), "inputs": taken}},
         }
 
     def at(self, needle: str, table: str = "") -> str:

@@ -97,7 +97,8 @@ def _range(v: dict[str, Any]) -> str:
 
 
 def _start(v: dict[str, Any]) -> str:
-    text = "" if v["start"] is None else str(v["start"])
+    start = v["start"]
+    text = " ".join(map(json.dumps, start)) if isinstance(start, list) else "" if start is None else str(start)
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 

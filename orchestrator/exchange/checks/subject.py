@@ -15,7 +15,7 @@ from fmpy.model_description import ModelDescription, ModelVariable
 from ...errors import FmuError
 from ...fmu.description import described
 from ...fmu.files.archive import opened
-from ...fmu.files.binary import find_library, is_identifier, platform_folder
+from ...fmu.files.binary import check_identifiers, find_library, platform_folder
 from ...fmu.files.unpacked import archive_of, unpack
 from ...fmu.kinds import interface_of, require_kind, usual_kind
 from ...fmu.tolerant.rules import Note, Notes
@@ -117,7 +117,7 @@ def open_subject(path: Path) -> Subject:
     require_kind(path, found.description)
     interface = interface_of(found.description, usual_kind(found.description))
     with suppress(FmuError):  # none for this machine is a row of its own
-        if is_identifier(interface.modelIdentifier):
-            find_library(path, folder, found.description, interface, notes)
+        check_identifiers(path, found.description, notes)
+        find_library(path, folder, found.description, interface, notes)
     version = int(found.description.fmiMajorVersion)
     return Subject(path, folder, version, found.description, (*found.notes, *notes.all()), found.negated)

@@ -10,20 +10,28 @@ import fmpy
 from fmpy.model_description import InterfaceType, ModelDescription
 
 from ...errors import FmuError, listed
-from ..tolerant.rules import LIBRARY, PLATFORM, Notes
+from ..tolerant.rules import IDENTIFIER, LIBRARY, PLATFORM, Notes
 from .compiled import ASKED, compiled_library
 from .sources import build_of
 
-IDENTIFIER = r"[A-Za-z_][A-Za-z0-9_]*"  # a name in C
+C_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
+FILE_NAME = r"[^./\\\0-\x1f\x7f][^/\\\0-\x1f\x7f]*"  # stays in its folder
 LONGEST = 200  # characters of an identifier: it becomes a file name
 
 
-def check_identifiers(path: Path, description: ModelDescription) -> None:
-    """Raises FmuError if a modelIdentifier is no C identifier: it becomes a path, and could name any library."""
+def check_identifiers(path: Path, description: ModelDescription, notes: Notes) -> None:
+    """Notes a modelIdentifier that is no C identifier but can be a file's name.
+
+    Raises FmuError for any other: it becomes a path, and could name any library. Of FMI 1.0 functions begin with it.
+    """
     parts = (description.coSimulation, description.modelExchange, description.scheduledExecution)
     named = [part.modelIdentifier for part in (*parts, *description.buildConfigurations) if part is not None]
     for identifier in named:
-        if not is_identifier(identifier):
+        if is_identifier(identifier):
+            continue
+        if description.fmiVersion != "1.0" and is_file_name(identifier):
+            notes.add(IDENTIFIER, repr(identifier))
+        else:
             shown = identifier if len(str(identifier)) < 100 else f"{identifier[:100]}..."
             raise FmuError(
                 f"FMU {path}: its modelIdentifier '{shown}' is no C identifier of at most {LONGEST} characters, and "
@@ -32,8 +40,13 @@ def check_identifiers(path: Path, description: ModelDescription) -> None:
 
 
 def is_identifier(name: str | None) -> bool:
+    """Is a name from a description what the standard wants it to be?"""
+    return name is not None and len(name) <= LONGEST and re.fullmatch(C_NAME, name) is not None
+
+
+def is_file_name(name: str | None) -> bool:
     """May a name from a description be part of a path?"""
-    return name is not None and len(name) <= LONGEST and re.fullmatch(IDENTIFIER, name) is not None
+    return name is not None and len(name) <= LONGEST and re.fullmatch(FILE_NAME, name) is not None
 
 
 def platform_folder(version: int) -> str:

@@ -20,6 +20,9 @@ class Rule(NamedTuple):
 BACKSLASH = Rule("paths with a backslash", "taken for a slash", "pack with slashes, as zip wants them")
 TWICE = Rule("entries that are there twice with the same content", "one is taken", "pack each file once")
 LIBRARY = Rule("a library not called after modelIdentifier", "it is taken", "name the library after modelIdentifier")
+IDENTIFIER = Rule(
+    "a modelIdentifier that is no name in C", "taken for the library's name", "use letters, digits and _ only"
+)
 PLATFORM = Rule("a platform folder of another version of FMI", "it is taken", "name the folder as this version does")
 FUNCTIONS = Rule(
     "functions that the library lacks", "only a call of them fails", "export all functions of the standard"

@@ -143,7 +143,7 @@ def run_point(job: Job, values: dict[str, Any]) -> Record:
             plan = load(job)
             run = require_complete(simulate(replace(plan, system=plan.system.with_values(values, "--vary"))))
             summary = summarize(require_energy(run))
-            figures = {name: float(summary[name]) for name in figure_units(plan.system)}
+            figures = {name: summary[name] for name in figure_units(plan.system)}
             record["figures"] = {name: value if math.isfinite(value) else None for name, value in figures.items()}
         except Exception as error:
             expected = isinstance(error, (InputError, RunError)) or hasattr(error, "exit_code")

@@ -34,8 +34,11 @@ class Table:
 
     def column(self, figure: str) -> np.ndarray:
         """One figure of merit over the points; NaN where there is none, (points,)."""
-        values = [self.records.get(k, {}).get("figures", {}).get(figure) for k in range(len(self.design))]
-        return np.array([math.nan if value is None else value for value in values])
+        return np.array([math.nan if value is None else value for value in self.values(figure)])
+
+    def values(self, figure: str) -> list[float | int | None]:
+        """One figure of merit of each point, whole where its signal is; None where there is none."""
+        return [self.records.get(k, {}).get("figures", {}).get(figure) for k in range(len(self.design))]
 
     def without_effect(self) -> list[str]:
         """The axes of a complete grid along which no figure of merit changes, to the last bit."""
@@ -104,10 +107,10 @@ def _write_csv(table: Table, path: Path) -> None:
     design = table.design
     head = ["point", *(f"{axis.name} [{axis.unit}]" for axis in design.axes)]
     head += [*(f"{name} [{unit}]" for name, (unit, _) in table.figures.items()), "error"]
-    columns = [table.column(name).tolist() for name in table.figures]
+    columns = [table.values(name) for name in table.figures]
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(head)
         for k, error in enumerate(table.errors()):
-            values = ["" if math.isnan(column[k]) else repr(column[k]) for column in columns]
+            values = ["" if column[k] is None else repr(column[k]) for column in columns]
             writer.writerow([k, *design.point(k).values(), *values, error])

@@ -35,12 +35,13 @@ def shipped_systems() -> list[str]:
 
 
 def load_system(
-    name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = (), start: str = ""
-) -> System:
+    name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = (), start: str = "",
+    complete: bool = True,
+) -> System:  # fmt: skip
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
     `step`, `stop` and `start`: a period and times for what an SSP of another tool leaves open, or an FMU alone;
-    `outside`: folders elsewhere from which an SSP may take files.
+    `outside`: folders elsewhere from which an SSP may take files. `complete`: it must say what every input gets.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop, start, outside)
@@ -72,7 +73,8 @@ def load_system(
         record=record, reporting=_reporting(file), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
-    return require_values(_with_parameter_file(file, system), file.fail)
+    system = _with_parameter_file(file, system)
+    return require_values(system, file.fail) if complete else system
 
 
 def _span(file: TomlFile, table: SystemTable) -> tuple[Fraction, Fraction]:

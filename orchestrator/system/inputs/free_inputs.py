@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
+from typing import Any
+
+from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
+from ...fmu.attributes import items_of
+from ...fmu.fmu import Fmu
 from ..model import System, start_as_toml
 
 NAMED = 5  # inputs of a component that a note names
@@ -28,6 +33,27 @@ def left_alone(system: System) -> dict[str, list[str]]:
             ]
         )
     }
+
+
+def lacking_starts(fmu: Fmu, known: Collection[str] = ()) -> Iterator[tuple[str, Any]]:
+    """Inputs that are not `known`, by themselves or with their array, and have no start value, with what is taken."""
+    for name in fmu.names("input"):
+        variable = fmu.variables[name]
+        given = name in known or name.split("[")[0] in known or fmu.type_of(name) is None
+        if variable.start is None and not given:
+            yield name, _taken(variable)
+
+
+def _taken(variable: ModelVariable) -> Any:
+    """Nothing, or what is nearest to it: an empty text, false, the first item, a number within its range."""
+    if variable.type in ("String", "Boolean"):
+        return "" if variable.type == "String" else False
+    if items := items_of(variable):
+        return next(iter(items))
+    low, high = (None if limit is None else float(limit) for limit in (variable.min, variable.max))
+    if low is not None and low > 0.0:
+        return str(variable.min)
+    return str(variable.max) if high is not None and high < 0.0 else start_as_toml(variable)
 
 
 def require_values(system: System, fail: Callable[[str, str], InputError]) -> System:

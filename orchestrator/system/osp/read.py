@@ -11,7 +11,8 @@ from ...clock import duration, instant
 from ...errors import InputError, shown
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
-from ..experiment import lacking_starts, periods_of, stop_of, whole_stop
+from ..experiment import periods_of, stop_of, whole_stop
+from ..inputs.free_inputs import lacking_starts
 from ..model import FORMATS
 from ..ssp.files.rules import NO_START
 from .connections import Network, Wire

@@ -10,7 +10,8 @@ from ...clock import instant
 from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
-from ..experiment import lacking_starts, periods_of, stop_of, whole_stop
+from ..experiment import periods_of, stop_of, whole_stop
+from ..inputs.free_inputs import lacking_starts
 from ..model import FORMATS, settable
 from .files.annotations import annotated
 from .files.archive import Archive

@@ -11,7 +11,7 @@ import fmpy
 import pytest
 from cells_fmu import cells, scalar
 from helpers import build_fixture, edited, rovbrush
-from native_build import needs_gcc
+from native_build import built, needs_gcc
 from rovbrush.orchestrator.exchange.component_tests.skeleton import skeleton
 from rovbrush.orchestrator.exchange.component_tests.suites import suite_of
 from rovbrush.orchestrator.fmu.contents import contents_of
@@ -41,6 +41,20 @@ def test_info_tells_types_units_ranges_starts_and_items(
     }  # fmt: skip
     assert found["variables"][2]["items"] == {"off": 1, "on": 7}
     assert found["experiment"] == {"stop": 2.0, "step": 0.01}
+
+
+@needs_gcc
+def test_info_shows_every_start_value_of_an_array_of_texts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fmu = built(tmp_path) / "feedthrough3.fmu"
+    starts = Fmu.open(fmu).texts["t_in"]
+    assert len(starts) == 2 and starts[0] != starts[1]
+    assert rovbrush(monkeypatch, "info", fmu, "--json") == 0
+    found = {v["name"]: v["start"] for v in json.loads(capsys.readouterr().out)["variables"]}
+    assert found["t_in"] == starts
+    assert rovbrush(monkeypatch, "info", fmu) == 0
+    assert " ".join(map(json.dumps, starts)) in capsys.readouterr().out
 
 
 @needs_gcc

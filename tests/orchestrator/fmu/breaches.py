@@ -40,6 +40,7 @@ DESCRIPTIONS: list[tuple[rules.Rule, Mapping[str, str], str]] = [
     (rules.VERSION, {'fmiVersion="2.0"': 'fmiVersion="2.0.4"'}, "'2.0.4', taken for 2.0"),
     (rules.MISSING, {'guid="feedthrough2"': ""}, "guid"),
     (rules.MISSING, {'modelName="feedthrough2"': ""}, "modelName"),
+    (rules.IDENTIFIER, {'modelIdentifier="feedthrough2"': 'modelIdentifier="feed through-2"'}, "'feed through-2'"),
     (rules.BOOLEAN, {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="True"'}, "canGetAndSetFMUstate='True'"),
     (rules.BOOLEAN, {ON: ON.replace("false", "False")}, "start='False' of on_in"),
     (rules.NUMBER, {GUID: GUID + ' numberOfEventIndicators=""'}, "numberOfEventIndicators=''"),

@@ -15,6 +15,7 @@ from helpers import edited, last, read_system, rovbrush, system_text
 from native_build import FREE2, FREE3, built, feedthrough2, needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks.note_rows import note_rows
+from rovbrush.orchestrator.exchange.checks.rules.archive_rules import loadable_row
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.fmu.tolerant import rules
@@ -93,6 +94,7 @@ def test_an_archive_that_breaks_the_standard_runs_with_a_note(case: str, native:
         runs_noted_and_strict(fmu, rule, words, FREE2, "x")
     else:
         runs_noted_and_strict(fmu, rule, words, {**FREE3, "=Float64_in": 0.015}, "Float64_out")
+    assert loadable_row(open_subject(fmu)).verdict == "pass"
 
 
 def test_an_entry_that_is_there_twice_with_the_same_content_is_one(native: Path, tmp_path: Path) -> None:

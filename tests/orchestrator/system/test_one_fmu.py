@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from cells_fmu import cells, scalar
+from helpers import rovbrush
 from native_build import needs_gcc
 from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError
@@ -141,3 +142,38 @@ def test_nor_do_its_results(make: Make, tmp_path: Path) -> None:
         assert found["y"].equals(found["their_pump.y"])
         with pytest.raises(InputError, match="no recorded signal 'yy'; there are their_pump"):
             found["yy"]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "value"),
+    [({}, 0.0), ({"min": "2"}, 2.0), ({"max": "-3", "min": "-5"}, -3.0), ({"min": "-1", "max": "1"}, 0.0)],
+)
+def test_an_input_without_start_value_is_told_and_can_be_given(
+    attributes: dict[str, str], value: float, tmp_path: Path
+) -> None:
+    fmu = cells(tmp_path / "f.fmu", [scalar("u", 0, "input", **attributes), scalar("y", 100)], 'stopTime="1"')
+    notes = " ".join(assemble(str(fmu)).components["f"].notes)
+    assert f"states no start value of inputs: u = {value:g}" in notes and "--set" in notes
+    assert load(fmu).run()["y"].values[-1] == 100 + value
+    assert (
+        load(fmu).set("u", value - 0.5 if value < 0 else value + 0.5).run()["y"].values[-1]
+        == (99.5 if value < 0 else 100.5) + value
+    )
+    table = tmp_path / "in.csv"
+    table.write_text(f"time,u\n0,{value}\n1,{value}\n")
+    assert load(fmu).run(inputs=table)["y"].values[-1] == 100 + value
+
+
+@pytest.mark.parametrize(("option", "value"), [("--set", "a.u=2"), ("--input", "in.csv")])
+def test_so_can_one_of_a_system_where_it_is_an_error_otherwise(
+    option: str, value: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    fmu = cells(tmp_path / "f.fmu", [scalar("u", 0, "input"), scalar("y", 100)], "")
+    case = tmp_path / "case.toml"
+    case.write_text(f'stop_time = "1 s"\n[components.a]\nfmu = "{fmu}"\nperiod = "0.1 s"\n')
+    (tmp_path / "in.csv").write_text("time,a.u\n0,2\n1,2\n")
+    with pytest.raises(InputError, match=r"input a\.u has no driver, .*\(case\.toml, \[components\.a\]\)"):
+        assemble(str(case))
+    assert rovbrush(monkeypatch, "run", case, option, value, "--out", tmp_path / "o") == 0
+    assert Result.open(tmp_path / "o")["a.y"].values[-1] == 102.0

@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Iterator
 
 from ....errors import FmuError, counted, listed
-from ....fmu.files.binary import LONGEST, find_library, is_identifier, remedy
+from ....fmu.files.binary import LONGEST, find_library, is_file_name, is_identifier, remedy
 from ....fmu.files.compiled import ASKED
 from ..rows import Row, judged
 from ..subject import PLATFORMS, Subject, suffix
@@ -65,7 +65,9 @@ def _binaries(subject: Subject) -> Iterator[Row]:
     identifier = str(subject.interface.modelIdentifier)
     bad = [] if is_identifier(identifier) else [identifier[:100]]
     mend = f"use letters, digits and _ only, at most {LONGEST}"
-    yield judged(STAGE, "modelIdentifier is a C name", bad, identifier, "is none", mend, "error")
+    runs = subject.version > 1 and is_file_name(identifier)  # of FMI 1.0 functions begin with it
+    rule = "modelIdentifier is a C name"
+    yield judged(STAGE, rule, bad, identifier, "is none", mend, "finding" if runs else "error")
     there = subject.binaries
     unknown = [name for name in there if name not in PLATFORMS[subject.version]]
     mend = f"FMI {subject.version}.0 names them {listed(PLATFORMS[subject.version][-4:])}"
@@ -80,18 +82,19 @@ def _binaries(subject: Subject) -> Iterator[Row]:
 
 def loadable_row(subject: Subject) -> Row:
     """Whether there is a binary for this machine, or one was made, and if not, what can be done."""
-    rule, platform = "binary for this machine", subject.platform
-    library = f"{subject.interface.modelIdentifier}{suffix(platform)}"
-    if library in subject.binaries.get(platform, ()):
-        return Row("dry run", rule, "pass", f"binaries/{platform}/{library}")
-    if os.environ.get(ASKED) and is_identifier(subject.interface.modelIdentifier):
-        try:
-            made = find_library(subject.path, subject.folder, subject.description, subject.interface)
-        except FmuError as error:
+    rule = "binary for this machine"
+    usable = is_file_name(subject.interface.modelIdentifier)  # it becomes a path
+    try:
+        if not usable:
+            raise FmuError("none is looked for")
+        library = find_library(subject.path, subject.folder, subject.description, subject.interface)
+    except FmuError as error:
+        if os.environ.get(ASKED) and usable:
             found = str(error).removeprefix(f"FMU {subject.path}").lstrip(": ")
             return Row("dry run", rule, "error", found, "pack sources that compile, or a binary of this platform")
-        return Row("dry run", rule, "pass", f"{made.name}, compiled from its sources")
-    found = f"none for {platform}; there is {listed(subject.binaries) or 'none at all'}"
-    return Row(
-        "dry run", rule, "error", found, remedy(subject.path, subject.folder, subject.description, subject.interface)
-    )
+        found = f"none for {subject.platform}; there is {listed(subject.binaries) or 'none at all'}"
+        mend = remedy(subject.path, subject.folder, subject.description, subject.interface)
+        return Row("dry run", rule, "error", found, mend)
+    if library.is_relative_to(subject.folder / "binaries"):
+        return Row("dry run", rule, "pass", f"binaries/{library.parent.name}/{library.name}")
+    return Row("dry run", rule, "pass", f"{library.name}, compiled from its sources")

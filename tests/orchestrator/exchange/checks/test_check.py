@@ -76,7 +76,7 @@ DESCRIPTIONS = {
     "steps may vary": ("finding", {'canHandleVariableCommunicationStepSize="true"': ""}),
     "several instances per process": ("finding", {'OnlyOncePerProcess="false"': 'OnlyOncePerProcess="true"'}),
     "no other tool is needed": ("finding", {'needsExecutionTool="false"': 'needsExecutionTool="true"'}),
-    "modelIdentifier is a C name": ("error", {'modelIdentifier="gain"': 'modelIdentifier="a gain"'}),
+    "modelIdentifier is a C name": ("finding", {'modelIdentifier="gain"': 'modelIdentifier="a gain"'}),
     "binaries bear the identifier": ("finding", {'modelIdentifier="gain"': 'modelIdentifier="loss"'}),
 }  # fmt: skip
 

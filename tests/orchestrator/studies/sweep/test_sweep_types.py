@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 
 import numpy as np
@@ -129,6 +130,15 @@ def test_a_sweep_file_may_name_an_fmu_and_its_variables_without_a_prefix(fmu: Pa
     (tmp_path / "s.toml").write_text("\n".join([*lines, 'n = "max Int32_out"', 'm = "peak Float64_out"']))
     result = sweep(str(tmp_path / "s.toml"), tmp_path, Options(workers=1)).require_all()
     assert result.n.values.tolist() == [-1.0, 5.0] and set(result.data_vars) == {"n", "m", "error"}
+
+
+def test_whole_numbers_stay_whole_beyond_the_digits_of_a_float(fmu: Path, tmp_path: Path) -> None:
+    lines = [f'system = "{fmu}"', 'stop_time = "10 ms"', "[vary]", f"Int64_in = [{BIG}, {BIG + 2}]", "[summary]"]
+    (tmp_path / "s.toml").write_text("\n".join([*lines, 'n = "last Int64_out"', 'x = "mean Int64_out"']))
+    result = sweep(str(tmp_path / "s.toml"), tmp_path / "out", Options(workers=1)).require_all()
+    assert result.n.values.tolist() == [BIG, BIG + 2]
+    rows = list(csv.DictReader((tmp_path / "out" / "sweep.csv").read_text().splitlines()))
+    assert [row["n [1]"] for row in rows] == [str(BIG), str(BIG + 2)] and rows[0]["x [1]"] == repr(float(BIG))
 
 
 def test_what_is_set_and_varied_by_two_names_is_an_error(fmu: Path, tmp_path: Path) -> None:
