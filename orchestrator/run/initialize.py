@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 
 import numpy as np
 
@@ -21,6 +21,8 @@ from .memory.memory import Memory
 from .read_back import read_back
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
+NUDGE = 1e-7  # of an input, relative to its size or 1, to see whether a loop has one solution
+SINGULAR = 1e-6  # smallest singular value of its matrix against the largest, below which it has more
 
 
 def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Started:
@@ -49,7 +51,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         instance.exit_initialization()
     propagation.read_outputs()
     propagation.settle_instant()
-    started.notes = [note for name, c in system.components.items() for note in read_back(instances[name], c)]
+    started.notes += [note for name, c in system.components.items() for note in read_back(instances[name], c)]
     for r in system.requirements:
         value = instances[r.value[0]].get(r.value[1])
         if not r.minimum <= value <= r.maximum:
@@ -167,6 +169,11 @@ class _Propagation:
         guess = self.memory.z[[self.plan.layout.inputs[c.target] for c in unknowns]]  # start values in the first sweep
         found, wanted = size(guess), self.plan.system.loops.tolerance
         allowed = max(TOLERANCE, wanted)
+        if found <= wanted and _singular(residual, guess):
+            self._note(
+                f"the algebraic {label} has more than one solution: its inputs keep the start values that they were "
+                f"found with; break it with a state, or remove one of its connections"
+            )
         if found > wanted:
             solution = root(residual, guess, method="hybr", options={"xtol": 1e-14}).x
             found = size(solution)
@@ -177,6 +184,19 @@ class _Propagation:
                 f"the FMUs start values near the solution"
             )
         self.started.loops[label] = found
+
+    def _note(self, words: str) -> None:
+        if words not in self.started.notes:
+            self.started.notes.append(words)
+
+
+def _singular(residual: Callable[[np.ndarray], np.ndarray], inputs: np.ndarray) -> bool:
+    """Whether other inputs nearby are solutions of a loop, too; they are set again as they were."""
+    nudges = NUDGE * np.maximum(np.abs(inputs), 1.0)
+    columns = [residual(inputs + nudge) / size for nudge, size in zip(np.diag(nudges), nudges, strict=True)]
+    values = np.linalg.svd(np.array(columns), compute_uv=False)
+    residual(inputs)
+    return bool(values[-1] <= SINGULAR * values[0])
 
 
 def loop_residuals(plan: Plan) -> dict[str, float]:

@@ -66,3 +66,12 @@ def test_an_input_is_never_set_before_its_source_is_known(tmp_path: Path, fmus: 
     parts = {"r": ("root", "10 ms"), "w": ("wave", "10 ms", {"c0": 4.0})}
     run = run_of(tmp_path, fmus, parts, ["w.y -> r.u"], stop="20 ms", order=["r", "w"])
     assert list(column(run, "r.y")[1]) == [0.25, 0.25, 0.25]
+
+
+@pytest.mark.parametrize("k, singular", [(1.0, True), (-1.0, True), (0.5, False), (-2.0, False)])
+def test_a_loop_that_any_value_solves_is_told(k: float, singular: bool, tmp_path: Path, fmus: Path) -> None:
+    """a = k b, b = k a: with k = 1 or -1 any value solves it, also that which the FMUs start with."""
+    parts = {name: ("gain", "10 ms", {"k": k, "offset": 0.0}) for name in "ab"}
+    run = run_of(tmp_path, fmus, parts, LOOP, stop="10 ms")
+    told = [note for note in run.notes if "loop b.u, a.u has more than one solution" in note]
+    assert len(told) == singular and column(run, "a.y")[1].tolist() == [0.0, 0.0]
