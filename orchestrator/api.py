@@ -45,13 +45,15 @@ def load(
     step: str = "",
     allow_outside: Sequence[str | Path] = (),
     start: Time = "",
+    values: Mapping[str, object] | None = None,
 ) -> Model:
     """A system, by the name of a shipped one or the path of a .toml, .ssp, .ssd, .fmu or OSP file; FMUs stay unpacked.
 
     `start`, `stop`: other times; `fmus`: the folder of built FMUs; `replacements`, `mappings`, `periods`, by component:
     an FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
     recorded instead of what the system says; `step`: the period where an SSP states none; `allow_outside`: folders
-    elsewhere from which an SSP may take files.
+    elsewhere from which an SSP may take files; `values`: as of `Model.set`, and structural parameters, which decide the
+    sizes of arrays.
     Raises InputError or FmuError, as the command line does.
     """
     changes = Changes(
@@ -61,7 +63,7 @@ def load(
         tuple(str(Path(folder).absolute()) for folder in allow_outside),
     )
     folder = Path(fmus) if fmus else None
-    return Model(assemble(str(name), {}, str(stop), folder, changes, step=step, record=record, start=str(start)))
+    return Model(assemble(str(name), values, str(stop), folder, changes, step=step, record=record, start=str(start)))
 
 
 def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:

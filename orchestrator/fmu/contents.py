@@ -78,7 +78,7 @@ def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:
         found["alias"] = v.alias.name
     if v.shape:
         found["shape"] = list(v.shape)
-        found["dimensions"] = [d.start if d.variable is None else d.variable.name for d in v.dimensions]
+        found["dimensions"] = [None if d.variable is None else d.variable.name for d in v.dimensions]
     if v.clocks:
         found["clocks"] = [clock.name for clock in v.clocks]
     if further := fmu.details.get(v.name if v.alias is None else v.alias.name):

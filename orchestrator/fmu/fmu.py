@@ -23,6 +23,7 @@ from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
+from .structure import resize, resized_variables
 from .terminals import Terminal
 from .tolerant.rules import Note, Notes
 from .types import REALS, TYPES, FmiType, Value
@@ -48,6 +49,8 @@ class Fmu(Capabilities):
     units: Mapping[str, str] = field(default_factory=dict)  # of scalars, where the description leaves them out
     kind: Kind = CO_SIMULATION
     compiled: bool = False  # its sources may be compiled where it brings no library for this machine
+    structure: Mapping[str, Value] = field(default_factory=dict)  # structural parameters that are not at their start
+    resized: tuple[str, ...] = ()  # the arrays that have another size by that
 
     @classmethod
     def open(cls, path: Path, compiled: bool = False) -> Fmu:
@@ -84,6 +87,23 @@ class Fmu(Capabilities):
         """The same FMU taken for a kind. Raises FmuError if it is not of that kind, or cannot be run so."""
         require_kind(self.path, self.description, kind)
         return replace(self, kind=kind)
+
+    def with_structure(self, values: Mapping[str, Value]) -> Fmu:
+        """The same FMU with structural parameters set, and its arrays laid out by them.
+
+        `values`: of their types, by name. Raises FmuError for arrays that are too large.
+        """
+        own = self.own
+        changed = {name: value for name, value in values.items() if value != own.start(name)}
+        if not changed:
+            return self
+        description, texts = resize(self.description, self.texts, changed)
+        found = replace(
+            self, description=description, texts=texts, structure={**self.structure, **changed},
+            resized=(*self.resized, *resized_variables(self.description, description)),
+        )  # fmt: skip
+        _ = found.places  # an array that cannot be laid out is refused now
+        return found
 
     @cached_property
     def library(self) -> Path:

@@ -64,6 +64,11 @@ class Participant(ABC):
     def address(self, function: str) -> int:
         """Address of an FMI function, for the loop. Raises FmuError if the FMU does not have it."""
 
+    def configure(self, values: Mapping[str, Value]) -> None:
+        """Set structural parameters, by the FMU's own names, before all else (FMI 3.0)."""
+        if values:
+            raise CallError(f"component {self.name}: {self.fmu.path.name} has no structural parameters")
+
     @abstractmethod
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         """Say that it will run from `start` to `stop` [s], if that is known, and with which tolerance; first of all."""

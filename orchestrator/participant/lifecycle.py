@@ -1,10 +1,9 @@
 """The life of an FMU for co-simulation: which calls are allowed when, and where each leads.
 
 One table for each version, as the standards have it: FMI 1.0 for Co-Simulation, section 2.9; FMI 2.0.4, section 4.2.4;
-FMI 3.0.2, sections 2.3, 4.2.1 and 5.2.1 (scheduled execution), without what no master here does (configuration mode,
-intermediate update). What a standard leaves to the importer is decided here. FMI 1.0 has no initialization mode: it is
-the time between the last start value and `fmiInitializeSlave`, and ends with the first get. The order that follows for
-a run:
+FMI 3.0.2, sections 2.3, 4.2.1 and 5.2.1 (scheduled execution), without what no master here does (intermediate update).
+What a standard leaves to the importer is decided here. FMI 1.0 has no initialization mode: it is the time between the
+last start value and `fmiInitializeSlave`, and ends with the first get. The order that follows for a run:
 
     instantiate -> set up (tolerance, start, stop) -> set parameters and start values -> enter initialization
     -> set inputs, get outputs until they are consistent -> exit initialization -> get the outputs again
@@ -20,6 +19,8 @@ from enum import Enum
 
 from fmpy.model_description import ModelVariable
 
+from ..fmu.structure import STRUCTURAL
+
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
 STATUS = {OK: "OK", WARNING: "Warning", DISCARD: "Discard", ERROR: "Error", FATAL: "Fatal", PENDING: "Pending"}
 
@@ -28,6 +29,7 @@ class State(Enum):
     """Where in its life an instance is; the values are words for messages."""
 
     INSTANTIATED = "instantiated"
+    CONFIGURING = "in configuration mode"
     INITIALIZING = "in initialization mode"
     STEPPING = "between two steps"
     EVENTS = "in event mode"
@@ -43,13 +45,13 @@ class State(Enum):
     FREED = "freed"
 
 
-_I, _M, _S, _U, _F, _P, _C, _T, _E = (
-    State.INSTANTIATED, State.INITIALIZING, State.STEPPING, State.INPUTS_SET, State.STEP_FAILED, State.STEP_PENDING,
-    State.STEP_CANCELED, State.TERMINATED, State.FAILED,
+_I, _G, _M, _S, _U, _F, _P, _C, _T, _E = (
+    State.INSTANTIATED, State.CONFIGURING, State.INITIALIZING, State.STEPPING, State.INPUTS_SET,
+    State.STEP_FAILED, State.STEP_PENDING, State.STEP_CANCELED, State.TERMINATED, State.FAILED,
 )  # fmt: skip
 _V, _A, _K = State.EVENTS, State.ACTIVATING, State.CLOCKS_TOLD
 _BETWEEN = frozenset({_S, _U})
-_ANY = frozenset({_I, _M, _S, _U, _F, _C, _T, _E, _V, _A})  # but in a step, and behind a fatal error
+_ANY = frozenset({_I, _G, _M, _S, _U, _F, _C, _T, _E, _V, _A})  # but in a step, and behind a fatal error
 
 # The one deviation from a standard. FMI 1.0 and 2.0 (4.2.4) allow no get after a set before the next step. A coupling
 # by Gauss-Seidel or by bonds reads outputs that inputs act on at once; other masters do so too, and FMI 3.0 allows it.
@@ -75,7 +77,8 @@ ALLOWED: dict[int, dict[str, frozenset[State]]] = {
     },
     3: _COMMON | {
         "get": frozenset({_M, _S, _U, _F, _T, _V, _A}),
-        "set": frozenset({_I, _M, _V, _A}) | _BETWEEN,
+        "set": frozenset({_I, _G, _M, _V, _A}) | _BETWEEN,
+        "configure": frozenset({_I}), "configured": frozenset({_G}),
         "terminate": _BETWEEN | {_F, _V, _A},
         "exit to events": frozenset({_M}), "enter events": _BETWEEN, "leave events": frozenset({_V}),
         "update": frozenset({_V}), "get clocks": frozenset({_V, _K}), "set clocks": frozenset({_V}),
@@ -95,7 +98,8 @@ SECTION = {1: "FMI 1.0 for Co-Simulation, section 2.9", 2: "FMI 2.0, section 4.2
 
 # Where a call leads that succeeds; the others change nothing.
 _NEXT = {
-    "enter": _M, "exit": _S, "step": _S, "terminate": _T, "reset": _I, "free": State.FREED, "cancel": _C,
+    "configure": _G, "configured": _I, "enter": _M, "exit": _S, "step": _S, "terminate": _T, "reset": _I,
+    "free": State.FREED, "cancel": _C,
     "exit to events": _V, "enter events": _V, "leave events": _S, "exit to activations": _A,
 }  # fmt: skip
 
@@ -130,6 +134,10 @@ def why_not_settable(state: State, variable: ModelVariable) -> str:
     """Why a variable cannot be set in a state that allows setting; empty where it can."""
     if variable.variability == "constant":
         return "it is a constant"
+    structural = variable.causality == STRUCTURAL
+    if structural or state is State.CONFIGURING:
+        alone = structural and state is State.CONFIGURING
+        return "" if alone else "structural parameters, and they alone, are set in configuration mode"
     if state not in (*_BETWEEN, _V, _A) or variable.causality == "input" or variable.variability == "tunable":
         return ""
     kind = f"{variable.variability or ''} {variable.causality}".strip()

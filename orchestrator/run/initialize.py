@@ -38,6 +38,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     for name, variables in left_alone(system).items():
         first[name] |= {variable: system.components[name].fmu.start(variable) for variable in variables}
     for name, component in system.components.items():
+        instances[name].configure(component.fmu.structure)
         instances[name].set_up(end, begin)
         instances[name].set_all({**component.parameters, **first[name]})
         instances[name].enter_initialization()

@@ -7,6 +7,7 @@ than were asked for.
 from __future__ import annotations
 
 from ..errors import FmuError
+from ..fmu.structure import STRUCTURAL
 from ..fmu.types import FmiType, Value
 from ..participant.base import CallError, Participant
 from ..system.model import Component
@@ -17,8 +18,8 @@ ROUNDING = 8  # units in the last place, of conversions on the way there and bac
 def read_back(instance: Participant, component: Component) -> list[str]:
     """Raise FmuError for a parameter that is not what was set; notes on those that cannot be read."""
     notes, fmu = [], component.fmu
-    for name, value in component.parameters.items():
-        if fmu.variables[name].causality != "parameter":
+    for name, value in {**fmu.structure, **component.parameters}.items():
+        if fmu.variables[name].causality not in ("parameter", STRUCTURAL):
             continue
         before = instance.state
         try:

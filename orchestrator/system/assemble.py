@@ -47,7 +47,8 @@ def assemble(
             raise InputError(f"--period {given[1]}: {alone} has {given[0]} already")
         step = given[0] if given else step
         changes = replace(changes, periods=tuple(p for p in changes.periods if p[0] not in ("", alone)))
-    loaded = load_system(name, fmus, step, stop, tuple(map(Path, changes.outside)), start, complete=False)
+    outside = tuple(map(Path, changes.outside))
+    loaded = load_system(name, fmus, step, stop, outside, start, values, complete=False)
     system = apply_changes(loaded, changes).with_values(values or {}, "--set")
     system = with_files(system, inputs)
     system = require_values(system, lambda message, table: InputError(f"{message} ({system.path.name}, {table})"))

@@ -18,6 +18,7 @@ from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
 from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
+from ..fmu.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
 from .inputs.series import Series
@@ -174,6 +175,8 @@ class System:
                 )
             if name not in components:
                 raise InputError(f"{origin}: no component '{name}' in '{key}'{nearest(name, components)}")
+            if _same_structure(components[name], variable, value, f"{origin}: {key}"):
+                continue
             for scalar, scalar_value in checked_values(components[name], variable, value, origin).items():
                 self.require_free(name, scalar, origin)
                 if (other := named.setdefault((name, scalar), key)) != key and components[name].fmu.aliases:
@@ -213,6 +216,20 @@ class System:
         )
 
 
+def _same_structure(component: Component, name: str, value: object, label: str) -> bool:
+    """Whether a name is that of a structural parameter; it has its value already. Raises InputError for another."""
+    fmu = component.fmu
+    own = fmu.main_name(name)
+    if own not in fmu.variables or fmu.variables[own].causality != STRUCTURAL:
+        return False
+    if parse_value(fmu.variables[own], value, label, fmu.type_of(own)) != fmu.start(own):
+        raise InputError(
+            f"{label} decides sizes of arrays, so it is set where the system is read: under [components."
+            f"{component.name}] parameters, with --set, or load(..., values = {{...}})"
+        )
+    return True
+
+
 def _names_to_set(components: Mapping[str, Component]) -> list[str]:
     """What can be set, each by its full name."""
     return [f"{c.name}.{v}" for c in components.values() for v in c.fmu.base_names("parameter", "input")]
@@ -235,6 +252,8 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
     """`value` for each scalar behind `name` (a list for an array), in unit, type and range. Raises InputError."""
     fmu = component.fmu
     scalars = fmu.expand(name)
+    if scalars and fmu.variables[scalars[0]].causality == STRUCTURAL:
+        raise InputError(f"{origin}: {component.name}.{name} is a structural parameter: it is set before a run begins")
     if not scalars or not settable(fmu.variables[scalars[0]]):
         kind = fmu.variables[scalars[0]].causality if scalars else "variable"
         what = f"is of causality {kind} and cannot be set" if scalars else "is unknown"

@@ -68,7 +68,9 @@ def _show_terminal(terminal: dict[str, Any]) -> None:
 
 
 def _type(v: dict[str, Any]) -> str:
-    shape = f"[{','.join(map(str, v['dimensions']))}]" if "shape" in v else ""
+    sizes = zip(v.get("dimensions", ()), v.get("shape", ()), strict=True)
+    shape = ",".join(f"{name} = {size}" if name else str(size) for name, size in sizes)
+    shape = f"[{shape}]" if shape else ""
     usual = "fixed" if v["causality"] == "parameter" else "continuous"
     named = v["variability"] not in (None, usual) and not (v["type"] not in ("Real", "Float64") and usual)
     return f"{v['type']}{shape}{', ' + v['variability'] if named else ''}"

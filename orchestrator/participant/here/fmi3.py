@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping
 from typing import Any
 from weakref import WeakValueDictionary
 
 from fmpy import fmi3
 
 from ...errors import FmuError
+from ...fmu.types import Value
 from ..apart.library import fresh_library
 from ..base import AskedToEndError, CallError
 from ..lifecycle import DISCARD, PREFIX, STATE_FUNCTIONS
@@ -75,6 +77,16 @@ class Fmi3Instance(LoadedInstance):
     def _log(self, status: int, category: bytes, message: bytes) -> None:
         words = ((part or b"").decode("utf-8", "replace").strip() for part in (category, message))
         self.log.add(status, *words)
+
+    def configure(self, values: Mapping[str, Value]) -> None:
+        if not values:
+            return
+        self.call("configure", "enter configuration mode", self.slave.enterConfigurationMode)
+        self.set_own(values)
+        shown = ", ".join(f"{name} = {value}" for name, value in values.items())
+        self.call("configured", f"leave configuration mode with {shown}", self.slave.exitConfigurationMode)
+        if self.fmu.structure != values:
+            self.fmu = self.fmu.with_structure(values)
 
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self.require("set up", "set up the experiment")

@@ -24,8 +24,8 @@ from ..opening import load
 from .channel import CALL, ENDS, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
 from .functions import Function, functions
 
-BY_NAME = ("set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save", "restore",
-           "forget", "serialize", "deserialize", "terminated", "reached", "look", "close")  # fmt: skip
+BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
+           "restore", "forget", "serialize", "deserialize", "terminated", "reached", "look", "close")  # fmt: skip
 
 LOOK = 0.1  # s between two looks at what the FMU may log
 

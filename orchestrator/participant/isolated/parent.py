@@ -132,6 +132,10 @@ class IsolatedInstance(Participant):
             raise CallError(answer["error"], answer.get("status"))
         return answer["ok"]
 
+    def configure(self, values: Mapping[str, Value]) -> None:
+        if values:
+            self._by_name("configure", dict(values))
+
     def set_up(self, stop: float | None, start: float = 0.0) -> None:
         self._by_name("set_up", stop, start)
 

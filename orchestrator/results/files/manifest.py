@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 from typing import Any
 
+from ...fmu.structure import STRUCTURAL
 from ...system.inputs.series import manifest_of
 from ..tables import Run
 
@@ -22,7 +23,7 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
     components = {}
     for name, component in system.components.items():
         fmu = component.fmu
-        values = {v: fmu.variables[v].start for v in fmu.names("parameter")}
+        values = {v: fmu.variables[v].start for v in fmu.names(STRUCTURAL, "parameter")}
         components[name] = {
             "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
             "period_s": float(component.period),

@@ -21,7 +21,7 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
                 "fmu": component.fmu.path.name, "sha256": component.fmu.digest,
                 "tolerance": component.tolerance,
                 "values": {
-                    **component.parameters, **component.inputs,
+                    **component.fmu.structure, **component.parameters, **component.inputs,
                     **{name: f"{series} ({series.digest[:12]})" for name, series in component.series.items()},
                 },
             } for name, component in system.components.items()

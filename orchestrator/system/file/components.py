@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from ..inputs.series_file import stated_series
 from ..model import Component, checked_values
 from ..schema.checked import checked, checked_value
 from ..schema.system import ComponentTable
+from .structure import Stated, is_structural, with_structure
 
 STATED = (bool, int, float, str)  # what a value in a file may be
 
@@ -35,8 +37,14 @@ def fmu_folder() -> Path:
     return user_data_path("rovbrush") / "fmus"
 
 
-def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | None) -> Component:
-    """One table `[components.name]`. Raises InputError or FmuError."""
+def component_of(
+    file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | None, before: Sequence[Stated] = (),
+    after: Sequence[Stated] = (),
+) -> Component:  # fmt: skip
+    """One table `[components.name]`. Raises InputError or FmuError.
+
+    `before`, `after`: values beside its own, of which those of structural parameters count now, under and over those.
+    """
     heading = f"components.{name}"
     if not re.fullmatch(r"\w+", name):
         raise file.fail(f"component name '{name}': only letters, digits and _ are allowed", name)
@@ -50,6 +58,8 @@ def component_of(file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | 
             fmu = fmu.of_kind(table.kind)
         except FmuError as error:
             raise file.fail(f"component {name}: {error}", "kind", heading) from None
+    own = [(key, value, f"parameters of {name} {file.at(key, heading)}") for key, value in table.parameters.items()]
+    fmu = with_structure(name, fmu, [*before, *own, *after])
     if table.units:
         fmu = replace(fmu, units=stated_units(file, name, table.units, fmu, heading))
     try:
@@ -87,6 +97,12 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
             for one in value if isinstance(value, list) else [value]:
                 if not isinstance(one, STATED) and component.fmu.expand(key):
                     raise InputError(f"{origin}: {name}.{key} = {one} is not a finite number, text, true or false")
+            if is_structural(component.fmu, key):  # it is in the FMU already: see `structure`
+                if kind == "inputs":
+                    raise InputError(f"{origin}: {name}.{key} is a structural parameter: it is set under parameters")
+                if (of := component.fmu.main_name(key)) != key and of in values:
+                    raise InputError(f"{origin}: {name}.{of} has a value already; {name}.{key} is the same variable")
+                continue
             scalars = checked_values(component, key, value, origin)
             is_input = component.fmu.variables[next(iter(scalars))].causality == "input"
             if is_input != (kind == "inputs"):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from .components import component_of
 from .connections import check_drivers, connections_of
 from .figure_kinds import figure_kind, figure_kinds
 from .recorded import recorded_names
+from .structure import Stated, given_for, is_structural, with_resized_starts
 
 SYSTEMS = Path(__file__).parent.parent.parent / "systems"
 REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list}
@@ -36,12 +38,13 @@ def shipped_systems() -> list[str]:
 
 def load_system(
     name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = (), start: str = "",
-    complete: bool = True,
+    values: Mapping[str, object] | None = None, complete: bool = True,
 ) -> System:  # fmt: skip
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
     `step`, `stop` and `start`: a period and times for what an SSP of another tool leaves open, or an FMU alone;
-    `outside`: folders elsewhere from which an SSP may take files. `complete`: it must say what every input gets.
+    `outside`: folders elsewhere from which an SSP may take files. `values`: what will be set, of which structural
+    parameters count now, since sizes follow them. `complete`: it must say what every input gets.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop, start, outside)
@@ -53,9 +56,11 @@ def load_system(
     table = checked(SystemTable, {key: value for key, value in file.data.items() if key in KEYS}, "", file)
     if not table.components:
         raise InputError(f"{file.path.name}: 'components' is missing")
+    under, count = _parameter_file(file), len(table.components)
+    later = {key: given_for(key, count, values or {}, "--set") for key in table.components}
+    entries = {key: file.entry(dict, key, file.data["components"], "components") for key in table.components}
     components = {
-        key: component_of(file, key, file.entry(dict, key, file.data["components"], "components"), fmus)
-        for key in file.data["components"]
+        key: component_of(file, key, entry, fmus, under.get(key, ()), later[key]) for key, entry in entries.items()
     }
     if table.order and sorted(table.order) != sorted(components):
         raise file.fail(f"order must name every component once: {', '.join(components)}", "order")
@@ -74,7 +79,11 @@ def load_system(
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
     system = _with_parameter_file(file, system)
-    return require_values(system, file.fail) if complete else system
+    system = require_values(system, file.fail) if complete else system
+    resized = {
+        key: with_resized_starts(c, later[key], file.path.name) for key, c in system.components.items() if c.fmu.resized
+    }
+    return replace(system, components={**system.components, **resized}) if resized else system
 
 
 def _span(file: TomlFile, table: SystemTable) -> tuple[Fraction, Fraction]:
@@ -165,6 +174,19 @@ def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]
     return TomlFile(path)
 
 
+def _parameter_file(file: TomlFile) -> dict[str, list[Stated]]:
+    """What the parameter file states, by component; see `_with_parameter_file` for what is refused."""
+    name = file.data.get("parameters")
+    if name is None:
+        return {}
+    table = TomlFile(file.path.parent / name)
+    return {
+        heading: [(key, value, f"{table.name} {table.at(key, heading)}") for key, value in entries.items()]
+        for heading, entries in table.data.items()
+        if isinstance(entries, dict)
+    }
+
+
 def _with_parameter_file(file: TomlFile, system: System) -> System:
     """Values of the parameter file come under those of the system file itself."""
     name = file.data.get("parameters")
@@ -179,7 +201,7 @@ def _with_parameter_file(file: TomlFile, system: System) -> System:
             raise table.fail(f"no component '{heading}'; did you mean '{close[0]}'?", heading)
         for key, value in entries.items():
             checked_value(Value | list[Value], value, f"{heading}: {key}", table.at(key, heading))
-            if heading in system.components:
+            if heading in system.components and not is_structural(system.components[heading].fmu, key):
                 checked_values(system.components[heading], key, value, f"{table.name} {table.at(key, heading)}")
     values = {
         f"{c}.{key}": value
@@ -187,6 +209,7 @@ def _with_parameter_file(file: TomlFile, system: System) -> System:
         if c in system.components
         for key, value in entries.items()
         if not set(system.components[c].fmu.expand(key)) & system.components[c].series.keys()
+        and not is_structural(system.components[c].fmu, key)
     }
     own = {
         f"{c.name}.{key}": value

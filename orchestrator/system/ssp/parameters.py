@@ -13,6 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import InputError, shown
+from ...fmu.fmu import Fmu
+from ...fmu.structure import STRUCTURAL
+from ..file.structure import is_structural, with_structure
 from .files.document import Document, find, local
 from .files.rules import EMPTY
 from .structure import Binding, Element
@@ -42,6 +45,19 @@ class Parameters:
                     convert_here = value.convert and wire.convert
                     self.stated[wire.target] = replace(value, linear=linear, convert=convert_here)
         return {end: value for end, value in self.stated.items() if end[0].fmu}
+
+    def sized(self, element: Element) -> Fmu:
+        """The FMU of a component with the structural parameters that are bound to the component itself."""
+        fmu = element.fmu
+        assert fmu
+        if not fmu.names(STRUCTURAL):
+            return fmu
+        stated: list[tuple[str, object, str]] = []
+        for binding in element.bindings:
+            for name, value in self._binding(element, binding).items():
+                if is_structural(fmu, name):
+                    stated.append((name, value.value(element, name), value.where))
+        return with_structure(element.name, fmu, stated)
 
     def _bindings(self, element: Element) -> None:
         for child in element.elements.values():

@@ -44,7 +44,7 @@ class SspFile(TomlFile):
         self.document = Document(
             archive.structure, archive.shown(archive.structure), "SystemStructureDescription", notes
         )
-        root = read_structure(archive, self.document)
+        root = read_structure(archive, self.document, Parameters({}).sized)
         self.components = {component.name: component for component in root.components()}
         if not self.components:
             raise InputError(f"{path.name} holds no component at all, only systems: there is nothing to simulate")

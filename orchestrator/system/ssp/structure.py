@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -97,18 +97,22 @@ class Element:
         raise InputError(f"{label}: '{self.name}' has no connector '{shown(name)}'{nearest(name, known)}")
 
 
-def read_structure(archive: Archive, document: Document) -> Element:
-    """The tree of an SSD, its FMUs opened. Raises InputError or FmuError, naming what is not supported."""
+def read_structure(archive: Archive, document: Document, sized: Callable[[Element], Fmu]) -> Element:
+    """The tree of an SSD, its FMUs opened. Raises InputError or FmuError, naming what is not supported.
+
+    `sized`: the FMU of a component with the arrays that the values bound to the component give it.
+    """
     xml = find(document.root, "System")[0]
     root = Element("", xml, document, archive, step=stated_step(xml) or stated_step(document.root))
-    _Reader().fill(root, Open((archive.structure,)), {})
+    _Reader(sized).fill(root, Open((archive.structure,)), {})
     return root
 
 
 class _Reader:
     """Fills the tree; every component gets a name of its own."""
 
-    def __init__(self) -> None:
+    def __init__(self, sized: Callable[[Element], Fmu]) -> None:
+        self.sized = sized
         self.taken: set[str] = set()
         self.count = 0
 
@@ -151,6 +155,7 @@ class _Reader:
             element.bindings += inner  # as if they came last in the nested system
             return
         element.fmu, element.bindings = source, _bindings(element)
+        element.fmu = self.sized(element)
         element.note = implementation_note(element.name, xml)
         element.connectors = _of_variables(document, element, _connectors(document, xml))
         name, count = element.name, 2

@@ -102,7 +102,7 @@ def parameter_set(component: Component, set_name: str, ssp_version: str) -> Any:
     root = _root("ssv", "ParameterSet", ssp_version, set_name)
     parameters = _add(root, "ssv:Parameters")
     units = _units([component.fmu])
-    for name, value in {**component.parameters, **component.inputs}.items():
+    for name, value in {**component.fmu.structure, **component.parameters, **component.inputs}.items():
         variable = component.fmu.variables[name]
         entry = _add(_add(parameters, "ssv:Parameter", name=name), f"ssv:{_type(variable)}")
         entry.set("value", str(value).lower() if isinstance(value, bool) else str(value))
