@@ -78,6 +78,10 @@ class Fmi3Instance(LoadedInstance):
         words = ((part or b"").decode("utf-8", "replace").strip() for part in (category, message))
         self.log.add(status, *words)
 
+    def free(self) -> None:
+        super().free()
+        _LOGGING.pop(id(self), None)  # what is said without saying by whom is said by another one now
+
     def configure(self, values: Mapping[str, Value]) -> None:
         if not values:
             return
