@@ -56,6 +56,7 @@ class Stdout:
 
 stdout = Stdout()
 WIDTH = 100  # columns where neither a terminal nor COLUMNS says how many there are
+EVENTS_SHOWN = 12  # lines of a summary
 ALWAYS = {"simulated_s": "s", "wall_s": "s", "start_s": "s", "peak_memory_MB": "MB"}  # units in every summary
 FOLDING = sys.stdout.isatty() or "COLUMNS" in os.environ  # a file or a pipe gets whole lines
 console = Console(
@@ -173,5 +174,10 @@ def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = 
             number = f"{value:.6g}" if isinstance(value, float) else str(value)
             unit = known.get(key, "")
             tell(f"  {key:<28} {number}{'' if unit in ('', '1') else f' {unit}'}")
+    lines = summary.get("events", ())
+    for line in lines[:EVENTS_SHOWN]:
+        tell(f"  {line}")
+    if len(lines) > EVENTS_SHOWN:
+        tell(f"  and {len(lines) - EVENTS_SHOWN} more events, all in the group `events` of result.nc")
     for loop, residual in summary.get("initial_loops", {}).items():
         tell(f"  at the start, {loop}: residual {residual:.3g}")

@@ -103,6 +103,11 @@ def differences(plan: Plan) -> list[str]:
 
 def _check(system: System) -> None:
     refuse_series(system, "a container cannot hold")
+    if system.events:
+        raise InputError(
+            f"a container cannot hold events, and the system has {system.events[0].name} {system.events[0].where}; "
+            "export it without [[events]], or as an SSP (--ssp), where they are annotations of our own"
+        )
     for name, component in system.components.items():
         if component.fmu.version == 1:
             raise InputError(

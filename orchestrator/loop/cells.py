@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED = range(8)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED, DUE = range(9)
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised [ticks from the start]; an instant behind which a component does not want to go
 # on, or an event happens between two instants; the start [ticks from time 0]; the instant at which an event happens
-# [ticks], and the first of the moments (below) in the memory of the solver. The loop reads them where it needs them: a
+# [ticks], the first of the moments (below) in the memory of the solver, and the instant from which on an event of the
+# system is due [ticks from time 0]. The loop reads them where it needs them: a
 # local of its own, alive over all operations, costs 10 % of a small step.
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START = range(9)
-EVENT_AT, MOMENTS, CONTROL_CELLS = range(9, 12)
+EVENT_AT, MOMENTS, DUE_AT, CONTROL_CELLS = range(9, 13)
 NEVER = 1 << 62  # ticks
+
+# Cells of a fault in the vector of signals: what it does now, the factor and what is added, or in the same cell what
+# stands for the signal; the standard deviation of noise and its seed (a whole number).
+MODE, GAIN, OFFSET_OR_VALUE, SIGMA, SEED, FAULT_CELLS = range(6)
+ABSENT, CHANGED, REPLACED = range(3)  # of MODE
+# Cells of a watched signal: -1, 1 or (not looked at yet) 0 for its side, the value that it crosses, how often it has
+# done so since somebody asked.
+SIDE, THRESHOLD, CROSSED, WATCH_CELLS = range(4)
 
 # `clock` of steps that vary [ticks]: the instant, the step that is done now, its limits, the stop, an end before
 # it, and where in the macro step its second half begins while that is done.

@@ -16,10 +16,14 @@ from .cells import (
     AT_CYCLE,
     AT_OPERATION,
     BAD_STATUS,
+    CHANGED,
     CODE,
     COUNT,
+    CROSSED,
     DO_STEP,
     DONE,
+    DUE,
+    DUE_AT,
     ENDED,
     ENDS_AT,
     EVENT_AT,
@@ -32,6 +36,7 @@ from .cells import (
     FMI,
     FREE_STATE,
     FUNCTION,
+    GAIN,
     GET_STATE,
     IN_PLACE,
     INSTANCE,
@@ -40,23 +45,31 @@ from .cells import (
     LAST_IN,
     LAST_OUT,
     LATEST,
+    MODE,
     MOMENTS,
+    NEVER,
     NOT_CONVERGED,
     NOT_FINITE,
     NOW,
     OFFSET,
+    OFFSET_OR_VALUE,
     PAUSED,
     PROMISED,
     REACHED,
     REFERENCES,
+    REPLACED,
     RESUME_AT,
+    SEED,
     SET_STATE,
+    SIDE,
+    SIGMA,
     SIZE,
     SLOT,
     START,
     STATUS,
     STEP_TICKS,
     STOP_REQUEST,
+    THRESHOLD,
     UNFIT,
     UNTIL,
     VALUES,
@@ -64,14 +77,17 @@ from .cells import (
 from .exchange import pack, unpack
 from .last_step import length_to
 from .lookup import held_at, mean_over
+from .noise import gaussian
 from .operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
+    ACT,
     ADVANCE,
     AT_AN_INSTANT,
     CONTROL,
     COPY,
     ESTIMATE,
+    FAULT,
     FIT,
     GAUGE,
     GET,
@@ -97,6 +113,7 @@ from .operations import (
     SOLVE,
     STEP,
     STEP_ON,
+    WATCH,
     WORK,
     WORK_ON,
 )  # fmt: skip
@@ -119,13 +136,13 @@ def run(
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
-    NOT_CONVERGED, UNFIT or PAUSED.
+    NOT_CONVERGED, UNFIT, PAUSED or DUE.
 
     operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (12): see cells.STOP_REQUEST...;
+    control (13): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
     loops that are solved at an instant, and the moments of events (cells.MOMENTS); states (n): FMU states; state_calls
@@ -344,6 +361,27 @@ def run(
                     z[b] += coefficients[k] * h * (z[p] + z[a])
                 else:
                     z[b] += z[q] * (coefficients[k] * z[p] + coefficients[k + 1] * z[a]) * h
+            elif code == FAULT:
+                if z[a + MODE] == REPLACED:
+                    whole[b] = whole[a + OFFSET_OR_VALUE]
+                elif z[a + MODE] == CHANGED:
+                    value = z[a + GAIN] * z[b] + z[a + OFFSET_OR_VALUE]
+                    if z[a + SIGMA] != 0.0:
+                        counter = control[START] + cycle * cycle_ticks + clock[NOW] + clock[OFFSET] + p
+                        value += z[a + SIGMA] * gaussian(whole[a + SEED], q, counter)
+                    z[b] = value
+            elif code == WATCH:
+                value = z[a]
+                if p == 1:
+                    value = float(whole[a])
+                side = 1.0 if (value > z[b + THRESHOLD] if q else value < z[b + THRESHOLD]) else -1.0
+                if z[b + SIDE] * side < 0.0 < side:
+                    z[b + CROSSED] += 1.0
+                    control[DUE_AT] = -NEVER
+                z[b + SIDE] = side
+            elif code == ACT and base + tick >= control[DUE_AT]:
+                control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                return DUE
         if cycle_ticks == 0 and clock[NOW] >= min(clock[UNTIL], control[ENDS_AT]):
             return DONE
     return DONE

@@ -55,7 +55,7 @@ def events_of(
     Raises InputError where the system has events and its algorithm cannot.
     """
     sources = tuple(name for name, component in system.components.items() if ends_early(component))
-    if not sources and not system.events:
+    if not sources:
         return None
     if not able:
         raise InputError(

@@ -14,6 +14,7 @@ from .capabilities import remarks
 from .events import event_words
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
+from .scenario_text import scenario_in_words
 from .schedule.operation_text import OperationText
 
 
@@ -67,6 +68,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     lines += [f"  {line}" for line in (chosen(plan), *held_now(plan), *aliased(plan)) if line]
     tables = series_in_words(system)
     lines += ["", "inputs that follow tables", *tables] if tables else []
+    lines += scenario_in_words(plan)
     for bond in system.bonds:
         effort, flow = (" -> ".join(filter(None, ends)) for ends in (bond.effort, bond.flow))
         exactly = [f"exactly by {name}" for name in (bond.impulse, bond.displacement) if name]

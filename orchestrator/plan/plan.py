@@ -16,6 +16,7 @@ from .events import EventRows, events_of
 from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
 from .processes import with_processes
+from .scenario import check_scenario
 from .schedule.bond_energy import bond_energies, check_names
 from .schedule.event_rows import event_rows
 from .schedule.layout import make_groups, make_layout
@@ -65,6 +66,7 @@ def make_plan(system: System) -> Plan:
     require_span(system.start, system.stop)
     algorithm = algorithm_of(system)
     algorithm.check(system)
+    check_scenario(system, algorithm)
     check_capabilities(system)
     clock = algorithm.clock(system)
     if not algorithm.steps_vary:

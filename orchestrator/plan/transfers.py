@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..clock import Clock, seconds_text
 from ..errors import InputError
+from ..system.event import broken_inputs, set_inputs
 from ..system.model import Connection, System
 from .order import discrete
 from .schedule.formulas import BOTH_ENDS, CHANGING, Choice, choose
@@ -81,6 +82,8 @@ def rereads_of(system: System, choices: dict[Connection, Choice]) -> dict[str, s
         tables = [variable for variable, series in component.series.items() if not series.sampled]
         if tables:
             changing.setdefault(name, []).extend(tables)
+    for key in (*set_inputs(system.events), *broken_inputs(system.events)):
+        changing.setdefault(key[0], []).append(key[1])
     answers = {name: system.components[name].fmu.feedthrough() for name in changing}
     for c, choice in choices.items():
         name, output = c.source

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RunError
 from ..files import reason
-from .files.netcdf import OWN_NAME
+from .files.netcdf import EVENTS, OWN_NAME
 from .files.writing import ROWS, SUMMARY
 from .result import Result
 
@@ -37,6 +37,16 @@ class OpenedResult(Result):
 
     @cached_property
     def datasets(self) -> dict[str, xarray.Dataset]:
+        return {name: table for name, table in self._tables.items() if name != EVENTS}
+
+    @cached_property
+    def events(self) -> xarray.Dataset:
+        import xarray
+
+        return self._tables.get(EVENTS, xarray.Dataset())
+
+    @cached_property
+    def _tables(self) -> dict[str, xarray.Dataset]:
         return open_tables(self.folder / ROWS)
 
     @cached_property

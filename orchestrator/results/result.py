@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError, nearest
 from ..files import prepare_folder
 from .energy import require_energy
-from .files.netcdf import datasets, group_name
+from .files.netcdf import datasets, events_dataset, group_name
 from .files.writing import write_results
 from .summary import comparison, summarize
 from .tables import Run
@@ -46,6 +46,11 @@ class Result:
     def datasets(self) -> dict[str, xarray.Dataset]:
         """One xarray dataset per rate, by a name such as `every_500_us`; variables carry unit and description."""
         return datasets(self.run)
+
+    @cached_property
+    def events(self) -> xarray.Dataset:
+        """What happened in the run: time, number within the instant, what it was, and all recorded signals there."""
+        return events_dataset(self.run)
 
     @cached_property
     def dataset(self) -> xarray.Dataset:

@@ -66,17 +66,22 @@ class Signals:
             raise InputError(f"no recorded signal '{name}'{nearest(name, self.places)}")
         group, column = self.places[name]
         component, _, variable = name.partition(".")
-        run, extra = self.run, self.run.plan.layout.extras.get((component, variable))
+        run = self.run
         if isinstance(run.recorded, list):
             values = typed(run.plan, (component, variable), run.recorded[group][:, column], run.texts)
         else:
             values = run.recorded.values(group, column)
+        return Signal(name, *self.about(name), self.times(group), values)
+
+    def about(self, name: str) -> tuple[str, str]:
+        """Unit and description of a recorded variable."""
+        component, _, variable = name.partition(".")
+        extra = self.run.plan.layout.extras.get((component, variable))
         if extra:
-            return Signal(name, extra.unit, extra.description, self.times(group), values)
-        fmu = run.plan.system.components[component].fmu
+            return extra.unit, extra.description
+        fmu = self.run.plan.system.components[component].fmu
         v, kind = fmu.variables[variable], fmu.type_of(variable)
-        unit = v.unit or "1" if kind is None or kind.real else ""
-        return Signal(name, unit, v.description or "", self.times(group), values)
+        return (v.unit or "1" if kind is None or kind.real else ""), v.description or ""
 
     def __contains__(self, name: str) -> bool:
         return name in self.places

@@ -30,6 +30,8 @@ def summarize(run: Run) -> dict[str, Any]:
         result["ended"] = run.ended
     if run.notes:
         result["notes"] = list(run.notes)
+    if run.events:
+        result["events"] = happened(run)
     if lines := left_range(run, signals):
         result["left_range"] = lines
     for key, text in specification.items():
@@ -63,6 +65,11 @@ def summarize(run: Run) -> dict[str, Any]:
         "real_time_factor": run.simulated / run.wall if run.wall else 0.0,
     }  # fmt: skip
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
+
+
+def happened(run: Run) -> list[str]:
+    """What happened in the run, one a line."""
+    return [f"t = {row.time:.9g} s: {row.what}" for row in run.events if row.what]
 
 
 def coupling(run: Run, signals: Signals) -> dict[str, Any]:

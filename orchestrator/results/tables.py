@@ -24,8 +24,9 @@ class Stored(Protocol):
     def table(self, group: int) -> np.ndarray:
         """A whole table in cells of the loop, as precise as each signal's own type."""
 
-    def finish(self, path: Any, complete: bool, partly: bool = False) -> None:
-        """Say how the run ended, and rename the file, without rows that the disk refused if `partly`."""
+    def finish(self, path: Any, complete: bool, partly: bool = False, run: Run | None = None) -> None:
+        """Say how the run ended, and rename the file, without rows that the disk refused if `partly`; what happened
+        in the run goes there too."""
 
 
 class EventRow(NamedTuple):
@@ -63,7 +64,7 @@ class Run:
     notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
     messages: list[str] = field(default_factory=list)  # what FMUs logged
     ended: str = ""  # who asked to end the run before its stop, and when
-    events: list[EventRow] = field(default_factory=list)
+    events: list[EventRow] = field(default_factory=list)  # what happened, of a system with events
 
     @property
     def simulated(self) -> float:

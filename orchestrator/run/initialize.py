@@ -13,10 +13,12 @@ from ..fmu.types import Value
 from ..participant.base import CallError, Participant
 from ..participant.opening import start
 from ..plan.plan import Plan
+from ..plan.scenario import with_values_from_start
 from ..plan.schedule.layout import Key
 from ..results.tables import Started
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Connection
+from .events.faults import at_the_start, begin_events
 from .memory.memory import Memory
 from .read_back import read_back
 
@@ -32,7 +34,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     Raises FmuError if an FMU refuses, gives a value that is not finite, or if a loop has no solution; InputError if
     what the system requires of the start is not so.
     """
-    system, z = plan.system, memory.z
+    system, z = with_values_from_start(plan.system), memory.z
     begin, end = (plan.clock.time(tick) for tick in (0, plan.clock.stop))
     first = {name: component.first_inputs(begin) for name, component in system.components.items()}
     for name, variables in left_alone(system).items():
@@ -46,6 +48,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         component = system.components[name]
         value = {**component.parameters, **first[name]}.get(variable, component.fmu.start(variable))
         memory.put((name, variable), slot, value)
+    begin_events(plan, memory)
     propagation = _Propagation(plan, instances, memory)
     started = propagation.settle()
     for instance in instances.values():
@@ -145,10 +148,11 @@ class _Propagation:
         """What the source of a connection sends."""
         value = self._get(c.source)
         try:
-            return self.plan.conversions[c].convert(value, c.gain, c.offset)
+            received = self.plan.conversions[c].convert(value, c.gain, c.offset)
         except ValueError as error:
             at = begin_text(self.plan.clock)
             raise FmuError(f"connection {c.label}: at {at} {error} {c.where}".rstrip()) from None
+        return at_the_start(self.plan, self.memory, c.target, received)
 
     def _set(self, c: Connection, value: Value) -> None:
         self.memory.put(c.target, self.plan.layout.inputs[c.target], value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RovbrushError, RunError
 from ..loop import cells
@@ -13,7 +13,7 @@ from ..loop.compiled import compiled_run
 from ..loop.run import run
 from ..participant.base import AskedToEndError
 from ..plan.plan import Plan
-from ..results.tables import Run
+from ..results.tables import EventRow, Run
 from .blocks import Blocks
 from .ends.asked import asked_to_end
 from .ends.failure import failure_of
@@ -27,6 +27,9 @@ from .participants import Participants
 from .position import Position
 from .recording.observers import NEVER, Observer, Progress
 from .recording.recorder import Recorder
+
+if TYPE_CHECKING:
+    from .events.scenario import Scenario
 
 
 class Session:
@@ -72,6 +75,7 @@ class Session:
                 self.participants.look_around("in the initialization")
                 self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
+                self.scenario = self._scenario()
                 self._access = Access(plan, self.memory, self.instances)
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
                 self.events = self._event_handler()
@@ -91,6 +95,14 @@ class Session:
         return EventHandler(
             self.plan, self.instances, self.memory, moments, control, blocks.components, blocks.run_rows
         )
+
+    def _scenario(self) -> Scenario | None:
+        """The events of the system; None where there are none."""
+        if not self.plan.system.events:
+            return None
+        from .events.scenario import Scenario
+
+        return Scenario(self.plan, self.memory, self.control, self.space.clock)
 
     @property
     def time(self) -> float:
@@ -149,7 +161,7 @@ class Session:
             return
         begin = self.at.cycle
         code, due = self._blocks.run(self.at, size, self.recorder)
-        while self.events and code in (cells.PAUSED, cells.ENDED, cells.BAD_STATUS) and self._handled(code):
+        while code in (cells.DUE, cells.PAUSED, cells.ENDED, cells.BAD_STATUS) and self._handled(code):
             if self.over:
                 return
             size -= self.at.cycle - begin
@@ -184,8 +196,11 @@ class Session:
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
-        assert self.events is not None
         cycle = int(self.control[cells.AT_CYCLE])
+        if code == cells.DUE:
+            self._act()
+        if code == cells.DUE or self.events is None:
+            return code == cells.DUE
         try:
             operation = self.events.paused(code)
         except RovbrushError as error:
@@ -200,6 +215,14 @@ class Session:
             whole = operation == len(self.plan.operations(cycle))
             self.at.cycle, self.at.operation = (cycle + 1, 0) if whole else (cycle, operation)
         return operation is not None
+
+    def _act(self) -> None:
+        """Do what is due where the loop is, and go on behind it."""
+        assert self.scenario is not None
+        cycle, operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
+        begin = int(self.space.clock[cells.NOW]) + cycle * self.plan.cycle_ticks
+        self.scenario.act(begin + int(self.plan.operations(cycle)[operation, 1]))
+        self.at.cycle, self.at.operation = cycle, operation + 1
 
     def _asked_to_end(self) -> bool:
         """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
@@ -276,9 +299,19 @@ class Session:
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated, self.participants.notes,
-            self.participants.messages(), self.ended,
-            self.events.rows if self.events else [],
+            self.participants.messages(), self.ended, self._happened(),
         )  # fmt: skip
+
+    def _happened(self) -> list[EventRow]:
+        """The rows of all events, those of the system behind those of FMUs at one instant."""
+        rows = [*(self.events.rows if self.events else []), *(self.scenario.rows if self.scenario else [])]
+        if not (self.events and self.scenario):
+            return rows
+        found: list[EventRow] = []
+        for row in sorted(rows, key=lambda row: row.time):
+            again = found and found[-1].time == row.time
+            found.append(row._replace(number=found[-1].number + 1) if again else row)
+        return found
 
     def close(self) -> None:
         """Give the FMUs back. Runs that were taken before stay valid."""

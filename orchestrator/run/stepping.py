@@ -24,6 +24,11 @@ Time = str | float | Fraction
 PUBLIC = ("ended", "failure", "finish", "get", "names", "period", "plan", "result", "set", "step", "stop", "time")
 
 
+def _leave(_value: float) -> bool:
+    """A writer that leaves every value to `Session.set`."""
+    return False
+
+
 class Stepping(Session):
     """A run that goes on when it is told to.
 
@@ -153,7 +158,9 @@ class Stepping(Session):
         super().set(name, value)
         if writer is None:
             component, _, variable = self.plan.system.full_name(name).partition(".")
-            self._writers[name] = writer_of(self.instances[component], variable)
+            key = component, variable
+            kept = key in self.plan.layout.inputs  # its cell is what counts: events change it too
+            self._writers[name] = _leave if kept else writer_of(self.instances[component], variable)
 
     def names(self, patterns: Iterable[str]) -> list[str]:
         """The outputs and signals of the coupling that patterns such as `motor.*` name.

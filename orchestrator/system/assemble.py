@@ -10,6 +10,7 @@ from pathlib import Path
 from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
+from .file.events import events_again
 from .file.reader import load_system
 from .file.recorded import select_recorded
 from .inputs.free_inputs import require_values
@@ -94,6 +95,8 @@ def apply_changes(system: System, changes: Changes) -> System:
     for name, path in fmus.items():
         mapping = load_mapping(Path(mappings[name])) if name in mappings else VariableMapping()
         system = replace_component(system, name, Fmu.open(Path(path)), mapping)
+    if fmus and system.events:
+        system = replace(system, events=events_again(system))
     return _with_periods(system, periods)
 
 

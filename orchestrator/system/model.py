@@ -21,6 +21,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
+from .event import Event
 from .inputs.series import Series
 from .quantities import in_own_unit
 from .schema.system import Loops
@@ -130,6 +131,7 @@ class System:
     connections: tuple[Connection, ...]
     loops: Loops = field(default_factory=Loops)  # how loops of direct dependence are solved
     bonds: tuple[Bond, ...] = ()
+    events: tuple[Event, ...] = ()  # what happens at a time or when a signal crosses a value
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures: see results
@@ -138,7 +140,6 @@ class System:
     strict: bool = False  # an FMU that breaks the standard is an error, also where a run can do without
     format: int = FORMATS[-1]  # of its file: see `FORMATS`
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
-    events: tuple[Any, ...] = ()  # what happens at a time or when a signal crosses a value
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
 
     @cached_property

@@ -12,8 +12,10 @@ from ..units import conversion
 QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d].*|[%°].*|1/.*)")
 
 
-def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
+def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str, difference: bool = False) -> object:
     """A text of number and unit as a number in the unit of a variable; whatever else it is stays as it is.
+
+    `difference`: of two values, which is converted by the factor alone.
 
     Raises InputError for a unit that cannot become the variable's, or where that has none.
     """
@@ -30,4 +32,4 @@ def in_own_unit(fmu: Fmu, scalar: str, value: object, label: str) -> object:
             f'units = {{ "{scalar}" = "{unit}" }} under [components.NAME]'
         )
     gain, offset = conversion(fmu.unit_called(unit, scalar), own, f"{label} = {value}")
-    return gain * number + offset
+    return gain * number + (0.0 if difference else offset)

@@ -49,6 +49,18 @@ effort = "b.u"
 flow = "a.u"
 sign = -1
 limit = 1.0
+[[events]]
+at = "10 ms"
+set = { "a.v[1]" = "1.0" }
+[[events]]
+name = "e"
+when = "b.w > 0.5"
+after = "2 ms"
+repeat = true
+fault = "bias"
+on = "b.u"
+value = 0.1
+until = "40 ms"
 [[require]]
 value = "a.y"
 minimum = 0.0

@@ -60,6 +60,7 @@ class Adaptive(VaryingSteps):
     heading = "adaptive"
     Settings = AdaptiveSettings
     saves_states = True
+    takes_noise = False
     even = EVEN
     units: ClassVar[Mapping[str, str]] = {"tick": "1", "step": "s", "indicator": "1", "rejected": "1"}
     why_hold = "compares steps with held inputs"
@@ -130,7 +131,7 @@ class AdaptiveSchedule(VaryingSchedule):
         whole = self.layout.extras["coupling", "rejected"].slot + 1
         back: list[Row] = [(RESTORE, end, c, 0, 0, 0, 0, 0) for c in self.index.values()]
         back.append((RESTORE, end, -1, own, 0, 0, 0, 0))
-        rows: list[Row] = [(SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values()]
+        rows: list[Row] = [*self.events(0), *((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())]
         rows.append((SAVE, 0, -1, own, 0, 0, 0, 0))
         again = len(rows)
         rows += [*self._step_of_all(), *self._kept(keys, whole), (HALVE, end, -1, 0, 0, 0, 0, 0), *back]

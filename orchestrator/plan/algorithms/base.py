@@ -40,6 +40,9 @@ class Algorithm:
     steps_vary: ClassVar[bool] = False  # macro steps of all components together, whose length the loop chooses
     saves_states: ClassVar[bool] = False  # goes back to saved states of the FMUs
     repeats_rows: ClassVar[bool] = False  # what was recorded of the last cycle may be of a pass that was not the last
+    acts_at_macro_steps: ClassVar[bool] = False  # events act at the beginning of a hyperperiod only
+    takes_noise: ClassVar[bool] = True  # a step may have other inputs than another one over the same time
+    even: ClassVar[int] = 1  # where steps vary: each is a multiple of so many ticks
     parallel: ClassVar[bool] = False  # one pass, all components at once, as a container of FMUs does it
     takes_events: ClassVar[bool] = False  # goes along with steps that are stopped in the middle
     units: ClassVar[Mapping[str, str]] = {}  # of the signals `coupling.name` that it records

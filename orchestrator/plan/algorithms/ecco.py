@@ -74,6 +74,7 @@ class EccoSchedule(VaryingSchedule):
         self.settings = settings
 
     def rows(self) -> Iterator[Row]:
+        yield from self.events(0)
         yield from self.begin(0)
         yield from self.finish(self.clock.hyperperiod)
 

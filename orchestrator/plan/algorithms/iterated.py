@@ -63,6 +63,7 @@ class Iterated(Algorithm):
     Settings = IteratedSettings
     saves_states = True
     repeats_rows = True
+    acts_at_macro_steps = True
     units: ClassVar[Mapping[str, str]] = {"iterations": "1", "residual": "1"}
     settings: IteratedSettings
 

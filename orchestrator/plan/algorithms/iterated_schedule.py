@@ -43,7 +43,8 @@ class IteratedSchedule(Schedule):
         signals = layout.extras["coupling", "iterations"].slot  # all but what the iteration itself counts
         counted = signals if whole else layout.last_counted
         first = counted + 2
-        rows: list[Row] = [*self._predict(), *((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())]
+        rows: list[Row] = [*super().events(0), *self._predict()]
+        rows += ((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())
         rows.append((SAVE, 0, -1, signals, 0, 0, 0, 0))
         again = len(rows)
         one_pass = list(super().rows())
@@ -61,6 +62,10 @@ class IteratedSchedule(Schedule):
         if not whole:
             yield from ((PUSH, end, -1, counted + k, signals + k, 0, 0, 0) for k in (0, 1))
         yield from final
+
+    def events(self, tick: int) -> Iterator[Row]:
+        """None within a macro step: it may be done again."""
+        yield from ()
 
     def _settings(self) -> int:
         """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""
@@ -90,6 +95,7 @@ class IteratedSchedule(Schedule):
                 for c in self.design.into(name):
                     if not self.system.is_real(c):
                         yield self.sent(c, tick, self.layout.outputs[c.source])
+                        yield from self.broken(c, tick, tick)
 
     def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, what they give to the images, and the values of this instant."""
@@ -113,6 +119,9 @@ class IteratedSchedule(Schedule):
                 yield (COPY, tick, self.index[name], a, b, 0, 0, self.constants.at(1.0, 0.0))
             elif name in self.design.samplers or self.system.is_real(c):
                 yield self.sent(c, tick, self.layout.outputs[c.source])
+            else:
+                continue
+            yield from self.broken(c, tick, start)
 
     def _collect(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """What the step from `start` to `tick` adds to the images of the inputs that it drives."""

@@ -40,7 +40,6 @@ class VaryingSteps(Algorithm):
     """
 
     steps_vary = True
-    even: ClassVar[int] = 1  # every step is a multiple of so many ticks
     why_hold: ClassVar[str]  # why another transfer than `hold` has no meaning
 
     def limits(self, system: System) -> tuple[Fraction, Fraction]:
@@ -127,6 +126,9 @@ class VaryingSchedule(Schedule):
 
     def length(self, name: str, start: int) -> int:
         return 0  # the loop's own
+
+    def counter(self, tick: int) -> int:
+        return 0  # the loop's own instant
 
     def duration(self, name: str, start: int) -> float:
         return 0.0  # the loop's own

@@ -12,7 +12,9 @@ import numpy as np
 from ...clock import Clock
 from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
+from ...loop.cells import FAULT_CELLS, WATCH_CELLS
 from ...loop.solvers.iteration import COLUMN
+from ...system.event import broken_inputs, set_inputs, watched
 from ...system.file.recorded import Recorded
 from ...system.model import Bond, Connection, System
 from ...system.replace.view import crossings_of
@@ -54,6 +56,8 @@ class Layout:
     last_images: dict[tuple[Key, int], int] = field(default_factory=dict)
     last_counted: int = 0  # how its iteration went, in two cells before its unknowns
     extras: dict[Key, Extra] = field(default_factory=dict)  # recorded whatever the system file says
+    faults: dict[tuple[int, Key], int] = field(default_factory=dict)  # first cell: number of the event, input
+    watches: dict[int, int] = field(default_factory=dict)  # first cell, by the number of the event
     named: dict[int, str] = field(default_factory=dict)  # any other slot, in words
     loops: dict[int, str] = field(default_factory=dict)  # loops that are solved at an instant, by their first cell
     loop_cells: int = 0  # of the memory of their solver
@@ -120,10 +124,14 @@ def make_layout(
     used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
     driven |= {(name, variable) for name, c in system.components.items() for variable in c.series}
+    driven |= set(changed := set_inputs(system.events))
+    seen = set(watched(system.events).values())
+    used |= seen
     for name, component in system.components.items():
         fmu = component.fmu
-        others = {element for variable in recorded.others(component) for element in fmu.arrays[variable]}
-        series = component.series.keys()
+        locals_ = [v for owner, v in seen if owner == name and fmu.variables[v].causality != "output"]
+        others = {e for variable in (*recorded.others(component), *locals_) for e in fmu.arrays[variable]}
+        series = component.series.keys() | {variable for owner, variable in changed if owner == name}
         tuned = [v for v in fmu.names("parameter") if series and not series.isdisjoint(fmu.arrays[v])]
         others -= set(tuned)  # they are recorded as what they are given
         read = [v for v, described in fmu.variables.items() if v in others or described.causality == "output"]
@@ -164,6 +172,15 @@ def make_layout(
             if any(key[1] in crossings and not crossings[key[1]].exact for key in keys):
                 for key in keys:
                     layout.add(foreign, key)
+    for key, numbers in broken_inputs(system.events).items():
+        for number in numbers:
+            layout.faults[number, key] = layout.size
+            for _ in range(FAULT_CELLS):
+                layout.slot(f"fault {system.events[number].name} of {'.'.join(key)}")
+    for number in watched(system.events):
+        layout.watches[number] = layout.size
+        for _ in range(WATCH_CELLS):
+            layout.slot(f"crossing of {system.events[number].name}")
     return layout
 
 

@@ -10,12 +10,14 @@ from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
+    ACT,
     ADVANCE,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
     CONTROL,
     COPY,
     ESTIMATE,
+    FAULT,
     FIT,
     GAUGE,
     GET,
@@ -41,6 +43,7 @@ from ...loop.operations import (
     SOLVE,
     STEP,
     STEP_ON,
+    WATCH,
     WORK,
     WORK_ON,
 )
@@ -81,6 +84,8 @@ class OperationText:
         code, _, component, *_ = row
         name = self.components[component] if component >= 0 and code != SOLVE else ""
         describe = self._exchange if code in (SET, STEP, STEP_ON, GET, SAVE, RESTORE) else self._signal
+        if code in (WATCH, FAULT, ACT):
+            return f"{NAMES[code]:<10}  {self._event(row)}"
         if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE, PAUSE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
         return f"{NAMES[code]:<10}  {describe(row, name)}"
@@ -102,6 +107,20 @@ class OperationText:
         again = f" as its step begins: {self.plan.rereads[name]}" if code == GET and a == AS_IT_BEGINS else ""
         again += " again, as they are with the inputs of this instant" if code == GET and a == AT_AN_INSTANT else ""
         return f"{name}: {_types(self.plan.system.components[name].fmu, [variable for _, variable in table])}{again}"
+
+    def _event(self, row: list[int]) -> str:
+        """What is done for events."""
+        code, _, _, a, b, *_ = row
+        events, layout = self.plan.system.events, self.plan.layout
+        if code == ACT:
+            return "if an event is due: it happens, and the list goes on"
+        if code == WATCH:
+            number = next(number for number, cell in layout.watches.items() if cell == b)
+            crossing = events[number].when
+            return f"{self.slots[a]} for event {events[number].name}: {crossing.text if crossing else ''}"
+        number = next(number for (number, _), cell in layout.faults.items() if cell == a)
+        fault = events[number].fault
+        return f"{self.slots[b]} by event {events[number].name}, as long as it lasts: {fault.kind if fault else ''}"
 
     def _flow(self, row: list[int]) -> str:
         """What decides how the list goes on, and what is recorded."""

@@ -12,7 +12,9 @@ from itertools import count
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
+    ACT,
     COPY,
+    FAULT,
     FIT,
     GET,
     LEDGER,
@@ -30,21 +32,24 @@ from ...loop.operations import (
     SET,
     STEP,
     STEP_ON,
+    WATCH,
     WORK,
     WORK_ON,
 )
 from .steps import Row
 
 FOLLOWED = {
-    ACCUMULATE, ACCUMULATE_ON, COPY, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH, QUADRATIC, RECORD,
-    SAMPLE, SERIES, SET, STEP, STEP_ON, WORK, WORK_ON,
+    ACCUMULATE, ACCUMULATE_ON, ACT, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH,
+    QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP, STEP_ON, WATCH, WORK, WORK_ON,
 }  # fmt: skip
 
 
 def without_repeats(
-    rows: Iterable[Row], inputs: Mapping[int, Sequence[int]], outputs: Mapping[int, Sequence[int]]
-) -> list[Row]:
-    """The operations of a cycle without such SETs; `inputs`, `outputs`: the cells of each component, by its number.
+    rows: Iterable[Row], inputs: Mapping[int, Sequence[int]], outputs: Mapping[int, Sequence[int]],
+    changed: Sequence[int] = (),
+) -> list[Row]:  # fmt: skip
+    """The operations of a cycle without such SETs; `inputs`, `outputs`: the cells of each component, by its number;
+    `changed`: cells that events may change where they act.
 
     Operations that are repeated or taken back stay as they are.
     """
@@ -55,13 +60,14 @@ def without_repeats(
     known: dict[object, int] = {}  # numbers of copies
     values: dict[int, int] = {}  # by cell
     sent: dict[int, list[int]] = {}
+    acts = 0  # places where faults may have changed
 
     def value(cell: int) -> int:
         return values.setdefault(cell, next(fresh))
 
     kept: list[Row] = []
     for row in listed:
-        code, _, component, a, b, _, q, k = row
+        code, _, component, a, b, p, q, k = row
         if code == SET:
             now = [value(cell) for cell in inputs[component]]
             if sent.get(component) == now:
@@ -76,7 +82,12 @@ def without_repeats(
         elif code in (COPY, NUMBER, FIT):
             copy = code, value(a), k
             values[b] = known.setdefault(copy, next(fresh))
-        elif code not in (RECORD, PAUSE):
+        elif code == FAULT:
+            values[b] = known.setdefault((code, value(b), a, p, acts), next(fresh))
+        elif code == ACT:
+            acts += 1
+            values.update((cell, next(fresh)) for cell in changed)
+        elif code not in (RECORD, WATCH, PAUSE):
             values[b] = next(fresh)
             if code in (MEAN, LEDGER):
                 values[q] = next(fresh)

@@ -26,6 +26,7 @@ from ...loop.operations import (
     PAUSE,
     RECORD,
 )
+from ...system.event import set_inputs
 from ...system.model import Connection
 from ..design import Design
 from .repeats import without_repeats
@@ -56,14 +57,17 @@ class Schedule(Steps):
         rows = list(self.rows())
         cells = {self.index[name]: tuple(map(dict.values, self.layout.exchanged(name))) for name in self.index}
         given, taken = ({k: list(sides[n]) for k, sides in cells.items()} for n in (0, 1))
-        return np.array(without_repeats(rows, given, taken), dtype=np.int64).reshape(-1, len(COLUMNS))
+        changed = [self.layout.inputs[key] for key in set_inputs(self.system.events)]
+        return np.array(without_repeats(rows, given, taken, changed), dtype=np.int64).reshape(-1, len(COLUMNS))
 
     def rows(self) -> Iterator[Row]:
         """The operations in their order."""
+        yield from self.events(0)
         yield from self.begin(0)
         for tick in self.instants():
             yield from self.finish(tick)
             if tick < self.span:
+                yield from self.events(tick)
                 yield from self.begin(tick)
 
     def instants(self) -> list[int]:
@@ -137,14 +141,14 @@ class Schedule(Steps):
             for name in due:
                 if name in early:
                     for connection in self.design.into(name):
-                        yield self._form(connection, tick, self._seen_early(connection.source[0], tick), tick)
+                        yield from self._form(connection, tick, self._seen_early(connection.source[0], tick), tick)
                     yield from self.advance(tick, name, tick)
                     self.ran.add(name)
         for name in due:
             if name not in self.early:
                 for c in self.design.into(name):
                     if self.formed_at_beginning(c):
-                        yield self._form(c, tick, self._seen_early(c.source[0], tick), tick)
+                        yield from self._form(c, tick, self._seen_early(c.source[0], tick), tick)
 
     def formed_at_beginning(self, c: Connection) -> bool:
         """Whether an input is formed at the beginning of the step, not at its end."""
@@ -170,6 +174,6 @@ class Schedule(Steps):
                 sample = min(-(-tick // h) * h, self.span)
             else:
                 sample = tick if c.source[0] in done else (tick - 1) // h * h
-            yield self._form(c, tick, sample, start)
+            yield from self._form(c, tick, sample, start)
         self.settling.formed(now)
         yield from self.advance(tick, name, start)

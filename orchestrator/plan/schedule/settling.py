@@ -96,6 +96,7 @@ class Settling:
                 continue
             c = block.connections[0]
             yield self.schedule.sent(c, tick, self.layout.outputs[c.source])
+            yield from self.schedule.broken(c, tick, tick)
             waiting.setdefault(c.target[0], set()).add(c.target[1])
         for name, inputs in waiting.items():
             yield from self._again(tick, name, inputs)
@@ -124,6 +125,7 @@ class Settling:
         for k, c in enumerate(connections):
             component = schedule.index[c.target[0]]
             once.append((COPY, tick, component, unknowns + k, layout.inputs[c.target], 0, 0, same))
+            once += schedule.broken(c, tick, tick)
         for name in dict.fromkeys(c.target[0] for c in connections):
             once += self._again(tick, name, {c.target[1] for c in connections if c.target[0] == name})
         self.formed(connections)

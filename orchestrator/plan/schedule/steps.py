@@ -8,10 +8,12 @@ from ...fmu.conversions import How
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
+    ACT,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
     AT_ITS_END,
     COPY,
+    FAULT,
     FIT,
     GET,
     LINEAR,
@@ -26,9 +28,11 @@ from ...loop.operations import (
     SET,
     STEP,
     STEP_ON,
+    WATCH,
     WORK,
     WORK_ON,
 )
+from ...system.event import broken_inputs, set_inputs, stream_of, watched
 from ...system.model import Connection
 from ...system.replace.crossing import Crossing
 from ...system.replace.view import crossings_of
@@ -58,6 +62,9 @@ class Steps:
         for c, choice in design.choices.items():
             if choice.transfer == "mean":
                 self.averaged.setdefault(c.source[0], []).append(c)
+        self.faults, self.watched = broken_inputs(self.system.events), watched(self.system.events)
+        self.streams = {n: stream_of(event.fault) for n, event in enumerate(self.system.events) if event.fault}
+        self.changed = {name for name, _ in set_inputs(self.system.events)}  # components whose inputs events change
         self.sides: dict[str, list[Side]] = {}  # of bonds
         for bond in design.bonds:
             for side in bond.sides:
@@ -69,7 +76,7 @@ class Steps:
         `part`: only as far as the instant of an event."""
         component, layout = self.index[name], self.layout
         yield from self._series(tick, name, start)
-        if self.design.into(name) or self.system.components[name].series:
+        if self.design.into(name) or self.system.components[name].series or name in self.changed:
             yield from self.set_inputs(tick, name)
         pushes = [(layout.previous[key], slot) for key, slot in self.before.get(name, {}).items()]
         known = layout.outputs | layout.samples
@@ -138,7 +145,12 @@ class Steps:
             b, k = self.layout.inputs[name, variable], self.constants.table(series)
             yield (code, tick, self.index[name], 0, b, start, length, k)
 
-    def _form(self, c: Connection, tick: int, sample: int, start: int) -> Row:
+    def _form(self, c: Connection, tick: int, sample: int, start: int) -> Iterator[Row]:
+        """Form an input for the step that begins at `start`, from a source last sampled at `sample`; break it."""
+        yield self._formed(c, tick, sample, start)
+        yield from self.broken(c, tick, start)
+
+    def _formed(self, c: Connection, tick: int, sample: int, start: int) -> Row:
         """Form an input for the step that begins at `start`, from a source last sampled at `sample`."""
         transfer, layout = self.design.choices[c].transfer, self.layout
         a, b, target = layout.outputs[c.source], layout.inputs[c.target], self.index[c.target[0]]
@@ -159,6 +171,26 @@ class Steps:
             return (MEAN, tick, target, a, b, p, layout.integrals[c.target], k)
         ratio = value_ratio(sample, h, start) if transfer == "hold" else linear_ratio(sample, h, start, H)
         return (LINEAR, tick, target, a, b, p, 0, self.constants.at(c.gain, c.offset, ratio))
+
+    def broken(self, c: Connection, tick: int, start: int) -> Iterator[Row]:
+        """What events make of an input that was just formed, for a step that begins at `start`, or as it is then."""
+        for number in self.faults.get(c.target, ()):
+            first, stream = self.layout.faults[number, c.target], self.streams[number]
+            b, component = self.layout.inputs[c.target], self.index[c.target[0]]
+            yield (FAULT, tick, component, first, b, self.counter(start), stream, 0)
+
+    def events(self, tick: int) -> Iterator[Row]:
+        """Look at the signals for which events wait, where they have an instant, and act if one is due."""
+        for number, key in self.watched.items():
+            if tick % self.clock.periods[key[0]] == 0:
+                kind = self.system.components[key[0]].fmu.type_of(key[1])
+                crossing = self.system.events[number].when
+                assert kind is not None and crossing is not None
+                whole, rising = int(not kind.real), int(crossing.rising)
+                a, b = self.layout.outputs[key], self.layout.watches[number]
+                yield (WATCH, tick, self.index[key[0]], a, b, whole, rising, 0)
+        if self.system.events:
+            yield (ACT, tick, -1, 0, 0, 0, 0, 0)
 
     def held(self, key: Key, tick: int, a: int, b: int, gain: float, offset: float) -> Row:
         """Give slot b the value of slot a, which is of the type of `key`."""
@@ -218,6 +250,10 @@ class Steps:
     def length(self, name: str, start: int) -> int:
         """Length of a component's step from `start` as the loop is to know it [ticks]."""
         return self.ticks(name, start)
+
+    def counter(self, tick: int) -> int:
+        """By what the instant of noise is told from others [ticks from the beginning of the cycle]."""
+        return tick
 
     def duration(self, name: str, start: int) -> float:
         """The same [s]."""

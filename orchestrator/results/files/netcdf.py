@@ -15,7 +15,7 @@ import numpy as np
 
 from ...clock import seconds_text
 from ...plan.plan import Plan
-from ..signals import Signals
+from ..signals import Signals, typed
 from ..tables import Run
 from .rows_file import RowsFile
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import xarray
 
 OWN_NAME = "recorded_name"
+EVENTS = "events"  # the group of what happened
 
 
 @dataclass(frozen=True)
@@ -59,8 +60,12 @@ def rate_tables(run: Run) -> Iterator[RateTable]:
 
 def _column(signals: Signals, name: str) -> Column:
     signal = signals[name]
-    units = {"units": signal.unit} if signal.unit else {}
-    return Column(name, signal.values, {**units, "long_name": signal.description})
+    return Column(name, signal.values, _said(signal.unit, signal.description))
+
+
+def _said(unit: str, description: str) -> dict[str, str]:
+    """The attributes of a signal."""
+    return {**({"units": unit} if unit else {}), "long_name": description}
 
 
 def datasets(run: Run) -> dict[str, xarray.Dataset]:
@@ -74,6 +79,14 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
             {"period": table.period, "complete": int(table.complete)},
         ) for table in rate_tables(run)
     }  # fmt: skip
+
+
+def events_dataset(run: Run) -> xarray.Dataset:
+    """What happened in a run, one row each; none of a system without events."""
+    import xarray
+
+    columns = {column.name: ("time", column.values, column.attributes) for column in event_columns(run)}
+    return xarray.Dataset(columns, attrs={"period": "events", "complete": int(not run.failure)})
 
 
 def stored_names(names: Iterable[str]) -> dict[str, str]:
@@ -102,9 +115,36 @@ def write_netcdf(run: Run, path: Path) -> None:
     file = RowsFile(path, new=True)
     try:
         write_tables(run, file)
+        write_events(run, file)
         file.close()
     finally:
         file.give_up()
+
+
+def event_columns(run: Run) -> Iterator[Column]:
+    """What is true in events, one row each: when, in which order, what happened, and all recorded signals."""
+    rows = run.events
+    yield Column("time", np.array([row.time for row in rows], dtype=float), TIME)
+    order = {"long_name": "in the order of what happens at the instant"}
+    yield Column("number", np.array([row.number for row in rows], dtype=np.int64), order)
+    yield Column("what", np.array([row.what for row in rows], dtype=object), {"long_name": "what happened"})
+    keys = [key for group in run.plan.groups for key in group.columns]
+    cells = np.array([row.cells for row in rows]).reshape(-1, len(keys))
+    signals = Signals(run)
+    for k, key in enumerate(keys):
+        name = ".".join(key)
+        yield Column(name, typed(run.plan, key, cells[:, k], run.texts), _said(*signals.about(name)))
+
+
+def write_events(run: Run, file: RowsFile) -> None:
+    """The group `events`, of a system that has some."""
+    if run.plan.system.events or run.plan.events:
+        made = file.create(EVENTS, "events", not run.failure)
+        columns = list(event_columns(run))
+        names = stored_names(column.name for column in columns)
+        for column in columns:
+            other = {OWN_NAME: column.name} if names[column.name] != column.name else {}
+            made.add(names[column.name], column.values, {**column.attributes, **other})
 
 
 def write_tables(run: Run, file: RowsFile, largest_chunk: int = 0) -> None:

@@ -88,7 +88,7 @@ def _rows(run: Run, path: Path) -> Path:
     try:
         if isinstance(run.recorded, list):
             return write_file(path, lambda temporary: write_netcdf(run, temporary))
-        run.recorded.finish(path, not run.failure)
+        run.recorded.finish(path, not run.failure, run=run)
     except BaseException:
         with suppress(OSError):
             if path.parent.name.startswith("rovbrush-"):

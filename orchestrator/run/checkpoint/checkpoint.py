@@ -60,7 +60,8 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
     try:
         shutil.rmtree(temporary, ignore_errors=True)
         temporary.mkdir(parents=True)
-        np.savez(temporary / ARRAYS, **_arrays(session), **session.recorder.content())  # type: ignore[arg-type]
+        happened = {"events": session.scenario.cells} if session.scenario else {}
+        np.savez(temporary / ARRAYS, **_arrays(session), **happened, **session.recorder.content())  # type: ignore[arg-type]
         for k, instance in enumerate(session.instances.values()):
             (temporary / f"{k}.state").write_bytes(_state(instance))
             if session.space.states[k]:
@@ -69,7 +70,7 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
             session.recorder.stream.copy(temporary / ROWS)
         head = {
             "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
-            "set_by_hand": session.set_by_hand,
+            "set_by_hand": session.set_by_hand, "events": session.scenario.content() if session.scenario else {},
         }  # fmt: skip
         seal(temporary, head)
         if target.exists():
@@ -121,6 +122,7 @@ class Checkpoint:
     files: tuple[str, ...]
     arrays: Mapping[str, np.ndarray]
     set_by_hand: Mapping[str, Any]
+    events: Mapping[str, Any]  # what has happened of those of the system, and what is to come
 
     def restore(self, session: Session, force: bool = False) -> None:
         """Take a session at time 0 to where the other one was. Raises InputError if anything is not as it was.
@@ -145,6 +147,8 @@ class Checkpoint:
                     raise InputError(f"{self.folder} is of another version of rovbrush; start again")
                 target[...] = found
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
+        if session.scenario:
+            session.scenario.restore(self.events, self.arrays["events"])
         session.recorder.restore(self.arrays, self.folder / ROWS)
         for k, instance in enumerate(session.instances.values()):
             state = instance.deserialize((self.folder / f"{k}.state").read_bytes())
@@ -186,7 +190,7 @@ def read_checkpoint(folder: Path) -> Checkpoint:
             arrays = dict(file)
         return Checkpoint(
             place, head["request"], _position(head["at"]), head["unchanged"], tuple(head["files"]), arrays,
-            dict(head["set_by_hand"]),
+            dict(head["set_by_hand"]), dict(head.get("events", {})),
         )  # fmt: skip
     except (
         CheckpointDamagedError, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError,

@@ -31,6 +31,7 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "recorded": [[".".join(key) for key in group.columns] for group in plan.groups],
         "connections": [c.label for c in system.connections],
         "schedule": operations,
+        **({"scenario": [repr(event) for event in system.events]} if system.events else {}),
         "versions": environment(),
     }  # fmt: skip
 
@@ -65,6 +66,6 @@ def require_unchanged(then: Mapping[str, Any], plan: Plan, force: bool = False) 
             f"--force"
         )
     for key, new in now.items():
-        if key != "versions" and then[key] != new:
-            shown = f": was {then[key]}, now {new}" if isinstance(new, str) and key != "schedule" else ""
+        if key != "versions" and then.get(key) != new:
+            shown = f": was {then.get(key)}, now {new}" if isinstance(new, str) and key != "schedule" else ""
             raise InputError(f"{said} the system has another {key} now{shown}; put it back, or start again")

@@ -18,7 +18,7 @@ from ...errors import RunError
 from ...files import reason
 from ...loop.texts import Texts
 from ...plan.plan import Plan
-from ...results.files.netcdf import group_name, stored_names, write_tables
+from ...results.files.netcdf import group_name, stored_names, write_events, write_tables
 from ...results.files.rows_file import RowsFile, room_for
 from ...results.signals import instants, typed
 from ...results.tables import Run
@@ -165,8 +165,9 @@ class Stream:
         columns = len(self.plan.groups[group].columns)
         return as_table(self.rows[group], columns, lambda k: self.values(group, k), self.texts)
 
-    def finish(self, path: Path, complete: bool, partly: bool = False) -> None:
-        """Write what is pending, say how the run ended, and give the file its name, also in another folder.
+    def finish(self, path: Path, complete: bool, partly: bool = False, run: Run | None = None) -> None:
+        """Write what is pending and what happened in `run`, say how it ended, and give the file its name, also in
+        another folder.
 
         `partly`: without what is pending. Raises OSError or RunError if the disk refuses.
         """
@@ -185,6 +186,8 @@ class Stream:
         self.pending = []
         if self._file is None:
             raise RunError(f"cannot write {path}: no row found room")
+        if run is not None:
+            write_events(run, self._opened())
         if complete:
             for g in range(len(self.plan.groups)):
                 self._opened().mark_complete(group_name(self.plan, g))

@@ -129,8 +129,10 @@ def digest(system: System) -> str:
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
     coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings)]
     bonds = [astuple(bond) for bond in system.bonds]
+    happens = [repr(event) for event in system.events]
     reported = [system.reporting["summary"], system.reporting["balance"]]
     content = [components, wiring, bonds, coupling, [str(system.start), str(system.stop)], *reported]
+    content += [happens] if happens else []
     return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()
 
 

@@ -23,6 +23,7 @@ from ..schema.values import Value
 from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
+from .events import events_of
 from .figure_kinds import figure_kind, figure_kinds
 from .recorded import recorded_names
 from .structure import Stated, given_for, is_structural, with_resized_starts
@@ -74,6 +75,7 @@ def load_system(
         order=tuple(table.order), components=components, connections=connections,
         loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
+        events=events_of(file, components, connections, file.entry(list, "events")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
         record=record, reporting=_reporting(file), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,

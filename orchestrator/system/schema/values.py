@@ -32,6 +32,7 @@ Span = Fraction  # a time that is read at once, and exact
 Number = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0, le=LARGEST)]
 Count = Annotated[int, Meta(ge=1)]
+Seed = Annotated[int, Meta(ge=0, le=2**63 - 1, extra={"must": "a whole number from 0 to 2^63 - 1"})]
 Value = bool | int | float | str
 Values = dict[str, Value | list[Value]]
 ParameterFile = Annotated[

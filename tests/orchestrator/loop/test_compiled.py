@@ -15,7 +15,9 @@ FILES = loop_files(HERE)
 
 
 def test_the_loop_is_made_of_these_files() -> None:
-    own = "run cells exchange calls texts operations iteration step_control step_doubling lookup versions last_step"
+    own = (
+        "run cells exchange calls texts operations iteration step_control step_doubling lookup versions last_step noise"
+    )
     assert {path.stem for path in FILES} == {*own.split(), "types"}
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from helpers import Part, edited, plan_of
+from helpers import Part, edited, plan_of, system_text
 from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import cells, run
@@ -238,3 +238,49 @@ def test_another_version_or_processor_is_refused_unless_forced(
     with Session(plan) as session:
         read_checkpoint(tmp_path).restore(session, force=True)
         assert session.time == 0.015
+
+
+EVENTS = """
+[[events]]
+at = "3.2 ms"
+set = { "motor.V_in" = 9.0, "brush.delta" = "3 mm" }
+[[events]]
+when = "motor.omega_b > 1 rad/s"
+repeat = true
+after = "2 ms"
+fault = "hold"
+on = "motor.T_brush"
+for = "8 ms"
+[[events]]
+at = "12 ms"
+fault = "noise"
+on = "motor.omega_b"
+value = 0.1
+seed = 5
+"""
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+def test_events_that_have_happened_and_are_to_come_go_on_bitwise(algorithm: str, tmp_path: Path, fmus: Path) -> None:
+    parts: dict[str, Part] = {"motor": ("dc_motor", "0.5 ms"), "brush": ("filament_brush", "0.5 ms")}
+    text = system_text(parts, ["motor.omega_b -> brush.omega_b", "brush.T_brush -> motor.T_brush"], stop="40 ms",
+                       algorithm=algorithm)  # fmt: skip
+    (tmp_path / "case.toml").write_text(text + EVENTS, encoding="utf-8")
+    plan = make_plan(load_system(str(tmp_path / "case.toml"), fmus))
+    whole, again = simulate(plan), cut(plan, tmp_path, 5, 6, 4, 8, 20)
+    require_same(again, whole, tmp_path)
+    assert len({row.what.partition(":")[0] for row in whole.events}) == 3  # all have happened
+
+
+def test_a_checkpoint_of_other_events_is_refused(tmp_path: Path, fmus: Path) -> None:
+    text = system_text({"motor": ("dc_motor", "0.5 ms")}, [], stop="10 ms")
+    plans = []
+    for value in (9.0, 8.0):
+        event = f'\n[[events]]\nat = "5 ms"\nset = {{ "motor.V_in" = {value} }}\n'
+        (tmp_path / "case.toml").write_text(text + event, encoding="utf-8")
+        plans.append(make_plan(load_system(str(tmp_path / "case.toml"), fmus)))
+    with Session(plans[0]) as session:
+        session.advance(cycles=3)
+        write_checkpoint(session, tmp_path)
+    with Session(plans[1]) as session, pytest.raises(InputError, match="the system has another scenario now"):
+        read_checkpoint(tmp_path).restore(session)

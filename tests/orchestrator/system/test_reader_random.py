@@ -42,6 +42,21 @@ name = "b"
 effort = "g.u"
 flow = "g.y"
 sign = -1
+[[events]]
+at = "10 ms"
+fault = "hold"
+on = "i.u"
+until = "30 ms"
+[[events]]
+name = "e"
+when = "w.y > 0.5"
+after = "2 ms"
+repeat = true
+fault = "noise"
+on = "g.u"
+value = 0.1
+seed = 1
+for = "20 ms"
 [[require]]
 value = "w.y"
 minimum = 0.0

@@ -1,7 +1,7 @@
 """What SSP has no words for travels as annotations of our own: the keys of a system file, as JSON.
 
-Other tools pass them over. Of a system: algorithm, order, bonds, balance, what is recorded, required and reported;
-of a component: its period; of a connection: its transfer.
+Other tools pass them over. Of a system: algorithm, order, bonds, events, balance, what is recorded, required and
+reported; of a component: its period; of a connection: its transfer.
 """
 
 from __future__ import annotations
@@ -29,10 +29,11 @@ def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
     in_ssp = ("name", "path", "description", "start", "stop", "components", "connections", "remarks", "breaches")
     return {
-        **_stated(system, (*in_ssp, "format", "loops", "bonds", "requirements", "reporting", "settings")),
+        **_stated(system, (*in_ssp, "format", "loops", "bonds", "events", "requirements", "reporting", "settings")),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
+        **({"events": [dict(event.stated) for event in system.events]} if system.events else {}),
         "require": [_requirement(requirement) for requirement in system.requirements],
         **{key: table for key, table in system.reporting.items() if table},
         "format": FORMATS[-1],
