@@ -48,14 +48,15 @@ def ends_early(component: Component) -> bool:
 
 
 def events_of(
-    system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool
+    system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool, brought: bool = False
 ) -> Events | None:
-    """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them.
+    """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them;
+    `brought`: components are to be brought to them, also where no FMU has any.
 
     Raises InputError where the system has events and its algorithm cannot.
     """
     sources = tuple(name for name, component in system.components.items() if ends_early(component))
-    if not sources:
+    if not sources and not brought:
         return None
     if not able:
         raise InputError(

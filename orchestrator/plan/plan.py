@@ -60,8 +60,11 @@ class Plan(Design):
         return {name: rest for name, rest in rests.items() if rest}
 
 
-def make_plan(system: System) -> Plan:
-    """Plan a system. Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
+def make_plan(system: System, brought: bool = False) -> Plan:
+    """Plan a system; `brought`: components can be brought to the instants of events within their steps, also where no
+    FMU has any of its own.
+
+    Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
     system = with_processes(system)
     require_span(system.start, system.stop)
     algorithm = algorithm_of(system)
@@ -81,7 +84,7 @@ def make_plan(system: System) -> Plan:
     order, reason = order_of(system, clock)
     check_leaders(choices, leaders, order)
     rereads = rereads_of(system, choices)
-    events = events_of(system, (*samplers, *leaders), choices, algorithm.takes_events)
+    events = events_of(system, (*samplers, *leaders), choices, algorithm.takes_events, brought)
     layout = make_layout(system, choices, rereads, events is not None)
     bonds = bond_energies(system, clock, layout)
     algorithm.extend(system, clock, order, choices, layout)

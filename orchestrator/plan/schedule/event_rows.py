@@ -56,6 +56,7 @@ def _after(schedule: Schedule, known: Known) -> Iterator[Row]:
     for c, choice in design.choices.items():
         if choice.transfer == "hold" and {c.source[0], c.target[0]} <= known and c not in direct:
             yield schedule.sent(c, 0, layout.outputs[c.source])
+            yield from schedule.broken(c, 0, 0)
     yield from schedule.settling.afresh(0, known)
     for name in design.order:
         if name in known and (schedule.inputs.get(name)):

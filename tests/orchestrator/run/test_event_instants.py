@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -43,7 +42,7 @@ class Bells:
 def eventful(tmp_path: Path, fmus: Path, rates: tuple[str, str], **keys: object) -> Plan:
     parts: dict[str, Part] = {"w": ("wave", rates[0], {"c1": 2.0}), "i": ("integrator", rates[1])}
     system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms", **keys)
-    return make_plan(replace(system, events=("bells",)))
+    return make_plan(system, brought=True)
 
 
 def rung(plan: Plan, times: Sequence[Fraction], interpreted: bool = False) -> tuple[Run, Bells]:
@@ -84,7 +83,7 @@ def test_who_cannot_vary_its_step_sees_an_event_at_its_next_instant(tmp_path: Pa
     edited(fmus / "integrator.fmu", tmp_path / "fixed.fmu", {}, FIXED)
     parts: dict[str, Part] = {"w": ("wave", "2 ms", {"c1": 2.0}), "i": (str(tmp_path / "fixed.fmu"), "2 ms")}
     system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms", algorithm="jacobi")
-    plan = make_plan(replace(system, events=("bells",)))
+    plan = make_plan(system, brought=True)
     assert plan.events is not None and plan.events.stopped == ("w",)
     assert "i sees events up to 2 ms late, at its own instants: its step cannot vary" in explain(plan)
     with Session(make_plan(system)) as session:
@@ -107,7 +106,7 @@ def test_the_loop_and_its_interpreter_handle_events_bit_by_bit_alike(
 def test_a_system_without_events_has_the_plan_that_it_had(tmp_path: Path, fmus: Path) -> None:
     parts: dict[str, Part] = {"w": ("wave", "2 ms"), "i": ("integrator", "6 ms")}
     system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms")
-    plain, eventful = make_plan(system), make_plan(replace(system, events=("bells",)))
+    plain, eventful = make_plan(system), make_plan(system, brought=True)
     assert plain.events is None and not plain.at_events.bring
     assert len(eventful.cycle) > len(plain.cycle)
 
