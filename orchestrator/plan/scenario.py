@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from ..clock import Clock
 from ..errors import InputError
+from ..fmu.kinds import MODEL_EXCHANGE
 from ..system.event import Event
 from ..system.model import System
 
@@ -27,6 +28,14 @@ def check_scenario(system: System, algorithm: Algorithm) -> None:
             if series := system.components[name].series.get(variable):
                 raise InputError(
                     f"event {event.name} sets {name}.{variable}, which follows {series}; remove one of the two "
+                    f"{event.where}".rstrip()
+                )
+        for key in event.fault.values if event.fault else ():
+            source, target = (system.components[name].fmu for name, _ in (system.drivers[key].source, key))
+            if source.kind == target.kind == MODEL_EXCHANGE:
+                raise InputError(
+                    f"event {event.name}: {system.drivers[key].label} is solved inside the group of FMUs for Model "
+                    "Exchange, where no fault reaches it; break a signal between the group and another component "
                     f"{event.where}".rstrip()
                 )
         if event.fault and event.fault.kind == "noise" and not algorithm.takes_noise:

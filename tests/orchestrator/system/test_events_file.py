@@ -13,7 +13,9 @@ import pytest
 from good_system import read
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
+from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.plan.plan import make_plan
+from rovbrush.orchestrator.plan.scenario import check_scenario
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
@@ -154,3 +156,12 @@ def test_events_come_back_from_an_ssp_and_do_the_same(tmp_path: Path, fmus: Path
 def test_a_container_refuses_events(tmp_path: Path, fmus: Path) -> None:
     with pytest.raises(InputError, match=r"a container cannot hold events, and the system has event 1 \(case"):
         write_container(read(tmp_path, fmus, STAND + SET), tmp_path / "c.fmu")
+
+
+def test_what_is_solved_inside_the_group_of_model_exchange_cannot_break(tmp_path: Path, fmus: Path) -> None:
+    system = read(tmp_path, fmus, STAND + FAULT)
+    for name in ("motor", "brush"):
+        component = system.components[name]
+        system = system.with_component(replace(component, fmu=replace(component.fmu, kind="model-exchange")))
+    with pytest.raises(InputError, match=r"event drag: brush.T_brush -> motor.T_brush is solved inside the group"):
+        check_scenario(system, algorithm_of(system))
