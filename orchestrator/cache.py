@@ -2,6 +2,7 @@
 
     fmus/HASH/       an unpacked archive (`fmu/files/unpacked.py`)
     kernels/NAME/    a compiled kernel (`components/kernels.py`, which knows this layout by convention)
+    servers/NAME/    what loads FMUs for Windows (`participant/windows/build.py`)
     users/, lock     what living processes need (`cache_users.py`)
     moving/          what is being unpacked or thrown away just now
 
@@ -26,7 +27,12 @@ from .errors import FmuError, InputError
 LIMIT = "2 GB"  # how much may stay, unless ROVBRUSH_CACHE_LIMIT says otherwise
 UNITS = {"": 1, "B": 1, "kB": 10**3, "MB": 10**6, "GB": 10**9, "TB": 10**12}
 # What may be thrown away; anything else in the folder is not ours. Bare files and __pycache__ are of older versions.
-ENTRIES = {"fmus": r"[0-9a-f]{24}|unpacking-\w+", "kernels": r"\w+_[0-9a-f]{24}(\.py)?|__pycache__", "moving": r"\w+"}
+ENTRIES = {
+    "fmus": r"[0-9a-f]{24}|unpacking-\w+",
+    "kernels": r"\w+_[0-9a-f]{24}(\.py)?|__pycache__",
+    "servers": r"win\d\d_[0-9a-f]{24}",
+    "moving": r"\w+",
+}
 
 _room: dict[Path, int] = {}  # by cache folder: bytes that may still come before it is looked through again
 

@@ -22,6 +22,7 @@ from .details import Details
 from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
+from .files.windows import platform_of
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
 from .structure import resize, resized_variables
 from .terminals import Terminal
@@ -109,6 +110,11 @@ class Fmu(Capabilities):
     def library(self) -> Path:
         """The binary for this machine: a file in the folder `binaries`, or what its sources were compiled to."""
         return find_library(self.path, self.folder, self.description, self.interface, compiled=self.compiled)
+
+    @cached_property
+    def windows(self) -> str:
+        """win64 or win32, if its library is for Windows and wine runs it here; else empty."""
+        return platform_of(self.library)
 
     @cached_property
     def _elements(self) -> Elements:

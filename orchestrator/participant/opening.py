@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from ..fmu.fmu import Fmu
 from ..fmu.mock import MockFmu
@@ -16,11 +18,18 @@ from .here.fmi3 import Fmi3Instance
 from .here.loaded import LoadedInstance
 from .messages import Logging
 
+if TYPE_CHECKING:
+    from .windows.process import ServerProcess
+
 KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: Fmi3Instance}
 
 
 def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> LoadedInstance:
-    """An instance in this process. Raises FmuError if the FMU refuses."""
+    """An instance in this process, or under wine where its library is for Windows. Raises FmuError if it refuses."""
+    if fmu.own.windows:
+        from .windows.instance import KINDS as UNDER_WINE
+
+        return UNDER_WINE[fmu.version](fmu, name, logging, tolerance)
     return KINDS[fmu.version](fmu, name, logging, tolerance)
 
 
@@ -32,10 +41,47 @@ def why_not_here(component: Component) -> str:
     return why_alone(fmu.own) if used_before(fmu.own) else ""
 
 
+class Starting:
+    """Instances of components, one after the other; processes that take long to start are all started before.
+
+    A process under wine that is not taken is given back in `close`.
+    """
+
+    def __init__(self, components: Iterable[Component]) -> None:
+        self._waiting: dict[str, ServerProcess] = {}
+        try:
+            for component in components:
+                if component.fmu.own.windows:
+                    from .windows.process import ServerProcess
+
+                    self._waiting[component.name] = ServerProcess(component.fmu.own)
+        except BaseException:
+            self.close()
+            raise
+
+    def start(self, component: Component) -> Participant:
+        """The instance of a component. Raises FmuError if it refuses."""
+        process = self._waiting.pop(component.name, None)
+        if process is None:
+            return start(component)
+        from .windows.instance import KINDS as UNDER_WINE
+
+        kind, limit = UNDER_WINE[component.fmu.version], float(component.timeout)
+        return kind(component.fmu, component.name, component.logging, component.tolerance, limit, process)
+
+    def close(self) -> None:
+        """End the processes that nobody took."""
+        for process in self._waiting.values():
+            process.close()
+        self._waiting.clear()
+
+
 def start(component: Component) -> Participant:
     """The instance of a component, in a process of its own where the system says so, or where it must not meet what
     was in this one before."""
     wanted = component.logging, component.tolerance
+    if component.fmu.own.windows:
+        return Starting([component]).start(component)
     if component.isolation == "process" or why_not_here(component):
         from .isolated.parent import IsolatedInstance
 

@@ -7,7 +7,7 @@ from typing import Any
 from ..errors import FmuError
 from ..fmu.tolerant.rules import FUNCTIONS, Note
 from ..participant.base import Participant
-from ..participant.opening import start, why_not_here
+from ..participant.opening import Starting, why_not_here
 from ..participant.surroundings import Surroundings
 from ..system.model import System
 
@@ -23,6 +23,7 @@ class Participants:
         self.by_name: dict[str, Participant] = {}
         self.notes: list[str] = []
         self._surroundings = Surroundings()
+        starting = Starting(system.components.values())
         try:
             for name, component in system.components.items():
                 if why := why_not_here(component):
@@ -30,10 +31,11 @@ class Participants:
                         f"component {name} runs in a process of its own: {component.fmu.path.name} was used in this "
                         f"process before, and {why}"
                     )
-                self.by_name[name] = start(component)
+                self.by_name[name] = starting.start(component)
                 self.look_for_functions(name)
                 self.look_around(f"while {name} was loaded")
         except BaseException:
+            starting.close()
             self.abandon()
             raise
 

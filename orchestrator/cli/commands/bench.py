@@ -19,7 +19,7 @@ Rows = Sequence[Mapping[str, Any]]
 def bench(
     parts: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[PART]...", help="masters, start, components, long, growth; all by default."),
+        typer.Argument(metavar="[PART]...", help="masters, start, components, long, growth, windows; all by default."),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
     against: Annotated[
@@ -102,6 +102,15 @@ def print_growth(rows: Rows) -> None:
     print_table("Growth: CPU time, each system in a process of its own", headings, cells)
 
 
+def print_windows(rows: Rows) -> None:
+    """Components under wine."""
+    if not rows:
+        return
+    cells = [(r["component"], *(f"{r[key]:.1f}" for key in ("here_us", "wine_us", "beside_us"))) for r in rows]
+    title = f"FMUs for win64 under wine, microseconds per step with its exchange, {medians(rows)}"
+    print_table(title, ("component", "here", "under wine", "difference"), cells)
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -116,5 +125,5 @@ def print_against(rows: Rows) -> None:
 
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
-    "growth": print_growth, "against": print_against,
+    "growth": print_growth, "windows": print_windows, "against": print_against,
 }  # fmt: skip

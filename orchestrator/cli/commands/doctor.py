@@ -21,7 +21,7 @@ EXTRAS = {"dask": "sweeps on a cluster", "plotly": "the report", "pyccel": "nati
 TOOLS = {
     "C compiler": (("gcc", "cc", "clang"), "native FMUs of this platform cannot be built"),
     "for Windows": (("x86_64-w64-mingw32-gcc",), "native FMUs for win64 cannot be built"),
-    "wine": (("wine64", "wine"), "FMUs for Windows cannot be tried here"),
+    "wine": (("wine64", "/usr/lib/wine/wine64", "wine"), "FMUs for Windows cannot be run here"),
 }
 PATIENCE = 10  # s that a tool may take to tell its version
 
@@ -35,7 +35,7 @@ def doctor(
     """Show versions, compilers, wine, the cache, the FMU folder and the platform; exit with 1 if a run would fail."""
     import json
 
-    lines = [*_platform(), *_packages(), *_tools(), *_folders()]
+    lines = [*_platform(), *_packages(), *_tools(), *_windows(), *_folders()]
     if json_:
         print(json.dumps({heading: {"found": found, "wrong": wrong} for heading, found, wrong in lines}, indent=1))
     else:
@@ -80,6 +80,19 @@ def _tools() -> Iterator[Line]:
         except (OSError, subprocess.TimeoutExpired) as error:
             told = f"does not tell its version: {error}"
         yield heading, f"{told} ({path})", ""
+
+
+def _windows() -> Iterator[Line]:
+    from ...fmu.files.windows import FOLDERS, how_to_install, runs_windows, wine
+    from ...participant.windows.build import available
+
+    for target in FOLDERS if runs_windows() else ():
+        there = wine(target) and target in available()
+        yield (
+            f"{target} FMUs",
+            "run by wine" if there else f"not run, and not tested, here; {how_to_install(target)}",
+            "",
+        )
 
 
 def _folders() -> Iterator[Line]:

@@ -51,6 +51,7 @@ def build(
     ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
+    from ...fmu.files.windows import runs_windows
     from ...system.file.components import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
@@ -69,6 +70,12 @@ def build(
             raise
         for path in paths:
             tell(f"built {path} ({path.stat().st_size // 1000} kB)")
+    if runs_windows():
+        from ...participant.windows.build import available, server
+
+        for target in available():
+            server(target)
+            tell(f"built what loads FMUs for {target} under wine")
 
 
 @app.command()

@@ -13,6 +13,7 @@ from ...errors import FmuError, listed
 from ..tolerant.rules import IDENTIFIER, LIBRARY, PLATFORM, Notes
 from .compiled import ASKED, compiled_library
 from .sources import build_of
+from .windows import FOLDERS, how_to_install, runs_windows, wine
 
 C_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
 FILE_NAME = r"[^./\\\0-\x1f\x7f][^/\\\0-\x1f\x7f]*"  # stays in its folder
@@ -84,6 +85,9 @@ def find_library(
         return found
     if (compiled or os.environ.get(ASKED)) and (made := compiled_library(path, folder, version, identifier)):
         return made
+    platform, found = _for_windows(folder, identifier)
+    if found is not None and wine(platform):
+        return found
     if not own:
         raise FmuError(
             f"FMU {path}: FMI {version}.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "
@@ -92,6 +96,16 @@ def find_library(
     raise FmuError(
         f"FMU {path} has no binary for {own}; it has {_there(path, folder, description, interface, ambiguous)}"
     )
+
+
+def _for_windows(folder: Path, identifier: str) -> tuple[str, Path | None]:
+    """The library that wine could run on this machine, behind its platform; nothing where there is none."""
+    for platform, folders in FOLDERS.items() if runs_windows() else ():
+        for name in folders:
+            libraries = sorted(p for p in (folder / "binaries" / name).glob("*.dll") if p.is_file())
+            if found := _called(identifier, libraries):
+                return platform, found
+    return "", None
 
 
 def _called(identifier: str, libraries: list[Path]) -> Path | None:
@@ -118,8 +132,12 @@ def remedy(path: Path, folder: Path, description: ModelDescription, interface: I
         build = build_of(path, folder, version, identifier) if version > 1 and is_identifier(identifier) else None
     except FmuError as error:
         return f"ask for a binary of this platform: {str(error).removeprefix(f'FMU {path}: ')}"
+    wine_helps = f"; {how_to_install(there)}" if (there := _for_windows(folder, identifier)[0]) else ""
     if build:
-        return "it carries its sources: --compile makes a library of them, or `compile = true` under its component"
+        compiling = "--compile makes a library of them, or `compile = true` under its component"
+        return f"it carries its sources: {compiling}{wine_helps}"
+    if wine_helps:
+        return wine_helps.removeprefix("; ")
     if any((folder / "sources").glob("**/*.c*")):
         return "ask for a binary of this platform: its sources are not complete, or nothing says how to compile them"
     return "ask for a binary of this platform, or for the sources"

@@ -140,13 +140,14 @@ def aside(descriptor: int) -> int:
 class Shared:
     """The shared memory, on both sides mapped from one file descriptor, which is not needed any more then."""
 
-    def __init__(self, file: int) -> None:
+    def __init__(self, file: int, size: int = SIZE) -> None:
+        self.size = size
         # Python's own mmap keeps a copy of the descriptor, through which an FMU could write into the memory.
         mapping = ctypes.CDLL(None, use_errno=True).mmap
         mapping.restype, mapping.argtypes = ctypes.c_void_p, [
             ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int, ctypes.c_int, ctypes.c_int, ctypes.c_long,
         ]  # fmt: skip
-        found = mapping(None, SIZE, mmap.PROT_READ | mmap.PROT_WRITE, mmap.MAP_SHARED, file, 0)
+        found = mapping(None, size, mmap.PROT_READ | mmap.PROT_WRITE, mmap.MAP_SHARED, file, 0)
         if found in (None, ctypes.c_void_p(-1).value):
             raise OSError(ctypes.get_errno(), "memory cannot be shared with the process of an FMU")
         self.base = int(found)
@@ -154,7 +155,7 @@ class Shared:
 
     def close(self) -> None:
         """Give the memory back."""
-        ctypes.CDLL(None).munmap(ctypes.c_void_p(self.base), ctypes.c_size_t(SIZE))
+        ctypes.CDLL(None).munmap(ctypes.c_void_p(self.base), ctypes.c_size_t(self.size))
         self.base = 0
 
     @property

@@ -10,13 +10,15 @@ from typing import Any
 
 from ...errors import InputError, counted, nearest
 from ...files import prepare_folder, write_file, write_json
+from ...fmu.files.windows import how_to_install, wine
 from .against import against
 from .components import component_rows
 from .growth import growth_rows
 from .hosts import HOSTS, missing
 from .masters import measured, process_figures, rerun_figures
 from .streaming import long_runs
-from .systems import cases
+from .systems import cases, native_folder
+from .windows import PLATFORM, windows_rows
 
 Rows = list[dict[str, Any]]
 
@@ -36,6 +38,7 @@ PARTS = {
     "components": Part("every component by itself", 60.0, 15.0),
     "long": Part("memory of long runs", 80.0, 10.0),
     "growth": Part("reader and plan of large systems", 40.0, 15.0),
+    "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
     "against": Part("this installation against another one", 300.0, 60.0),
 }
 
@@ -126,6 +129,11 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from _shared(long_runs(asked.quick), 1.0)
         elif name == "growth":
             yield from growth_rows(folder, asked.quick)
+        elif name == "windows":
+            if not asked.parts and wine(PLATFORM) is None:
+                tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")
+                return
+            yield from windows_rows(folder, native_folder(asked.fmus), asked.quick)
         elif asked.python:
             yield from against(asked.python, folder, asked.fmus, asked.quick)
 

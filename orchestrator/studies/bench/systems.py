@@ -48,12 +48,18 @@ class Case:
     steps_elsewhere: int = 0
 
 
-def cases(folder: Path, fmus: Path | None) -> list[Case]:
-    """All systems, with what they need built in `folder`. Raises RunError without a C compiler, InputError without
-    the native FMUs of the components."""
+def native_folder(fmus: Path | None) -> Path:
+    """Where the native FMUs of the components are. Raises InputError where there are none."""
     native = (fmus or fmu_folder()) / "native" / "fmi2"
     if not native.is_dir():
         raise InputError(f"there are no native FMUs in {native}; build them with `rovbrush build --native`")
+    return native
+
+
+def cases(folder: Path, fmus: Path | None) -> list[Case]:
+    """All systems, with what they need built in `folder`. Raises RunError without a C compiler, InputError without
+    the native FMUs of the components."""
+    native = native_folder(fmus)
     # Every other master steps in parallel with held inputs.
     alike = [
         Case("feedthrough4", load_system(str(ring(folder, 4, stop="200 s"))), 20_000),

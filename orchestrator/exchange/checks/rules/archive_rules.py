@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from ....errors import FmuError, counted, listed
 from ....fmu.files.binary import LONGEST, find_library, is_file_name, is_identifier, remedy
 from ....fmu.files.compiled import ASKED
+from ....fmu.files.windows import platform_of
 from ..rows import Row, judged
 from ..subject import PLATFORMS, Subject, suffix
 
@@ -95,6 +96,8 @@ def loadable_row(subject: Subject) -> Row:
         found = f"none for {subject.platform}; there is {listed(subject.binaries) or 'none at all'}"
         mend = remedy(subject.path, subject.folder, subject.description, subject.interface)
         return Row("dry run", rule, "error", found, mend)
+    if target := platform_of(library):
+        return Row("dry run", rule, "pass", f"{library.name}, for {target}: wine runs it")
     if library.is_relative_to(subject.folder / "binaries"):
         return Row("dry run", rule, "pass", f"binaries/{library.parent.name}/{library.name}")
     return Row("dry run", rule, "pass", f"{library.name}, compiled from its sources")

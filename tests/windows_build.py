@@ -1,0 +1,50 @@
+"""FMUs for Windows for tests: what `native_build` makes for this machine, with libraries that mingw-w64 makes."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import zipfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+from native_build import NATIVE
+from rovbrush.orchestrator.fmu.files.windows import FOLDERS, runs_windows, wine
+from rovbrush.orchestrator.participant.windows.build import COMPILERS
+from rovbrush.orchestrator.studies.bench.native_fmu import HEADERS
+
+LACKING = [] if runs_windows() else ["Linux on x86-64"]
+LACKING += [
+    name for name, found in (("wine64", wine("win64")), ("mingw-w64", shutil.which(COMPILERS["win64"]))) if not found
+]
+needs_wine = pytest.mark.skipif(bool(LACKING), reason=f"FMUs for Windows need {' and '.join(LACKING)}")
+SOURCES = {"feedthrough2": ["feedthrough2.c"], "feedthrough3": ["feedthrough3.c", "unused3.c"], "first": ["first.c"],
+           "moody": ["moody.c"]}  # fmt: skip
+
+
+def for_windows(
+    fmu: Path, target: Path, sources: Sequence[Path], defines: Mapping[str, object] | None = None,
+    platform: str = "win64", keep: bool = False,
+) -> Path:  # fmt: skip
+    """A copy of an FMU of this machine with a library of the same C sources for Windows; `keep`: beside its own."""
+    with zipfile.ZipFile(fmu) as archive:
+        entries = {name: archive.read(name) for name in archive.namelist()}
+    third = b'fmiVersion="3' in entries["modelDescription.xml"]
+    library = target.parent / f"{target.stem}_{platform}.dll"
+    options = ["-Dpause()=usleep(1000)", *(f"-D{key}={value}" for key, value in (defines or {}).items())]  # no POSIX
+    command = [COMPILERS[platform], "-O2", "-shared", "-static-libgcc", "-s", f"-I{HEADERS}", *options]
+    subprocess.run([*command, *map(str, sources), "-o", str(library)], check=True, capture_output=True)
+    with zipfile.ZipFile(target, "w") as archive:
+        for name, content in entries.items():
+            if keep or not name.startswith("binaries/"):
+                archive.writestr(name, content)
+        archive.writestr(f"binaries/{FOLDERS[platform][third]}/{fmu.stem}.dll", library.read_bytes())
+    library.unlink()
+    return target
+
+
+def feedthrough_for_windows(native: Path, target: Path, platform: str = "win64", keep: bool = False) -> Path:
+    """`feedthrough2` or `feedthrough3`, which `native` is."""
+    sources = [NATIVE / name for name in SOURCES[native.stem]]
+    return for_windows(native, target, sources, platform=platform, keep=keep)
