@@ -11,6 +11,7 @@ import tempfile
 import time
 from contextlib import suppress
 
+from ...errors import FmuError
 from ...fmu.files.windows import require_wine
 from ...fmu.fmu import Fmu
 from ...processes import CRASHES, end, how_ended, start
@@ -52,16 +53,20 @@ class ServerProcess:
         self._woken, writes = os.pipe()
         # wine's processes cannot be told to end with the master; the loader that becomes one can.
         ending = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
-        self.process = start(
-            [*ending, loader, windows_path(str(program)), windows_path(self._path)],
-            stdin=reads,
-            stdout=writes,
-            stderr=self._said,
-            start_new_session=True,  # Ctrl-C is for the master
-            env=QUIET | os.environ,
-        )
-        os.close(reads)
-        os.close(writes)
+        try:
+            self.process = start(
+                [*ending, loader, windows_path(str(program)), windows_path(self._path)],
+                stdin=reads,
+                stdout=writes,
+                stderr=self._said,
+                start_new_session=True,  # Ctrl-C is for the master
+                env=QUIET | os.environ,
+            )
+        except OSError as error:
+            raise FmuError(f"{fmu.path.name}: {loader} cannot be started ({error.strerror})") from error
+        finally:
+            os.close(reads)
+            os.close(writes)
         os.set_blocking(self._woken, False)
         os.set_blocking(self._wakes, False)
         self._answers = select.poll()

@@ -33,6 +33,10 @@ def windows_rows(folder: Path, native: Path, quick: bool = False) -> Iterator[tu
     for k, name in enumerate(system.components):
         here = alone(system, name, STEP)
         component = here.components[name]
+        if component.fmu.windows:
+            raise InputError(
+                f"{component.fmu.path} has no library for this platform; build it: `rovbrush build --native`"
+            )
         theirs = _only_windows(component.fmu.path, folder / f"{name}.fmu")
         there = replace(here, components={name: replace(component, fmu=Fmu.open(theirs))})
         plans = {"here": make_plan(here), "wine": make_plan(there)}

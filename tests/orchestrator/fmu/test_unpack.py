@@ -133,10 +133,9 @@ def test_model_exchange_alone_is_refused(fmus: Path, tmp_path: Path) -> None:
 
 def test_a_missing_binary_names_the_platforms_that_are_there(fmus: Path, tmp_path: Path) -> None:
     own = f"binaries/{fmpy.platform}/gain{fmpy.sharedLibraryExtension}"
-    refused(
-        edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: None}), f"no binary for {fmpy.platform}", "it has win64"
-    )
-    other = "binaries/win64/gain.dll"
+    other, elsewhere = "binaries/win64/gain.dll", "binaries/darwin32/gain.dylib"
+    bad = edited(fmus / "gain.fmu", tmp_path / "bad.fmu", {own: None, other: None, elsewhere: b"a library"})
+    refused(bad, f"no binary for {fmpy.platform}", "it has darwin32")
     refused(edited(fmus / "gain.fmu", tmp_path / "bad2.fmu", {own: None, other: None}), "it has none")
 
 
