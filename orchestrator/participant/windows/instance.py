@@ -116,9 +116,8 @@ class WindowsInstance(LoadedInstance):
 
     def _broken_off(self, error: type[BaseException]) -> None:
         """An exception came while a call was waited for: nobody knows what became of that."""
-        self._lost(
-            f"its call was broken off by {'a second Ctrl-C' if issubclass(error, KeyboardInterrupt) else error.__name__}"
-        )
+        what = "a second Ctrl-C" if issubclass(error, KeyboardInterrupt) else error.__name__
+        self._lost(f"its call was broken off by {what}")
         self.process.kill()
 
     def call(self, action: str, what: str, function: Any, *arguments: Any) -> Any:
