@@ -19,7 +19,9 @@ FIELDS: dict[Kind, str] = {  # of fmpy's description; an FMU of several kinds is
 WORDS: dict[Kind, str] = {
     CO_SIMULATION: "co-simulation", MODEL_EXCHANGE: "model exchange", SCHEDULED_EXECUTION: "scheduled execution",
 }  # fmt: skip
-RUN = {(1, CO_SIMULATION), (2, CO_SIMULATION), (3, CO_SIMULATION)}  # what can be run: versions of FMI and kinds
+RUN = {  # what can be run: versions of FMI and kinds
+    *((version, CO_SIMULATION) for version in (1, 2, 3)), *((version, MODEL_EXCHANGE) for version in (2, 3)),
+}  # fmt: skip
 
 
 def kinds_of(description: ModelDescription) -> tuple[Kind, ...]:

@@ -30,8 +30,9 @@ KEPT = _END // CELL
     STEPS, REJECTED, EVALUATIONS, EVENTS, SWITCHED, NO_STATE_BEFORE,
     CVODE, CV_STEP, CV_REINIT, CV_STOP_TIME, CV_ROOTS, CV_TOLERANCES, CV_STATES, CV_ABSOLUTE, CV_REACHED, CV_FOUND,
     CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT,
+    OWN_SAVE, OWN_RESTORE, OWN_FORGET, OWN_INSTANCE, ENDED, SENT,
     MALLOC, FREE, EVALUATE, EXCHANGE, INDICATE, TRIAL, SETTLE, _LAST,
-) = (_END + cell for cell in _cells(75))  # fmt: skip
+) = (_END + cell for cell in _cells(81))  # fmt: skip
 TABLE = _LAST // CELL
 
 # A member, a row of MEMBERS: whose signatures its functions have (2 or 3), instance, addresses of its functions (0 for
@@ -49,10 +50,10 @@ KIND, WHO, FUNCTION, REFERENCES, COUNT, AT, SIZE, ROW = _cells(8)
 TAKE, GIVE, GIVE_AS_IS, LOOP = range(4)
 
 # A row of DISCRETE: function that gets, member, reference, type there; function that sets, member, reference, type
-# there; gain and offset; the last value, 16 bytes.
+# there; gain and offset; room for a value. What was sent last is in SENT.
 (
-    GET, GET_WHO, GET_REFERENCE, GET_TYPE, PUT, PUT_WHO, PUT_REFERENCE, PUT_TYPE, GAIN, OFFSET, LAST, _ROOM, LINK,
-) = _cells(13)  # fmt: skip
+    GET, GET_WHO, GET_REFERENCE, GET_TYPE, PUT, PUT_WHO, PUT_REFERENCE, PUT_TYPE, GAIN, OFFSET, ROOM, LINK,
+) = _cells(12)  # fmt: skip
 DOUBLE, FLOAT, I8, U8, I16, U16, I32, U32, I64, U64, TRUTH8, TRUTH32, POINTER = range(13)
 
 # What is wrong, in FAULT.

@@ -26,7 +26,6 @@ from .cells import (
     IN_GET,
     IN_SET,
     INSTANCE,
-    LAST,
     LINK,
     MEMBER,
     MEMBERS,
@@ -36,6 +35,8 @@ from .cells import (
     PUT_REFERENCE,
     PUT_TYPE,
     PUT_WHO,
+    ROOM,
+    SENT,
     TRUTH8,
     TRUTH32,
     U8,
@@ -99,7 +100,8 @@ def send(g: int) -> int:
     changed = 0
     for k in range(whole(g + DISCRETE_COUNT)):
         link = whole(g + DISCRETE) + LINK * k
-        given, source, target = link + LAST + CELL, whole(link + GET_TYPE), whole(link + PUT_TYPE)
+        given, last = link + ROOM, whole(g + SENT) + CELL * k
+        source, target = whole(link + GET_TYPE), whole(link + PUT_TYPE)
         member = whole(g + MEMBERS) + MEMBER * whole(link + GET_WHO)
         status = set_or_get(
             whole(member + VERSION), whole(link + GET), whole(member + INSTANCE), link + GET_REFERENCE, 1, given, 1
@@ -108,9 +110,9 @@ def send(g: int) -> int:
             return -1 - refused(g, IN_GET, whole(link + GET_WHO), status)
         if source != target or source == DOUBLE:
             write_as(target, given, number(link + GAIN) * read_as(source, given) + number(link + OFFSET))
-        if source == POINTER or bits(given, size_of(target)) != bits(link + LAST, size_of(target)):
+        if source == POINTER or bits(given, size_of(target)) != bits(last, size_of(target)):
             changed += source != POINTER
-            put_whole(link + LAST, whole(given))
+            put_whole(last, whole(given))
             member = whole(g + MEMBERS) + MEMBER * whole(link + PUT_WHO)
             status = set_or_get(
                 whole(member + VERSION), whole(link + PUT), whole(member + INSTANCE), link + PUT_REFERENCE, 1, given, 1

@@ -13,6 +13,7 @@ from .cells import (
     CHATTERS,
     CURRENT,
     CVODES,
+    ENDED,
     ENDING,
     ENTRY,
     EVENTS,
@@ -20,6 +21,7 @@ from .cells import (
     FAULT,
     FREE,
     IN_EVENTS,
+    INFO,
     KEPT,
     LOG,
     LOG_COUNT,
@@ -32,6 +34,10 @@ from .cells import (
     NO_STATE_BEFORE,
     NOTHING,
     OK,
+    OWN_FORGET,
+    OWN_INSTANCE,
+    OWN_RESTORE,
+    OWN_SAVE,
     RESTART,
     RESTARTS,
     RESTS_IN_EVENTS,
@@ -55,11 +61,13 @@ MOST_EVENTS = 1000  # in one step
 BACK = 1e-9  # of a step, by which its beginning may differ from where the group is
 
 
-def step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
-    """fmi3DoStep of the group: a status of FMI, and through addresses whether a member asks to end, and when."""
+@register_jitable
+def take_step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
+    """From `time` over `length` [s]: a status of FMI, and through addresses whether a member asks to end, and when."""
     put_byte(event, 0)
     put_byte(ends, 0)
     put_byte(early, 0)
+    put_whole(g + ENDED, 0)
     put_whole(g + NO_STATE_BEFORE, final)
     put_whole(g + FAULT, NOTHING)
     end = time + length
@@ -71,6 +79,7 @@ def step(g: int, time: float, length: float, final: int, event: int, ends: int, 
     put(last, number(g + TIME))
     if status == ENDING:
         put_byte(ends, 1)
+        put_whole(g + ENDED, 1)
         put_byte(early, 1 if number(g + TIME) < end else 0)
         return 0
     return 0 if status == OK else 3
@@ -78,8 +87,9 @@ def step(g: int, time: float, length: float, final: int, event: int, ends: int, 
 
 @register_jitable
 def begin(g: int, time: float, length: float) -> int:
-    """Take in what was set since the last step."""
-    if abs(time - number(g + TIME)) > BACK * length:
+    """Take in what was set since the last step; of a step that another member has begun, what is left is done."""
+    at = number(g + TIME)
+    if at < time - BACK * length or at > time + length * (1.0 + BACK):
         put_whole(g + CURRENT, 0)
         put_whole(g + RESTART, 1)
         put_whole(g + CHANGED, 1)
@@ -157,35 +167,54 @@ def to_the_end(g: int, end: float) -> int:
             return OK
 
 
+def step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
+    """fmi3DoStep of the group."""
+    return take_step(g, time, length, final, event, ends, early, last)
+
+
+def step2(g: int, time: float, length: float, final: int) -> int:
+    """fmi2DoStep of the group: it discards the step in which a member asks to end, and ENDED says so."""
+    flags = whole(g + INFO)
+    status = take_step(g, time, length, final, flags, flags + 1, flags + 2, flags + CELL)
+    return 2 if status == 0 and whole(g + ENDED) != 0 else status
+
+
 def save(g: int, state: int) -> int:
-    """fmi3GetFMUState: what the group keeps beside its members, in memory of its own."""
-    size = CELL * KEPT + whole(g + ARRAYS_SIZE)
+    """fmi2GetFMUstate of the first member, and what the group keeps beside its members: in memory of its own."""
     at = whole(state)
     if at == 0:
-        at = call_whole(whole(g + MALLOC), size)
+        at = call_whole(whole(g + MALLOC), CELL + CELL * KEPT + whole(g + ARRAYS_SIZE))
         if at == 0:
             return 3
+        put_whole(at, 0)
         put_whole(state, at)
-    copy(g, at, CELL * KEPT)
-    copy(whole(g + ARRAYS), at + CELL * KEPT, whole(g + ARRAYS_SIZE))
-    return 0
+    status = call(whole(g + OWN_SAVE), whole(g + OWN_INSTANCE), at)
+    copy(g, at + CELL, CELL * KEPT)
+    copy(whole(g + ARRAYS), at + CELL + CELL * KEPT, whole(g + ARRAYS_SIZE))
+    put_whole(g + RESTART, 1)  # whoever goes on from here later has no history of the solver
+    return status
 
 
 def restore(g: int, state: int) -> int:
-    """fmi3SetFMUState."""
-    copy(state, g, CELL * KEPT)
-    copy(state + CELL * KEPT, whole(g + ARRAYS), whole(g + ARRAYS_SIZE))
+    """fmi2SetFMUstate of the first member and of the group."""
+    copy(state + CELL, g, CELL * KEPT)
+    copy(state + CELL + CELL * KEPT, whole(g + ARRAYS), whole(g + ARRAYS_SIZE))
     put_whole(g + RESTART, 1)
     put_whole(g + CHANGED, 1)  # inputs may not be what they were
-    return 0
+    return call(whole(g + OWN_RESTORE), whole(g + OWN_INSTANCE), whole(state))
 
 
 def forget(g: int, state: int) -> int:
-    """fmi3FreeFMUState."""
-    if whole(state) != 0:
-        call(whole(g + FREE), whole(state))
-        put_whole(state, 0)
-    return 0
+    """fmi2FreeFMUstate of both."""
+    at = whole(state)
+    if at == 0:
+        return 0
+    status = 0
+    if whole(at) != 0:
+        status = call(whole(g + OWN_FORGET), whole(g + OWN_INSTANCE), at)
+    call(whole(g + FREE), at)
+    put_whole(state, 0)
+    return status
 
 
 @register_jitable

@@ -227,6 +227,19 @@ class Participant(ABC):
         """The same for an error of the FMU's own making; how to learn more where it said nothing."""
         return self.log.advice(self.name) + self.log.text()
 
+    def first_event(self) -> None:
+        """What is done once all components have left initialization mode; nothing, for most."""
+        return
+
+    @property
+    def speaker(self) -> Participant:
+        """Who is behind the answer to its last step: itself, or another member of its group."""
+        return self
+
+    def why_failed(self) -> str:
+        """What went wrong in its last step, where that is known better than by its status."""
+        return ""
+
     def why_discarded(self) -> str:
         """What the FMU says about a step that it discarded; empty if it says nothing."""
         reached = self.reached()

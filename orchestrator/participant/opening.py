@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ..fmu.fmu import Fmu
+from ..fmu.kinds import MODEL_EXCHANGE
 from ..fmu.mock import MockFmu
 from ..fmu.sharing import why_alone
 from ..system.model import Component
@@ -30,6 +31,10 @@ def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None 
         from .windows.instance import KINDS as UNDER_WINE
 
         return UNDER_WINE[fmu.version](fmu, name, logging, tolerance)
+    if fmu.kind == MODEL_EXCHANGE:
+        from .model_exchange.instance import MEMBERS
+
+        return MEMBERS[fmu.version](fmu, name, logging, tolerance)
     return KINDS[fmu.version](fmu, name, logging, tolerance)
 
 

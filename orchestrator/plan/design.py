@@ -11,6 +11,7 @@ from ..system.inputs.series import Series
 from ..system.model import Connection, System
 from .algorithms.base import Algorithm
 from .events import Events
+from .exchange import CONTINUOUS, exchanged
 from .instants import Instants
 from .schedule.bond_energy import BondEnergy
 from .schedule.formulas import Choice
@@ -39,14 +40,25 @@ class Design:
     instants: Instants  # which held inputs are given the value of their instant
 
     def into(self, name: str) -> list[Connection]:
-        """The connections into a component."""
+        """The connections into a component; those between FMUs for Model Exchange are not the plan's."""
         return self._into.get(name, [])
+
+    @cached_property
+    def exchange(self) -> tuple[str, ...]:
+        """The FMUs for Model Exchange, which are stepped as a whole."""
+        return exchanged(self.system)
+
+    @cached_property
+    def inside(self) -> tuple[Connection, ...]:
+        """The connections between these."""
+        return tuple(c for c, choice in self.choices.items() if choice.transfer == CONTINUOUS)
 
     @cached_property
     def _into(self) -> dict[str, list[Connection]]:
         found: dict[str, list[Connection]] = {}
         for c in self.system.connections:
-            found.setdefault(c.target[0], []).append(c)
+            if self.choices[c].transfer != CONTINUOUS:
+                found.setdefault(c.target[0], []).append(c)
         return found
 
     @cached_property

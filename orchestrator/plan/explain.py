@@ -12,6 +12,7 @@ from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
 from .capabilities import remarks
 from .events import event_words
+from .exchange import explained
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
 from .scenario_text import scenario_in_words
@@ -46,6 +47,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines += [f"  {note}" for note in system.components[name].notes]
     lines += [f"  {note}" for note in start_notes(system)]
     lines += [f"  {note}" for note in last_steps(plan)]
+    lines += [f"  {line}" for line in explained(plan.system)]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     for name in plan.leaders:

@@ -9,6 +9,7 @@ from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
 from .events import ends_early
+from .exchange import exchanged
 from .schedule.formulas import Choice
 
 
@@ -26,7 +27,12 @@ def samplers_of(system: System) -> tuple[str, ...]:
         into[c.target[0]].append(c.target)
     for name, component in system.components.items():
         into[name] = into[name] or [(name, variable) for variable in component.series]
-    return tuple(name for name, ends in into.items() if ends and all(discrete(system, end) for end in ends))
+    together = exchanged(system)  # these step as a whole, after the others
+    return tuple(
+        name
+        for name, ends in into.items()
+        if ends and name not in together and all(discrete(system, end) for end in ends)
+    )
 
 
 def leaders_of(system: System, samplers: tuple[str, ...]) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
 from .design import Design
 from .events import EventRows, events_of
+from .exchange import continuous, with_one_period
 from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
 from .processes import with_processes
@@ -65,7 +66,7 @@ def make_plan(system: System, brought: bool = False) -> Plan:
     FMU has any of its own.
 
     Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
-    system = with_processes(system)
+    system = with_one_period(with_processes(system))
     require_span(system.start, system.stop)
     algorithm = algorithm_of(system)
     algorithm.check(system)
@@ -78,7 +79,7 @@ def make_plan(system: System, brought: bool = False) -> Plan:
     check_series(system, clock)
     leaders = leaders_of(system, samplers)
     choices = {
-        c: held_by_type(system, c) or algorithm.transfer(system, clock, c, samplers, leaders)
+        c: continuous(system, c) or held_by_type(system, c) or algorithm.transfer(system, clock, c, samplers, leaders)
         for c in system.connections
     }
     order, reason = order_of(system, clock)

@@ -53,6 +53,8 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     started = propagation.settle()
     for instance in instances.values():
         instance.exit_initialization()
+    for instance in instances.values():
+        instance.first_event()
     propagation.read_outputs()
     propagation.settle_instant()
     started.notes += [note for name, c in system.components.items() for note in read_back(instances[name], c)]

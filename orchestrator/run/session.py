@@ -19,6 +19,7 @@ from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.handler import EventHandler
+from .exchange_models import bring_together
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -70,6 +71,7 @@ class Session:
             self.instances = self.participants.by_name
             try:
                 self.memory = Memory(plan)
+                self.group = bring_together(plan, self.instances, self.memory) if plan.exchange else None
                 self._started = initialize(plan, self.instances, self.memory)
                 self.participants.notes += self._started.notes
                 self.participants.look_around("in the initialization")

@@ -24,7 +24,7 @@ from ..fmu.types import REALS, Value
 from .event import Event
 from .inputs.series import Series
 from .quantities import in_own_unit
-from .schema.system import Loops
+from .schema.system import Loops, Solver
 
 FORMATS = (1, 2)  # of system files; of one without `format` a run says what it holds that was extrapolated then
 
@@ -130,6 +130,7 @@ class System:
     components: Mapping[str, Component]
     connections: tuple[Connection, ...]
     loops: Loops = field(default_factory=Loops)  # how loops of direct dependence are solved
+    solver: Solver = field(default_factory=Solver)  # how FMUs for Model Exchange are integrated
     bonds: tuple[Bond, ...] = ()
     events: tuple[Event, ...] = ()  # what happens at a time or when a signal crosses a value
     requirements: tuple[Requirement, ...] = ()

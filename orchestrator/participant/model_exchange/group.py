@@ -19,6 +19,7 @@ import numpy as np
 
 from ...errors import FmuError
 from ...integration import cells
+from ...integration.bound import Bound
 from ...integration.choice import choose
 from ...integration.compiled import address_of
 from ...integration.memory import call, number, put, put_whole, whole
@@ -32,6 +33,7 @@ from .tables import Tables, gives_directional, needs_completed
 from .words import why
 
 CELL = cells.CELL
+OWN = (cells.OWN_SAVE, cells.OWN_RESTORE, cells.OWN_FORGET)  # functions of the first member
 LOGGED = 4096  # events that are kept
 METHODS = {"dormand-prince": cells.DORMAND_PRINCE, "rk4": cells.RUNGE_KUTTA, "cvode": cells.CVODES}
 CODES = {code: name for name, code in METHODS.items()}
@@ -56,7 +58,6 @@ class Group:
         self.settings = settings or SolverSettings()
         self.begun = False
         self._rests, self._watched = rests_in_events, np.zeros(0, dtype=np.int64)
-        self._kept: dict[int, int] = {}  # states of the group, by those of a member that is alone
         self._table = np.zeros(cells.TABLE, dtype=np.int64)
         self._flags = np.zeros(STEP_FLAGS, dtype=np.uint8)
         self._cvode: Cvode | None = None
@@ -67,11 +68,6 @@ class Group:
         """What its functions take first."""
         return int(self._table.ctypes.data)
 
-    @property
-    def alone(self) -> bool:
-        """Whether its only member is run by itself: states of the two are saved together."""
-        return len(self.members) == 1 and self.members[0].__dict__.get("group") is self
-
     def _lay_out(self) -> None:
         tables = self.tables = Tables(self.members)
         g = self.pointer
@@ -80,7 +76,7 @@ class Group:
         n, z, v = max(tables.states, 1), tables.indicators, len(tables.slots)
         tables.discrete = [link for block in self.blocks for link in block.links if not tables.solved(link)]
         discrete = tables.discrete_rows()
-        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.DISCRETE: discrete.size}
+        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.SENT: len(discrete)}
         self._block = np.zeros(sum(sizes.values()) + 1)
         at = int(self._block.ctypes.data)
         put_whole(g + cells.ARRAYS, at)
@@ -88,7 +84,7 @@ class Group:
         for cell, size in sizes.items():
             put_whole(g + cell, at)
             at += CELL * size
-        self._view(cells.DISCRETE, discrete.size, np.int64)[:] = discrete.ravel()
+        self._view(cells.SENT, len(discrete), np.int64)[:] = -1  # nothing was sent yet
         rows = tables.link([block for block in self.blocks], whole(g + cells.V))
         work = {cells.K2: 6 * n, cells.STAGE: n, cells.X_NEW: n, cells.Z_NEW: 2 * z, cells.V_OLD: v, cells.NOMINAL: n,
                 cells.INFO: 8, cells.SEEDS: n, cells.SEED_OUT: n, cells.LOG: LOGGED * cells.ENTRY // CELL,
@@ -104,11 +100,17 @@ class Group:
                         whole(g + cells.V) + CELL * tables.slots[link.source]
                     )
                     self._arrays[cells.GAINS][k], self._arrays[cells.OFFSETS][k] = link.gain, link.offset
-        self._keep = members, rows
+        self._keep = members, rows, discrete
+        self.bound = Bound(g)
+        first = self.members[0]
+        own = dict(zip(OWN, first.state_functions, strict=True)) if first.fmu.can_save_state else {}
         for cell, value in (
             (cells.STATES, tables.states), (cells.MEMBERS, members.ctypes.data),
             (cells.MEMBER_COUNT, len(self.members)), (cells.INDICATORS, z), (cells.VALUES, v),
             (cells.ROWS, rows.ctypes.data), (cells.ROW_COUNT, len(rows)), (cells.DISCRETE_COUNT, len(discrete)),
+            (cells.DISCRETE, discrete.ctypes.data),
+            *((cell, LoadedInstance.address(first, function)) for cell, function in own.items()),
+            (cells.OWN_INSTANCE, first.pointer),
             (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)), (cells.CHANGED, 1),
             (cells.MALLOC, ctypes.cast(ctypes.pythonapi.PyMem_RawMalloc, ctypes.c_void_p).value),
             (cells.FREE, ctypes.cast(ctypes.pythonapi.PyMem_RawFree, ctypes.c_void_p).value),
@@ -157,7 +159,7 @@ class Group:
             who = self.members[whole(g + cells.FAULT_MEMBER)]
             raise FmuError(f"component {who.name} asks to end the simulation at its start{who.log_text()}")
         if status:
-            raise FmuError(f"component {self.failed_name}: {self.why()}{self._at_fault().reasons()}")
+            raise FmuError(f"component {self.failed_name}: {self.why()}{self.at_fault.reasons()}")
         self.begun = True
         if self.chosen.method == "cvode":
             self.make_cvode()
@@ -187,6 +189,11 @@ class Group:
         return CODES[whole(self.pointer + cells.METHOD)]
 
     @property
+    def asks_to_end(self) -> bool:
+        """Whether a member asked to end in the last step."""
+        return whole(self.pointer + cells.ENDED) != 0
+
+    @property
     def failed(self) -> bool:
         """Whether the last step failed."""
         return whole(self.pointer + cells.FAULT) != cells.NOTHING
@@ -194,9 +201,11 @@ class Group:
     @property
     def failed_name(self) -> str:
         """The member whose call failed."""
-        return self._at_fault().name
+        return self.at_fault.name
 
-    def _at_fault(self) -> LoadedInstance:
+    @property
+    def at_fault(self) -> LoadedInstance:
+        """The member whose call failed, or who asks to end."""
         return self.members[whole(self.pointer + cells.FAULT_MEMBER)]
 
     def why(self) -> str:
@@ -239,27 +248,12 @@ class Group:
         do_step3(address_of("step"), self.pointer, time, length, int(final), flags)
         return bool(self._flags[1])
 
-    def save(self, key: int) -> None:
-        """Keep the state of the group beside that of its member."""
-        cell = np.zeros(1, dtype=np.int64)
-        if call(address_of("save"), self.pointer, int(cell.ctypes.data)):
-            raise FmuError("there is no memory for the state of the solver")
-        self._kept[key] = int(cell[0])
-
-    def restore(self, key: int) -> None:
-        """Go back to where `save` was called."""
-        if key in self._kept:
-            call(address_of("restore"), self.pointer, self._kept[key])
-
-    def forget(self, key: int) -> None:
-        """Give a kept state back."""
-        cell = np.array([self._kept.pop(key, 0)], dtype=np.int64)
-        call(address_of("forget"), self.pointer, int(cell.ctypes.data))
+    def size_of_state(self) -> int:
+        """Bytes of what the group keeps beside its members."""
+        return CELL * cells.KEPT + whole(self.pointer + cells.ARRAYS_SIZE)
 
     def free(self) -> None:
         """Give the solver back."""
-        for key in list(self._kept):
-            self.forget(key)
         if self._cvode is not None:
             self._cvode.free()
             self._cvode = None

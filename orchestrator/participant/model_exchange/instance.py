@@ -6,14 +6,19 @@ sampled inputs) puts the whole group there; its next step begins with the event.
 
 from __future__ import annotations
 
+import ctypes
+import math
 import os
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
 from fmpy import fmi2, fmi3
 
 from ...fmu.types import Value
-from ..base import AskedToEndError, CallError
+from ...integration import cells
+from ...integration.memory import call, call_whole, put_whole, whole
+from ..base import AskedToEndError, CallError, Participant
 from ..here.fmi2 import Fmi2Instance
 from ..here.fmi3 import LOGGER, Fmi3Instance
 from ..here.library import Judged
@@ -21,6 +26,8 @@ from ..here.loaded import LoadedInstance
 from ..here.message_filter import Row, address_of, filtered
 from ..lifecycle import DISCARD, ERROR, State
 from .group import Group
+
+BOUND = ("save", "restore", "forget")  # functions of a group, in the order of Participant's state functions
 
 
 class FMU2Model(Judged, fmi2.FMU2Model):  # type: ignore[misc]
@@ -32,9 +39,34 @@ class FMU3Model(Judged, fmi3.FMU3Model):  # type: ignore[misc]
 
 
 class Member(LoadedInstance):
-    """What both versions have in common. Whoever runs it alone needs no group: it makes one of itself."""
+    """What both versions have in common. Whoever runs it alone needs no group: it makes one of itself.
 
-    group: Group | None = None  # of its system; made when it leaves initialization mode where there is none
+    The first member of a group stands for it: its state is saved with what the group keeps.
+    """
+
+    group: Group | None = None  # of its system; made when it is first needed where there is none
+
+    def join(self, group: Group) -> None:
+        """Be a member of a group."""
+        self.group = group
+
+    @property
+    def _own_group(self) -> Group:
+        if self.group is None:
+            self.group = Group([self])
+        return self.group
+
+    @property
+    def _first(self) -> bool:
+        return self._own_group.members[0] is self
+
+    def address(self, function: str) -> int:
+        """What belongs to the group is bound to it: the step, and the state of its first member."""
+        if function == f"{self.prefix}DoStep":
+            return self._own_group.bound.address("step2" if self.fmu.version == 2 else "step")
+        if function in self.state_functions and self._first:
+            return self._own_group.bound.address(BOUND[self.state_functions.index(function)])
+        return super().address(function)
 
     def set_own(self, values: Mapping[str, Value]) -> None:
         if self.group is not None and self.group.begun and not self.dead:
@@ -47,44 +79,97 @@ class Member(LoadedInstance):
     def exit_initialization(self) -> None:
         super().exit_initialization()
         if self.group is None:
-            self.group = Group([self])
-            self.group.begin()
+            self.first_event()
+
+    def first_event(self) -> None:
+        if self._first and not self.group_begun:
+            self._own_group.begin(self.start_time)
+
+    @property
+    def group_begun(self) -> bool:
+        """Whether its group has left initialization mode."""
+        return self.group is not None and self.group.begun
+
+    def set_up(self, stop: float | None, start: float = 0.0) -> None:
+        super().set_up(stop, start)  # type: ignore[safe-super]
+        self.start_time = start
 
     def step(self, time: float, length: float) -> None:
         self.require("step", f"step from t = {time:.9g} s")
-        assert self.group is not None
-        ended = self.group.step(time, self.within(time, length))
-        if ended:
+        group = self._own_group
+        if group.step(time, self.within(time, length)):
             self.noted("step", DISCARD)
-            raise AskedToEndError(f"component {self.name} asked to end at {self.group.time:.9g} s", DISCARD)
-        if self.group.failed:
+            raise AskedToEndError(f"component {self.speaker.name} asked to end at {group.time:.9g} s", DISCARD)
+        if group.failed:
             self.noted("step", ERROR)
-            raise CallError(f"component {self.name}: {self.group.why()}{self.reasons()}", ERROR)
+            raise CallError(f"component {self.speaker.name}: {group.why()}{self.speaker.reasons()}", ERROR)
+
+    @property
+    def speaker(self) -> Participant:
+        group = self.group
+        return group.at_fault if group is not None and (group.failed or group.asks_to_end) else self
+
+    def why_failed(self) -> str:
+        return self.group.why() if self.group is not None and self.group.failed else ""
 
     def terminated(self) -> bool:
-        return False
+        return self.group is not None and self.group.asks_to_end
+
+    def reached(self) -> float:
+        return self.group.time if self.group is not None else -math.inf
 
     def save(self) -> int:
-        state = super().save()
-        if self.group is not None and self.group.alone:
-            self.group.save(state)
-        return state
+        self.require_state()
+        if not self._first:
+            return super().save()
+        cell = np.zeros(1, dtype=np.int64)
+        self.require("save", "save its state")
+        status = call(self._own_group.bound.address("save"), self.pointer, int(cell.ctypes.data))
+        if status > 1:
+            raise CallError(f"component {self.name}: cannot save its state{self.reasons()}", status)
+        self.modes[int(cell[0])] = self.state
+        return int(cell[0])
 
     def restore(self, state: int) -> None:
-        super().restore(state)
-        if self.group is not None and self.group.alone:
-            self.group.restore(state)
+        if not self._first:
+            super().restore(state)
+            return
+        self.require("restore", "restore its state")
+        status = call(self._own_group.bound.address("restore"), self.pointer, state)
+        if status > 1:
+            raise CallError(f"component {self.name}: cannot restore its state{self.reasons()}", status)
+        self.state = self.modes.get(state, State.STEPPING)
 
     def forget(self, state: int) -> None:
-        super().forget(state)
-        if self.group is not None and self.group.alone:
-            self.group.forget(state)
+        if not self._first:
+            super().forget(state)
+            return
+        cell = np.array([state], dtype=np.int64)
+        call(self._own_group.bound.address("forget"), self.pointer, int(cell.ctypes.data))
+        self.modes.pop(state, None)
+
+    def serialize(self, state: int) -> bytes:
+        if not self._first:
+            return super().serialize(state)
+        size = self._own_group.size_of_state()
+        return ctypes.string_at(state + cells.CELL, size) + super().serialize(whole(state))
+
+    def deserialize(self, content: bytes) -> int:
+        if not self._first:
+            return super().deserialize(content)
+        size = self._own_group.size_of_state()
+        if len(content) < size:
+            raise ValueError("the state of the solver does not fit")
+        state = call_whole(whole(self._own_group.pointer + cells.MALLOC), size + cells.CELL)
+        put_whole(state, super().deserialize(content[size:]))
+        ctypes.memmove(state + cells.CELL, content[:size], size)
+        return state
 
     def close(self) -> str:
-        if self.group is not None and self.state is State.STEP_FAILED:
+        if self.state is State.STEP_FAILED:
             self.state = State.STEPPING  # FMI knows no failed step here: it can be terminated
         said = super().close()
-        if self.group is not None:
+        if self.group is not None and self._first:
             self.group.free()
         return said
 
@@ -108,3 +193,6 @@ class Fmi3Member(Member, Fmi3Instance):
         return self.slave.fmi3InstantiateModelExchange(
             self.name.encode(), self.slave.guid.encode(), folder.encode(), False, self.asked_for_all, id(self), logger
         )
+
+
+MEMBERS: dict[int, type[Member]] = {2: Fmi2Member, 3: Fmi3Member}

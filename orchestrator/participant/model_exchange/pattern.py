@@ -6,25 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ...fmu.fmu import Fmu
+from ...fmu.states import derivatives_of, state_names
 
 Key = tuple[int, str]  # member, variable
 FEW = 12  # states, up to which a band is not worth while
 WORTH = 3  # a band is narrower than the Jacobian by this factor
-
-
-def derivatives_of(fmu: Fmu) -> list[tuple[Any, Any]]:
-    """The derivatives of an FMU in their order, each as what is stated of it and its state."""
-    return [(unknown, unknown.variable.derivative) for unknown in fmu.own.description.derivatives]
-
-
-def state_names(fmu: Fmu) -> list[str]:
-    """The names of its continuous states, elements of arrays by themselves."""
-    return [name for _, state in derivatives_of(fmu) for name in _elements(fmu, state.name)]
-
-
-def derivative_names(fmu: Fmu) -> list[str]:
-    """The names of the derivatives of its states."""
-    return [name for unknown, _ in derivatives_of(fmu) for name in _elements(fmu, unknown.variable.name)]
 
 
 def _elements(fmu: Fmu, name: str) -> list[str]:

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...errors import FmuError
+from ...fmu.states import derivative_names, state_names
 from ...fmu.types import function_type
 from ...integration import cells
 from ...loop.versions import signatures
 from ..here.loaded import LoadedInstance
 from .links import Link, LinkBlock
-from .pattern import derivative_names, state_names
 
 CELL = cells.CELL
 FUNCTIONS = {  # of a member, by the column of its address
@@ -177,5 +177,4 @@ class Tables:
                 for column, value in zip(columns, values, strict=True):
                     table[k, column // CELL] = value
             numbers[k, cells.GAIN // CELL], numbers[k, cells.OFFSET // CELL] = link.gain, link.offset
-            table[k, cells.LAST // CELL] = -1  # nothing was sent yet
         return table

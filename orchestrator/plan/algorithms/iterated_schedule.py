@@ -100,13 +100,20 @@ class IteratedSchedule(Schedule):
     def finish(self, tick: int) -> Iterator[Row]:
         """The steps that end now, what they give to the images, and the values of this instant."""
         self.settling.begin()
+        together = [name for name in self.due(tick) if name in self.design.exchange]
         for name in self.due(tick):
-            if name not in self.design.samplers:
-                start = self.begin_of(name, tick - 1)
-                yield from self._take(tick, name, start)
-                yield from self.advance(tick, name, start)
-                yield from self._collect(tick, name, start)
-                self.settling.stepped(name)
+            members = together if together and name == together[-1] else [] if name in together else [name]
+            for member in members:
+                if member not in self.design.samplers:
+                    start = self.begin_of(member, tick - 1)
+                    yield from self._take(tick, member, start)
+                    yield from self.prepare(tick, member, start)
+            for member in members:
+                if member not in self.design.samplers:
+                    start = self.begin_of(member, tick - 1)
+                    yield from self.advance(tick, member, start, prepared=True)
+                    yield from self._collect(tick, member, start)
+                    self.settling.stepped(member)
         yield from self.record(tick)
 
     def _take(self, tick: int, name: str, start: int) -> Iterator[Row]:

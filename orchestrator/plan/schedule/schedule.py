@@ -100,15 +100,23 @@ class Schedule(Steps):
         due = [name for name in self.due(tick) if name not in self.early]
         done: set[str] = set()
         self.settling.begin()
+        together = [name for name in due if name in self.design.exchange]
         for name in due:
-            yield from self._step(tick, name, done)
-            self.settling.stepped(name)
-            done.add(name)
+            members = together if together and name == together[-1] else [] if name in together else [name]
+            for member in members:
+                yield from self._inputs(tick, member, done)
+            for member in members:
+                yield from self.advance(tick, member, self.begin_of(member, tick - 1), prepared=True)
+                self.settling.stepped(member)
+                done.add(member)
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
         yield from self.energies(tick)
         yield from self.settle(tick)
+        for c in self.design.inside:  # as they are now, to be recorded
+            if self.at_instant(tick, self.clock.periods[c.target[0]]):
+                yield self.sent(c, tick, self.layout.outputs[c.source])
         if self.design.events:
             yield (PAUSE, tick, -1, 0, 0, 0, 0, 0)
             for name in self.due(tick):
@@ -162,8 +170,8 @@ class Schedule(Steps):
             return min(end, self.span)
         return tick // period * period
 
-    def _step(self, tick: int, name: str, done: set[str]) -> Iterator[Row]:
-        """Form the inputs that are formed now and do the step that ends now; `done` have done theirs."""
+    def _inputs(self, tick: int, name: str, done: set[str]) -> Iterator[Row]:
+        """Form and set the inputs of the step that ends now; `done` have done theirs."""
         start = self.begin_of(name, tick - 1)
         now = [c for c in self.design.into(name) if not self.formed_at_beginning(c)]
         latest = [c for c in now if c.source[0] in done and self.design.choices[c].transfer != "mean"]
@@ -176,4 +184,4 @@ class Schedule(Steps):
                 sample = tick if c.source[0] in done else (tick - 1) // h * h
             yield from self._form(c, tick, sample, start)
         self.settling.formed(now)
-        yield from self.advance(tick, name, start)
+        yield from self.prepare(tick, name, start)

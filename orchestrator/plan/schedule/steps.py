@@ -70,14 +70,13 @@ class Steps:
             for side in bond.sides:
                 self.sides.setdefault(side.component, []).append(side)
 
-    def advance(self, tick: int, name: str, start: int, part: bool = False) -> Iterator[Row]:
+    def advance(self, tick: int, name: str, start: int, part: bool = False, prepared: bool = False) -> Iterator[Row]:
         """Set inputs, step from `start` over one period, or to the end of the span, get outputs.
 
-        `part`: only as far as the instant of an event."""
+        `part`: only as far as the instant of an event; `prepared`: its inputs are set."""
         component, layout = self.index[name], self.layout
-        yield from self._series(tick, name, start)
-        if self.design.into(name) or self.system.components[name].series or name in self.changed:
-            yield from self.set_inputs(tick, name)
+        if not prepared:
+            yield from self.prepare(tick, name, start)
         pushes = [(layout.previous[key], slot) for key, slot in self.before.get(name, {}).items()]
         known = layout.outputs | layout.samples
         pushes += [(known[key], slot) for key, slot in self.previous.get(name, {}).items()]
@@ -110,6 +109,12 @@ class Steps:
                 yield (MIX, tick, component, parts, b, parts, 0, self.constants.at(1.0, 1.0, 0.0, 0.0))
                 yield (COPY, tick, component, parts, parts, 0, 0, self.constants.at(0.0, 0.0))
         yield from self.works(tick, name, start)
+
+    def prepare(self, tick: int, name: str, start: int) -> Iterator[Row]:
+        """Set the inputs of the step from `start`."""
+        yield from self._series(tick, name, start)
+        if self.design.into(name) or self.system.components[name].series or name in self.changed:
+            yield from self.set_inputs(tick, name)
 
     def sampled(self, tick: int, name: str) -> Iterator[Row]:
         """What the outputs are at a planned instant, where events can make parts of steps."""

@@ -44,7 +44,7 @@ def asked_to_end(
     if operation[0] not in (STEP, STEP_ON) or status not in (versions.TERMINATE, DISCARD):
         return None
     k = int(operation[2])
-    name, instance = list(instances.items())[k]
+    instance = list(instances.values())[k]
     end = _end(plan, operation, control, space.clock)
     time, length = plan.clock.time(end[0]), float(plan.clock.seconds(end[1]))
     reached = time
@@ -59,8 +59,10 @@ def asked_to_end(
         reached = instance.reached()
     whole = reached >= time - NEARLY * length
     reached = reached if math.isfinite(reached) and not whole else time if whole else plan.clock.time(end[0] - end[1])
-    words = ": ".join(["", *instance.messages[-1:]])
-    return Asked(k, end[0], whole, f"component {name} asked to end the simulation at t = {reached:.9g} s{words}")
+    words = ": ".join(["", *instance.speaker.messages[-1:]])
+    return Asked(
+        k, end[0], whole, f"component {instance.speaker.name} asked to end the simulation at t = {reached:.9g} s{words}"
+    )
 
 
 def _end(plan: Plan, operation: np.ndarray, control: np.ndarray, varying: np.ndarray) -> tuple[int, int]:

@@ -65,7 +65,7 @@ def failed_at(
         )
     if code == cells.UNFIT:
         return f"{_unfit(plan, row, z, int(control[cells.SLOT]))} at {at}"
-    name = list(plan.system.components)[row[2]]
+    name = instances[list(plan.system.components)[row[2]]].speaker.name
     did, hint = _said(plan, instances[name], code, control, z, "step" if row[0] in (STEP, STEP_ON) else "get")
     return f"component {name}{did} {'at the event at' if event else 'in the step to'} {at}{hint}"
 
@@ -102,5 +102,7 @@ def _said(
     if status in REPORTED:
         return REPORTED[status], instance.log_text()
     instance.noted(action, status)
+    if known := instance.why_failed():
+        return f": {known}", instance.reasons()
     why = instance.why_discarded() if status == DISCARD else UNDER_WAY if status == PENDING else ""
     return f" returned {status_text(instance.prefix, status)}", why + instance.reasons()

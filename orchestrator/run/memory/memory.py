@@ -14,6 +14,7 @@ from ...loop.operations import RESTORE
 from ...loop.texts import Texts
 from ...loop.versions import signatures
 from ...participant.base import Participant
+from ...plan.exchange import at_events
 from ...plan.plan import Plan
 
 Key = tuple[str, str]
@@ -57,11 +58,13 @@ class Memory:
         blocks: list[list[int]] = []
         raw = 0
         final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
+        internal = {c.target for c in self.plan.inside if at_events(self.plan.system, c)}
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
             do_step = instance.address(f"{instance.prefix}DoStep")
             row = [signatures(instance.fmu.version), instance.pointer, do_step, flags]
             given, taken = self.plan.layout.exchanged(name)
+            given = {variable: slot for variable, slot in given.items() if (name, variable) not in internal}
             answering = self.plan.instants.answering(name)
             again = {variable: slot for variable, slot in taken.items() if variable in answering}
             for table, verb in ((given, "Set"), (taken, "Get"), (again, "Get")):

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...fmu.kinds import MODEL_EXCHANGE
 from ...fmu.types import function_type
 from ...loop.versions import exchange, signatures
 from ...participant.base import Participant
@@ -31,6 +32,8 @@ def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
     """What sets a double input and says whether it was in range and the FMU took it; any other input it leaves."""
     fmu = instance.fmu
     kind = fmu.type_of(variable) if variable in fmu.variables else None
+    if fmu.kind == MODEL_EXCHANGE:  # whose group must know
+        return lambda value: False
     if kind is None or kind.dtype != np.float64 or fmu is not fmu.own or fmu.places[variable].count > 1:
         return lambda value: False
     bounds = (fmu.variables[variable].min, fmu.variables[variable].max)

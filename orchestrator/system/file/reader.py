@@ -18,7 +18,7 @@ from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System, checked_values
 from ..schema.checked import checked, checked_value
 from ..schema.report import Balance, Comparison, Figure, Window
-from ..schema.system import KEYS, Loops, SystemTable
+from ..schema.system import KEYS, Loops, Solver, SystemTable
 from ..schema.values import Value
 from .bonds import bonds_of, requirement_of
 from .components import component_of
@@ -74,6 +74,7 @@ def load_system(
         algorithm=table.algorithm,
         order=tuple(table.order), components=components, connections=connections,
         loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
+        solver=checked(Solver, file.entry(dict, "solver"), "solver", file, "solver"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         events=events_of(file, components, connections, file.entry(list, "events")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),

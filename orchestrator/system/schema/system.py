@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from ...fmu.kinds import Kind
+from ...integration.settings import Method
 from .report import Balance, Comparison, Figure, Window
 from .values import Count, FigureOfMerit, Instant, Number, Positive, Seed, Time, Value, Values
 
@@ -167,6 +168,32 @@ class Loops(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     max_iterations: Annotated[Count, Meta(description="steps of Newton's method before the run fails [1]")] = 50
 
 
+class Solver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How the FMUs for Model Exchange are integrated, all of them together."""
+
+    method: Annotated[
+        Method | None,
+        Meta(
+            description="`dormand-prince` (steps by their error), `rk4` (fixed steps, for real time) or `cvode` (stiff "
+            "models); where nothing is stated the plan chooses, and says why"
+        ),
+    ] = None
+    tolerance: Annotated[
+        Positive | None,
+        Meta(description="relative tolerance; else the smallest that a component or its FMU states [1]"),
+    ] = None
+    step: Annotated[Span | None, Meta(description="of `rk4`; else the period")] = None
+    max_step: Annotated[Span | None, Meta(description="the largest step of the others; else there is no limit")] = None
+    max_order: Annotated[Count, Meta(description="of `cvode`, up to 5 [1]")] = 5
+    restart: Annotated[
+        bool,
+        Meta(
+            description="`cvode` begins anew at every communication point, not only where something was set or "
+            "happened: runs that were interrupted give the same bits"
+        ),
+    ] = False
+
+
 class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A system: components, connections, how they are coupled, and what is reported of a run."""
 
@@ -210,6 +237,7 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         ),
     ] = []
     loops: Annotated[Loops, Meta(description="loops of direct dependence")] = Loops()
+    solver: Annotated[Solver, Meta(description="integration of FMUs for Model Exchange")] = Solver()
     bonds: Annotated[list[BondTable], Meta(description="power bonds, of which the energy is counted")] = []
     events: Annotated[
         list[EventTable], Meta(description="what happens in a run: inputs that change, signals that break")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,7 @@ FIRST, SECOND = 0, 1
 
 def exchanged(path: Path) -> Fmu:
     """An FMU taken for Model Exchange."""
-    return replace(Fmu.open(path), kind=MODEL_EXCHANGE)
+    return Fmu.open(path).of_kind(MODEL_EXCHANGE)
 
 
 @contextmanager
@@ -39,7 +38,7 @@ def group_of(
     group = Group(members, blocks, SolverSettings(**settings))
     try:
         for k, member in enumerate(members):
-            member.group = group
+            member.join(group)
             member.set_up(100.0)
             member.set_all(values[k] if k < len(values) else {})
             member.enter_initialization()
@@ -47,7 +46,7 @@ def group_of(
             initial(members)
         for member in members:
             member.exit_initialization()
-        group.begin()
+        members[0].first_event()
         yield group
     finally:
         for member in members:

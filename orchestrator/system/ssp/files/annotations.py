@@ -18,7 +18,7 @@ from msgspec import to_builtins
 
 from ....clock import seconds_text
 from ...model import FORMATS, Bond, Component, Connection, Requirement, System
-from ...schema.system import Loops
+from ...schema.system import Loops, Solver
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations
@@ -29,8 +29,11 @@ def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
     in_ssp = ("name", "path", "description", "start", "stop", "components", "connections", "remarks", "breaches")
     return {
-        **_stated(system, (*in_ssp, "format", "loops", "bonds", "events", "requirements", "reporting", "settings")),
+        **_stated(
+            system, (*in_ssp, "format", "loops", "solver", "bonds", "events", "requirements", "reporting", "settings")
+        ),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
+        **({"solver": to_builtins(system.solver)} if system.solver != Solver() else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         **({"events": [dict(event.stated) for event in system.events]} if system.events else {}),

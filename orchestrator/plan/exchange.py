@@ -1,0 +1,101 @@
+"""FMUs for Model Exchange in a plan: one group, stepped as a whole, whose connections are solved in each evaluation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from math import gcd, lcm
+
+from ..clock import seconds_text
+from ..errors import InputError
+from ..fmu.kinds import MODEL_EXCHANGE
+from ..fmu.states import state_names
+from ..integration.choice import choose
+from ..integration.settings import SolverSettings
+from ..system.model import Connection, System
+from .schedule.formulas import Choice
+from .start import Block, blocks_of
+
+CONTINUOUS = "continuous"
+MOST_ORDER = 5  # of CVODE's formulas
+
+
+def exchanged(system: System) -> tuple[str, ...]:
+    """The members of the group; one with a process of its own is a group by itself, there."""
+    return tuple(
+        name
+        for name, component in system.components.items()
+        if component.fmu.kind == MODEL_EXCHANGE and component.isolation != "process"
+    )
+
+
+def with_one_period(system: System) -> System:
+    """The members step together: all take the largest period of which all theirs are multiples."""
+    names = exchanged(system)
+    periods = [system.components[name].period for name in names]
+    if len(set(periods)) < 2:
+        return system
+    common = Fraction(gcd(*(p.numerator * (lcm(*(q.denominator for q in periods)) // p.denominator) for p in periods)),
+                      lcm(*(q.denominator for q in periods)))  # fmt: skip
+    components = dict(system.components)
+    for name in names:
+        component = components[name]
+        if component.period != common:
+            note = f"{name} is stepped every {seconds_text(common)}, with the other FMUs for Model Exchange"
+            components[name] = replace(component, period=common, notes=(*component.notes, note))
+    return replace(system, components=components)
+
+
+def continuous(system: System, c: Connection) -> Choice | None:
+    """The transfer between two members. Raises InputError where another one is stated."""
+    names = exchanged(system)
+    if c.source[0] not in names or c.target[0] not in names:
+        if c.transfer == "interpolate" and c.source[0] in names:
+            raise InputError(
+                f"connection {c.label}: {c.source[0]} is an FMU for Model Exchange, which steps after all others, so "
+                f"its outputs cannot be interpolated; take 'linear' or 'hold' {c.where}"
+            )
+        return None
+    if c.transfer:
+        raise InputError(
+            f"connection {c.label}: both ends are FMUs for Model Exchange, whose connections are solved at all times; "
+            f"leave out '{c.transfer}' {c.where}"
+        )
+    if at_events(system, c):
+        return Choice(CONTINUOUS, "sent at events, when it can change")
+    return Choice(CONTINUOUS, "solved in each evaluation of the states")
+
+
+def at_events(system: System, c: Connection) -> bool:
+    """Whether a connection between members is sent at events only: what is no floating-point number, or sampled."""
+    target = system.components[c.target[0]].fmu.variables[c.target[1]]
+    return not system.is_real(c) or target.variability == "discrete"
+
+
+def links_of(system: System, choices: Mapping[Connection, Choice]) -> tuple[Block, ...]:
+    """The connections inside the group, each behind those that it needs, loops as wholes; what is not stated of an
+    output may depend on every input."""
+    inside = [c for c, choice in choices.items() if choice.transfer == CONTINUOUS]
+    solved = [c for c in inside if not at_events(system, c)]
+    answers = {name: system.components[name].fmu.feedthrough() for name in exchanged(system)}
+    blocks = blocks_of(solved, answers) if solved else ()
+    return (*blocks, *(Block((c,), False) for c in inside if at_events(system, c)))
+
+
+def settings_of(system: System) -> SolverSettings:
+    """What the system says of the solver."""
+    s = system.solver
+    step, longest = (float(span) if span else None for span in (s.step, s.max_step))
+    return SolverSettings(s.method, s.tolerance, step, longest, min(s.max_order, MOST_ORDER), s.restart)
+
+
+def explained(system: System) -> list[str]:
+    """How the group is integrated, and why; nothing where there is none."""
+    names = exchanged(system)
+    if not names:
+        return []
+    states = sum(len(state_names(system.components[name].fmu)) for name in names)
+    chosen = choose(settings_of(system), states)
+    who = f"{', '.join(names)}: {'one group' if len(names) > 1 else 'for Model Exchange'}"
+    return [f"{who}, {states} states, integrated by {chosen.method} ({chosen.reason})"]

@@ -1,0 +1,51 @@
+"""The FMUs for Model Exchange of a run, brought together to one group."""
+
+from __future__ import annotations
+
+from ..fmu.fmu import Fmu
+from ..participant.base import Participant
+from ..participant.model_exchange.group import Group
+from ..participant.model_exchange.instance import Member
+from ..participant.model_exchange.links import Link, LinkBlock
+from ..plan.exchange import links_of, settings_of
+from ..plan.plan import Plan
+from ..system.model import Connection
+from .memory.memory import Memory
+
+
+def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Group | None:
+    """The group, if there is one; its members know it. Raises FmuError where they cannot be connected."""
+    names = plan.exchange
+    members = [instance for name in names if isinstance(instance := instances[name], Member)]
+    if not members or len(members) < len(names):
+        return None
+    numbers = {name: k for k, name in enumerate(names)}
+    blocks = [
+        LinkBlock(tuple(_link(plan, c, numbers) for c in block.connections), block.loop)
+        for block in links_of(plan.system, plan.choices)
+    ]
+    inside = {c.target for c in plan.inside}
+    outside = {key: slot for key, slot in plan.layout.inputs.items() if key[0] in numbers and key not in inside}
+    variables = [plan.system.components[name].fmu.variables[variable] for name, variable in outside]
+    sampled = any(variable.variability != "continuous" for variable in variables)
+    group = Group(members, blocks, settings_of(plan.system), rests_in_events=sampled)
+    first = int(memory.z.ctypes.data)
+    group.watch([first + memory.z.itemsize * slot for slot in outside.values()])
+    for member in members:
+        member.join(group)
+    return group
+
+
+def _link(plan: Plan, c: Connection, numbers: dict[str, int]) -> Link:
+    """A connection in the FMUs' own names and units."""
+    source, target = (plan.system.components[name].fmu for name in (c.source[0], c.target[0]))
+    ends = (numbers[c.source[0]], source.own_name(c.source[1])), (numbers[c.target[0]], target.own_name(c.target[1]))
+    if not plan.system.is_real(c):
+        return Link(*ends, c.gain, c.offset)
+    at_zero, at_one = (_sent(c, source, target, value) for value in (0.0, 1.0))
+    return Link(*ends, at_one - at_zero if (at_zero, at_one) != (c.offset, c.gain + c.offset) else c.gain, at_zero)
+
+
+def _sent(c: Connection, source: Fmu, target: Fmu, value: float) -> float:
+    found = source.from_own(source.own_name(c.source[1]) and c.source[1], value)
+    return float(target.to_own(c.target[1], c.gain * float(found) + c.offset))
