@@ -24,6 +24,7 @@ from typing import Any
 from ..clock import seconds_text
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file
+from ..fmu.kinds import CO_SIMULATION, WORDS
 from ..plan.plan import Plan
 from ..system.inputs.series import refuse_series
 from ..system.model import Component, System
@@ -113,6 +114,11 @@ def _check(system: System) -> None:
             raise InputError(
                 f"component {name}: {component.fmu.path.name} is of FMI 1.0, and a container can hold FMI 2.0 and 3.0 "
                 f"only; export it again as FMI 2.0, or the system as SSP"
+            )
+        if component.fmu.kind != CO_SIMULATION:
+            raise InputError(
+                f"component {name}: {component.fmu.path.name} is taken for {WORDS[component.fmu.kind]}, and a "
+                f"container can hold co-simulation only; export it for that, or the system as SSP (--ssp)"
             )
         if not component.fmu.archive.is_file():
             raise InputError(f"component {name} is a function and no FMU, which a container cannot hold")

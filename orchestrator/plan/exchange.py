@@ -7,8 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from math import gcd, lcm
 
-from ..clock import seconds_text
-from ..errors import InputError
+from ..clock import duration, seconds_text
+from ..errors import InputError, counted
 from ..fmu.kinds import MODEL_EXCHANGE
 from ..fmu.states import state_names
 from ..integration.choice import choose
@@ -86,16 +86,22 @@ def links_of(system: System, choices: Mapping[Connection, Choice]) -> tuple[Bloc
 def settings_of(system: System) -> SolverSettings:
     """What the system says of the solver."""
     s = system.solver
-    step, longest = (float(span) if span else None for span in (s.step, s.max_step))
+    step, longest = (
+        None if span is None else float(duration(span, f"solver.{key}"))
+        for key, span in (("step", s.step), ("max_step", s.max_step))
+    )
     return SolverSettings(s.method, s.tolerance, step, longest, min(s.max_order, MOST_ORDER), s.restart)
 
 
 def explained(system: System) -> list[str]:
-    """How the group is integrated, and why; nothing where there is none."""
-    names = exchanged(system)
-    if not names:
-        return []
-    states = sum(len(state_names(system.components[name].fmu)) for name in names)
-    chosen = choose(settings_of(system), states)
-    who = f"{', '.join(names)}: {'one group' if len(names) > 1 else 'for Model Exchange'}"
-    return [f"{who}, {states} states, integrated by {chosen.method} ({chosen.reason})"]
+    """How each group is integrated, and why; nothing where there is none."""
+    together = exchanged(system)
+    alone = [(name,) for name, c in system.components.items() if c.fmu.kind == MODEL_EXCHANGE and name not in together]
+    lines = []
+    for names in ([together] if together else []) + alone:
+        states = sum(len(state_names(system.components[name].fmu)) for name in names)
+        settings = settings_of(system) if names == together else SolverSettings()
+        chosen = choose(settings, states)
+        who = f"{', '.join(names)}: {'one group' if len(names) > 1 else 'for model exchange'}"
+        lines.append(f"{who}, {counted(states, 'state')}, integrated by {chosen.method} ({chosen.reason})")
+    return lines

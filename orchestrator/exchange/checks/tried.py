@@ -13,6 +13,7 @@ from typing import Any, ClassVar
 from fmpy.model_description import ModelVariable
 
 from ...fmu.fmu import Fmu
+from ...fmu.kinds import usual_kind
 from ...fmu.types import REALS, function_type
 from ...participant.base import AskedToEndError, CallError
 from ...participant.lifecycle import FATAL, STATUS, status_text
@@ -38,7 +39,8 @@ class Tried:
 
     def __init__(self, subject: Subject, name: str = "tried") -> None:
         self.subject = subject
-        fmu = Fmu(subject.path, subject.folder, "", subject.description, {}, negated=subject.negated)
+        kind = usual_kind(subject.description)
+        fmu = Fmu(subject.path, subject.folder, "", subject.description, {}, negated=subject.negated, kind=kind)
         self.instance = load(fmu, name)
         self.ended = False  # whether it asked to end the simulation in the call that was refused last
         self.unguarded = self.instance.unguarded

@@ -9,13 +9,14 @@ from __future__ import annotations
 import ctypes
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from fmpy import fmi2, fmi3
 
-from ...fmu.types import Value
+from ...fmu.types import REALS
 from ...integration import cells
 from ...integration.memory import call, call_whole, put_whole, whole
 from ..base import AskedToEndError, CallError, Participant
@@ -68,18 +69,29 @@ class Member(LoadedInstance):
             return self._own_group.bound.address(BOUND[self.state_functions.index(function)])
         return super().address(function)
 
-    def set_own(self, values: Mapping[str, Value]) -> None:
-        if self.group is not None and self.group.begun and not self.dead:
-            variables = self.fmu.own.variables
-            if any(variables[name].variability not in ("continuous", None) for name in values):
+    def put(self, what: str, kind: str, references: Sequence[int], values: Sequence[Any]) -> None:
+        if self.group is not None and self.group.begun and not self.dead and self.guarded:
+            if kind not in REALS or not self._sampled.isdisjoint(references):
                 self.group.enter_events()
             self.group.changed()
-        super().set_own(values)
+        super().put(what, kind, references, values)
+
+    @cached_property
+    def _sampled(self) -> frozenset[int]:
+        """References of numbers that may be set in event mode only."""
+        variables = self.fmu.own.description.modelVariables
+        return frozenset(v.valueReference for v in variables if v.type in REALS and v.variability != "continuous")
 
     def exit_initialization(self) -> None:
         super().exit_initialization()
         if self.group is None:
             self.first_event()
+
+    def reset(self) -> None:
+        super().reset()
+        if self.group is not None:
+            self.group.free()
+            self.group = None  # that of a new life
 
     def first_event(self) -> None:
         if self._first and not self.group_begun:

@@ -182,8 +182,8 @@ class Solver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         Positive | None,
         Meta(description="relative tolerance; else the smallest that a component or its FMU states [1]"),
     ] = None
-    step: Annotated[Span | None, Meta(description="of `rk4`; else the period")] = None
-    max_step: Annotated[Span | None, Meta(description="the largest step of the others; else there is no limit")] = None
+    step: Annotated[Time | None, Meta(description="of `rk4`; else the period")] = None
+    max_step: Annotated[Time | None, Meta(description="the largest step of the others; else there is no limit")] = None
     max_order: Annotated[Count, Meta(description="of `cvode`, up to 5 [1]")] = 5
     restart: Annotated[
         bool,

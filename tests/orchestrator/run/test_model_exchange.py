@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from pathlib import Path
 
@@ -66,7 +67,7 @@ def test_a_relay_and_a_lag_switch_at_the_times_of_the_closed_form(tmp_path: Path
 
 def test_the_plan_says_that_they_are_one_group_and_how_it_is_integrated(tmp_path: Path) -> None:
     text = explain(planned(system(tmp_path, RELAY.format(solver=""), "relay", "lag")))
-    assert "relay, lag: one group, 1 states, integrated by dormand-prince (nothing says that it is stiff" in text
+    assert "relay, lag: one group, 1 state, integrated by dormand-prince (nothing says that it is stiff" in text
     assert "lag is stepped every 10 ms, with the other FMUs for Model Exchange" in text
     assert "continuous  solved in each evaluation of the states" in text
     assert "continuous  sent at events, when it can change" in text
@@ -213,3 +214,18 @@ def test_a_run_that_goes_on_from_a_checkpoint_gives_the_same_bits(tmp_path: Path
             second.advance()
             assert not second.failure
             assert second.memory.z.tobytes() == whole.memory.z.tobytes()
+
+
+def test_what_only_co_simulation_can_do_is_refused(tmp_path: Path) -> None:
+    from rovbrush.orchestrator.exchange.container import write_container
+
+    path = system(tmp_path, RELAY.format(solver=""), "relay", "lag")
+    with pytest.raises(InputError, match="is taken for model exchange, and a container can hold"):
+        write_container(load_system(str(path), tmp_path), tmp_path / "c.fmu")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
+def test_one_in_a_process_of_its_own_is_a_group_by_itself(tmp_path: Path) -> None:
+    path = lag_system(tmp_path, component='isolation = "process"\ninputs = { push = 1.0 }')
+    assert float(load(path).run()["lag.x"][-1]) == pytest.approx(1.0 - math.exp(-1.0), abs=1e-6)
+    assert explain(planned(path)).count("integrated by") == 1
