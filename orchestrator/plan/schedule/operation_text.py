@@ -117,10 +117,10 @@ class OperationText:
         if code == WATCH:
             number = next(number for number, cell in layout.watches.items() if cell == b)
             crossing = events[number].when
-            return f"{self.slots[a]} for event {events[number].name}: {crossing.text if crossing else ''}"
+            return f"{self.slots[a]} for {events[number].name}: {crossing.text if crossing else ''}"
         number = next(number for (number, _), cell in layout.faults.items() if cell == a)
         fault = events[number].fault
-        return f"{self.slots[b]} by event {events[number].name}, as long as it lasts: {fault.kind if fault else ''}"
+        return f"{self.slots[b]} by {events[number].name}, as long as it lasts: {fault.kind if fault else ''}"
 
     def _flow(self, row: list[int]) -> str:
         """What decides how the list goes on, and what is recorded."""

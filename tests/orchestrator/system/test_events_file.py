@@ -17,7 +17,9 @@ from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.plan.scenario import check_scenario
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.assemble import apply_changes
 from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.request import Changes
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 STAND = """\
@@ -165,3 +167,12 @@ def test_what_is_solved_inside_the_group_of_model_exchange_cannot_break(tmp_path
         system = system.with_component(replace(component, fmu=replace(component.fmu, kind="model-exchange")))
     with pytest.raises(InputError, match=r"event drag: brush.T_brush -> motor.T_brush is solved inside the group"):
         check_scenario(system, algorithm_of(system))
+
+
+def test_events_are_checked_anew_where_a_component_is_replaced(tmp_path: Path, fmus: Path) -> None:
+    system = read(tmp_path, fmus, STAND + SET + FAULT)
+    same = apply_changes(system, Changes(fmus=(("motor", str(fmus / "dc_motor.fmu")),)))
+    assert [replace(event, where="") for event in same.events] == [replace(event, where="") for event in system.events]
+    drive = Changes(fmus=(("motor", str(fmus / "constant_speed.fmu")),))
+    with pytest.raises(InputError, match=r"event drag: when: no variable is called 'motor\.i'"):
+        apply_changes(system, drive)
