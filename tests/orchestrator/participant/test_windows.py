@@ -69,6 +69,21 @@ def test_results_are_those_of_the_same_sources_here_bit_by_bit(
     assert all(same(runs[0], r) for r in runs[1:])
 
 
+@pytest.mark.parametrize("algorithm", ["iterated", "adaptive"])
+@pytest.mark.parametrize("fmu", ["feedthrough2", "feedthrough3"])
+def test_so_are_those_of_steps_that_are_made_again(
+    algorithm: str, fmu: str, compiled: Path, windows: Path, tmp_path: Path
+) -> None:
+    """The loop saves and restores states under wine."""
+    u, y = ("u", "y") if fmu == "feedthrough2" else ("Float64_in", "Float64_out")
+    runs = []
+    for place in (compiled, windows):
+        path = str(place / f"{fmu}.fmu")
+        parts = {"a": (path, "1 ms", {f"={u}": 0.5}), "b": (path, "1 ms")}
+        runs.append(run(tmp_path, parts, [f"a.{y} -> b.{u}"], stop="20 ms", algorithm=algorithm))
+    assert not runs[1].failure and same(*runs)
+
+
 def test_so_are_those_of_fmi_1(tmp_path: Path) -> None:
     here = first_fmu(tmp_path / "first.fmu")
     there = for_windows(here, tmp_path / "windows.fmu", [NATIVE / "first.c"], {"MODEL": "first"})
