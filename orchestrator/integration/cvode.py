@@ -53,7 +53,7 @@ from .cells import (
     Z_NEW,
     X,
 )  # fmt: skip
-from .members import evaluate, fault, indicate, place
+from .members import evaluate_here, fault, indicate, place
 from .memory import call, call_whole, half, number, put, put_whole, whole
 from .roots import EPSILON, first_changed, keep_indicators
 
@@ -63,7 +63,7 @@ STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27
 
 def right_hand_side(time: float, states: int, derivatives: int, g: int) -> int:
     """CVRhsFn; below 0 where it does not go on, 1 where a smaller step may."""
-    status = evaluate(
+    status = evaluate_here(
         g, time, call_whole(whole(g + CV_POINTER), states), call_whole(whole(g + CV_POINTER), derivatives)
     )
     return status if status < FAILED else -1

@@ -95,6 +95,12 @@ def evaluate(g: int, time: float, states: int, derivatives: int) -> int:
 
 def evaluate_all(g: int, time: float, states: int, derivatives: int) -> int:
     """What EVALUATE is the address of."""
+    return evaluate_here(g, time, states, derivatives)
+
+
+@register_jitable
+def evaluate_here(g: int, time: float, states: int, derivatives: int) -> int:
+    """The same as a part of its caller."""
     status = place(g, time, states)
     if status != OK:
         return status

@@ -6,6 +6,7 @@ There is none for some platforms (ARM with Linux, for one): the one-step methods
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
 from typing import Any
@@ -67,7 +68,8 @@ def _function(name: str) -> Any:
     raise AttributeError(f"SUNDIALS has no function {name}")
 
 
-def _address(name: str) -> int:
+def address(name: str) -> int:
+    """The address of a function of SUNDIALS."""
     return ctypes.cast(_function(name), ctypes.c_void_p).value or 0
 
 
@@ -96,7 +98,11 @@ class Cvode:
     is made of directional derivatives, otherwise of differences.
     """
 
-    def __init__(self, g: int, settings: SolverSettings, bands: tuple[int, int] | None, exact: bool) -> None:
+    def __init__(
+        self, g: int, settings: SolverSettings, bands: tuple[int, int] | None, exact: bool,
+        functions: Mapping[str, int] | None = None, data: int = 0,
+    ) -> None:  # fmt: skip
+        functions = functions or {name: address_of(name) for name in ("right_hand_side", "jacobian", "roots")}
         n, indicators = max(whole(g + STATES), 1), whole(g + INDICATORS)
         self._reached, self._found = (ctypes.c_double * 1)(), (ctypes.c_int32 * max(indicators, 1))()
         context = ctypes.c_void_p()
@@ -107,9 +113,9 @@ class Cvode:
         self._x, self._absolute = map(_pointer, vectors)
         self._memory = memory = _pointer(_made("CVodeCreate", ctypes.c_int(BDF), context))
         begin = ctypes.c_double(number(g + TIME))
-        _done("CVodeInit", memory, _pointer(address_of("right_hand_side")), begin, self._x)
+        _done("CVodeInit", memory, _pointer(functions["right_hand_side"]), begin, self._x)
         _done("CVodeSVtolerances", memory, ctypes.c_double(number(g + RELATIVE)), self._absolute)
-        _done("CVodeSetUserData", memory, _pointer(g))
+        _done("CVodeSetUserData", memory, _pointer(data or g))
         if bands:
             lower, upper = map(ctypes.c_int64, bands)
             self._matrix = _pointer(_made("SUNBandMatrix", ctypes.c_int64(n), upper, lower, context))
@@ -119,9 +125,9 @@ class Cvode:
             self._solver = _pointer(_made("SUNLinSol_Dense", self._x, self._matrix, context))
         _done("CVodeSetLinearSolver", memory, self._solver, self._matrix)
         if exact:
-            _done("CVodeSetJacFn", memory, _pointer(address_of("jacobian")))
+            _done("CVodeSetJacFn", memory, _pointer(functions["jacobian"]))
         if indicators:
-            _done("CVodeRootInit", memory, ctypes.c_int(indicators), _pointer(address_of("roots")))
+            _done("CVodeRootInit", memory, ctypes.c_int(indicators), _pointer(functions["roots"]))
             _done("CVodeSetNoInactiveRootWarn", memory)
         _done("CVodeSetMaxNumSteps", memory, ctypes.c_long(MOST_STEPS))
         _done("CVodeSetMaxOrd", memory, ctypes.c_int(settings.max_order))
@@ -131,12 +137,12 @@ class Cvode:
 
     def _into(self, g: int, bands: tuple[int, int] | None) -> None:
         """What the steps of a group call, into its table."""
-        column = _address("SUNBandMatrix_Column" if bands else "SUNDenseMatrix_Column")
+        column = address("SUNBandMatrix_Column" if bands else "SUNDenseMatrix_Column")
         for cell, value in (
             (CVODE, self._memory.value), (CV_STATES, self._x.value), (CV_ABSOLUTE, self._absolute.value),
-            (CV_STEP, _address("CVode")), (CV_REINIT, _address("CVodeReInit")),
-            (CV_STOP_TIME, _address("CVodeSetStopTime")), (CV_ROOTS, _address("CVodeGetRootInfo")),
-            (CV_TOLERANCES, _address("CVodeSVtolerances")), (CV_POINTER, _address("N_VGetArrayPointer")),
+            (CV_STEP, address("CVode")), (CV_REINIT, address("CVodeReInit")),
+            (CV_STOP_TIME, address("CVodeSetStopTime")), (CV_ROOTS, address("CVodeGetRootInfo")),
+            (CV_TOLERANCES, address("CVodeSVtolerances")), (CV_POINTER, address("N_VGetArrayPointer")),
             (CV_REACHED, ctypes.addressof(self._reached)), (CV_FOUND, ctypes.addressof(self._found)),
             (CV_COLUMN, column), (CV_BAND, int(bands is not None)), (CV_LOWER, bands[0] if bands else 0),
             (CV_UPPER, bands[1] if bands else 0),

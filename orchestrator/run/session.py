@@ -300,7 +300,8 @@ class Session:
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
-            self._started, self.memory.texts, self._calculated, self.participants.notes,
+            self._started, self.memory.texts, self._calculated,
+            [*self.participants.notes, *(self.group.notes() if self.group else [])],
             self.participants.messages(), self.ended, self._happened(),
         )  # fmt: skip
 

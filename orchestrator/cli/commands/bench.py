@@ -19,7 +19,9 @@ Rows = Sequence[Mapping[str, Any]]
 def bench(
     parts: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[PART]...", help="masters, start, components, long, growth, windows; all by default."),
+        typer.Argument(
+            metavar="[PART]...", help="masters, start, components, long, growth, solvers, windows; all by default."
+        ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
     against: Annotated[
@@ -111,6 +113,17 @@ def print_windows(rows: Rows) -> None:
     print_table(title, ("component", "here", "under wine", "difference"), cells)
 
 
+def print_solvers(rows: Rows) -> None:
+    """Solvers of FMUs for Model Exchange."""
+    cells = [
+        (row["model"], name, f"{value:.3g}")
+        for row in rows
+        for name, value in row.items()
+        if name not in ("part", "model")
+    ]
+    print_table("FMUs for Model Exchange: integration, least time of all rounds", ("model", "solver", ""), cells)
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -125,5 +138,5 @@ def print_against(rows: Rows) -> None:
 
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
-    "growth": print_growth, "windows": print_windows, "against": print_against,
+    "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "against": print_against,
 }  # fmt: skip

@@ -178,6 +178,13 @@ class Group:
         put_whole(self.pointer + cells.RESTART, 1)
         self._cvode = Cvode(self.pointer, self.settings, self.bands, self.exact)
 
+    def replace_cvode(self, exact: bool) -> None:
+        """Another integrator, whose Jacobian is made of directional derivatives or of differences."""
+        self.free()
+        self.exact = exact
+        put_whole(self.pointer + cells.RESTART, 1)
+        self._cvode = Cvode(self.pointer, self.settings, self.bands, exact)
+
     @property
     def time(self) -> float:
         """Where it is [s]."""
@@ -211,6 +218,17 @@ class Group:
     def why(self) -> str:
         """What went wrong in the last step, in words."""
         return why(self.pointer, [member.fmu.own for member in self.members])
+
+    def notes(self) -> list[str]:
+        """What the run must tell of it: where it proved stiff."""
+        if not whole(self.pointer + cells.STIFF):
+            return []
+        names = ", ".join(member.name for member in self.members)
+        when = number(self.pointer + cells.SWITCHED)
+        return [
+            f"{names}: steps were limited by stability at t = {when:.9g} s, CVODE goes on from there; "
+            'method = "cvode" under [solver] takes it from the start'
+        ]
 
     def counts(self) -> Mapping[str, int]:
         """Steps of the solver, those that were rejected, evaluations of all right-hand sides, events."""

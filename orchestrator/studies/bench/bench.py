@@ -16,6 +16,7 @@ from .components import component_rows
 from .growth import growth_rows
 from .hosts import HOSTS, missing
 from .masters import measured, process_figures, rerun_figures
+from .solvers import solver_rows
 from .streaming import long_runs
 from .systems import cases, native_folder
 from .windows import PLATFORM, windows_rows
@@ -38,6 +39,7 @@ PARTS = {
     "components": Part("every component by itself", 60.0, 15.0),
     "long": Part("memory of long runs", 80.0, 10.0),
     "growth": Part("reader and plan of large systems", 40.0, 15.0),
+    "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
     "against": Part("this installation against another one", 300.0, 60.0),
 }
@@ -129,6 +131,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from _shared(long_runs(asked.quick), 1.0)
         elif name == "growth":
             yield from growth_rows(folder, asked.quick)
+        elif name == "solvers":
+            yield from solver_rows(folder, asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")

@@ -229,3 +229,11 @@ def test_one_in_a_process_of_its_own_is_a_group_by_itself(tmp_path: Path) -> Non
     path = lag_system(tmp_path, component='isolation = "process"\ninputs = { push = 1.0 }')
     assert float(load(path).run()["lag.x"][-1]) == pytest.approx(1.0 - math.exp(-1.0), abs=1e-6)
     assert explain(planned(path)).count("integrated by") == 1
+
+
+def test_a_run_tells_where_a_model_proved_stiff(tmp_path: Path) -> None:
+    exchange_build.exchange(tmp_path, "oscillator")
+    text = 'format = 2\nstop_time = "20 s"\n[components.o]\nfmu = "oscillator.fmu"\nperiod = "1 s"\n'
+    path = system(tmp_path, text + "parameters = { mu = 1000.0 }\n")
+    notes = load(path).run().summary["notes"]
+    assert any("o: steps were limited by stability at t = " in note for note in notes)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench import growth
+from rovbrush.orchestrator.studies.bench import growth, solvers
 from rovbrush.orchestrator.studies.bench.against import loop_seconds
 from rovbrush.orchestrator.studies.bench.bench import PARTS, Asked, bench
 from rovbrush.orchestrator.system.file.reader import load_system
@@ -61,3 +61,21 @@ def test_another_installation_that_cannot_answer_is_an_error_that_names_it(tmp_p
         loop_seconds(tmp_path / "nowhere", "nominal", "fmus")
     with pytest.raises(RunError, match="no system 'nothing'"):
         loop_seconds(Path(sys.executable), "nothing", str(tmp_path))
+
+
+@needs_gcc
+def test_the_solver_of_a_group_takes_the_steps_of_the_same_solver_driven_from_c(tmp_path: Path) -> None:
+    """What they cost is the machine's; that both do the same work, and begin anew at jumps, is ours."""
+    library = solvers._library(tmp_path)
+    fmu = solvers._opened(tmp_path, "oscillator", solvers.oscillator())
+    ours, in_c = solvers.Case(fmu, "cvode", 1e-6), solvers.Case(fmu, "cvode", 1e-6, library)
+    ours.group.replace_cvode(exact=False)  # as the driver in C has it
+    begun = ours.calls()
+    for case in (ours, in_c):
+        case.go(0, 500)
+    assert ours.first_state == pytest.approx(in_c.first_state, rel=1e-9)
+    assert ours.calls() - begun == pytest.approx(in_c.calls(), rel=0.02)
+    for case in (ours, in_c):
+        case.close()
+    errors = solvers.jumps(fmu, library, 500)
+    assert errors["cvode [error]"] == pytest.approx(errors["cvode in C, restarted [error]"], rel=0.05)
