@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from ..fmu.files.windows import require_co_simulation
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE
 from ..fmu.mock import MockFmu
@@ -30,6 +31,7 @@ def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None 
     if fmu.own.windows:
         from .windows.instance import KINDS as UNDER_WINE
 
+        require_co_simulation(fmu.path, fmu.kind)
         return UNDER_WINE[fmu.version](fmu, name, logging, tolerance)
     if fmu.kind == MODEL_EXCHANGE:
         from .model_exchange.instance import MEMBERS

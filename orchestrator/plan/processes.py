@@ -6,7 +6,7 @@ import os
 from dataclasses import replace
 
 from ..errors import InputError
-from ..fmu.kinds import CO_SIMULATION, WORDS
+from ..fmu.files.windows import require_co_simulation
 from ..fmu.sharing import imports_late, why_alone
 from ..system.model import Component, System
 
@@ -18,11 +18,7 @@ def with_processes(system: System) -> System:
     for name, component in system.components.items():
         fmu = component.fmu
         if fmu.own.windows:
-            if fmu.kind != CO_SIMULATION:
-                raise InputError(
-                    f"component {name}: {fmu.path.name} is taken for {WORDS[fmu.kind]}, which is not run under wine; "
-                    f"ask for a library of this platform, or for co-simulation ({system.path.name})"
-                )
+            require_co_simulation(fmu.path, fmu.kind)
             reason = f"its library is for {fmu.own.windows}, which wine runs"
             components[name] = apart(component, reason, system)
             continue

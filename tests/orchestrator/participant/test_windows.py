@@ -17,7 +17,7 @@ from attrs import evolve
 from first_fmi import first_fmu
 from helpers import column, edited, last, read_system
 from native_build import FAULTS2, FREE2, FREE3, NATIVE, WIRES2, WIRES3, built
-from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import Starting, load
 from rovbrush.orchestrator.participant.windows.instance import WindowsInstance
@@ -293,8 +293,11 @@ def test_a_component_that_is_not_for_co_simulation_is_refused(windows: Path, tmp
     a = system.components["a"]
     both = evolve(a.fmu.description, modelExchange=a.fmu.description.coSimulation)
     changed = replace(system, components={"a": replace(a, fmu=replace(a.fmu, kind="model-exchange", description=both))})
-    with pytest.raises(InputError, match="taken for model exchange, which is not run under wine"):
+    words = "is taken for model exchange, which is not run under wine"
+    with pytest.raises(FmuError, match=words):
         with_processes(changed)
+    with pytest.raises(FmuError, match=words):
+        load(changed.components["a"].fmu, "a")
 
 
 @pytest.mark.parametrize("version", ["fmi2", "fmi3"])
