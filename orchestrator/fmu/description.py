@@ -102,6 +102,8 @@ def described(path: Path, folder: Path) -> Described:
     if not kinds_of(description):
         raise FmuError(f"FMU {path} has no interface at all; export it for co-simulation")
     description.fmiVersion = f"{stated_version}.0"
+    if version == 3:
+        _directional(description, root)
     resolve(description, root)
     texts = {
         e.get("name"): [start.get("value") for start in e.iterfind("Start")]
@@ -110,6 +112,15 @@ def described(path: Path, folder: Path) -> Described:
     terminals = terminals_of(path, folder, {v.name for v in description.modelVariables}, notes)
     negated = negated_names(root) if stated_version == 1 else frozenset[str]()
     return Described(description, texts, definitions_of(root), notes.all(), negated, details, terminals)
+
+
+def _directional(description: ModelDescription, root: Any) -> None:
+    """Whether kinds give directional derivatives: FMI 3.0 has another name for it, which fmpy does not read."""
+    for element in root:
+        if isinstance(element.tag, str) and element.get("providesDirectionalDerivatives") in ("true", "1"):
+            name = f"{element.tag[:1].lower()}{element.tag[1:]}"
+            if (interface := getattr(description, name, None)) is not None:
+                interface.providesDirectionalDerivative = True
 
 
 def _compare(root: Any, version: int, notes: Notes) -> None:

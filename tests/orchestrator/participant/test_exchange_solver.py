@@ -168,3 +168,15 @@ def test_more_chattering_than_this_is_no_error(tmp_path: Path) -> None:
     with group_of(tmp_path, "ball", values=[{"e": 0.99}]) as group:
         run(group, 2.0, step=1.0)
         assert len(times(group)) >= 2
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_directional_derivatives_make_the_jacobian_where_they_are_offered(tmp_path: Path, version: int) -> None:
+    with group_of(tmp_path, "oscillator", values=[{"mu": 100.0}], version=version, method="cvode") as group:
+        assert group.exact
+        run(group, 5.0, step=0.5)
+        ours = group.members[0].get("x")
+    with group_of(tmp_path, "oscillator", values=[{"mu": 100.0}], version=version, method="cvode") as group:
+        group.replace_cvode(exact=False)
+        run(group, 5.0, step=0.5)
+        assert ours == pytest.approx(group.members[0].get("x"), rel=1e-5)
