@@ -301,7 +301,8 @@ class Session:
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated,
-            [*self.participants.notes, *(self.group.notes() if self.group else [])],
+            [*self.participants.notes, *(self.group.notes() if self.group else []),
+             *(self.scenario.notes if self.scenario else [])],
             self.participants.messages(), self.ended, self._happened(),
         )  # fmt: skip
 

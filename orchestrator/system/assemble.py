@@ -10,7 +10,7 @@ from pathlib import Path
 from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
-from .file.events import events_again
+from .file.events.read import events_again
 from .file.reader import load_system
 from .file.recorded import select_recorded
 from .inputs.free_inputs import require_values

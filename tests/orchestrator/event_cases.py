@@ -10,7 +10,7 @@ from typing import Any
 
 from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.system.file.events import events_of
+from rovbrush.orchestrator.system.file.events.read import events_of
 from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
 
 

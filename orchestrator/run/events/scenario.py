@@ -23,6 +23,8 @@ from ...system.event import Event
 from ..memory.memory import Memory
 from .faults import begin_fault, end_fault
 
+MOST_ROWS = 100_000  # that are kept of events
+
 
 class Due(NamedTuple):
     """What is to be done: at which tick from the start, of which event (by number), to which component."""
@@ -40,6 +42,7 @@ class Scenario:
         self.plan, self.memory, self.control, self.clock = plan, memory, control, clock
         self.events = plan.system.events
         self.rows: list[EventRow] = []
+        self.left_out = 0  # rows of events that were too many
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.pending: list[Due] = []
         self.seen: set[int] = set()  # events that wait for one crossing and have had it
@@ -126,6 +129,9 @@ class Scenario:
             self.clock[STOP] = min(clock.stop, following)
 
     def _note(self, tick: int, what: str, event: Event) -> None:
+        if len(self.rows) >= MOST_ROWS:
+            self.left_out += 1
+            return
         time = self.plan.clock.time(tick)
         number = self.rows[-1].number + 1 if self.rows and self.rows[-1].time == time else 1
         self.rows.append(EventRow(time, number, f"{event.name}: {what}", self.memory.z[self.slots]))
@@ -134,8 +140,14 @@ class Scenario:
         """What a checkpoint keeps of it beside `cells`, ready for JSON; the faults themselves are cells of the run."""
         return {
             "rows": [[row.time, row.number, row.what] for row in self.rows],
-            "pending": [list(entry) for entry in self.pending], "seen": sorted(self.seen),
+            "left_out": self.left_out, "pending": [list(entry) for entry in self.pending], "seen": sorted(self.seen),
         }  # fmt: skip
+
+    @property
+    def notes(self) -> list[str]:
+        """What a person must know of them."""
+        more = f"{self.left_out} more events happened than the {MOST_ROWS} of which rows are kept"
+        return [f"{more}; let them happen more rarely, by another value or without `repeat`"] * bool(self.left_out)
 
     @property
     def cells(self) -> np.ndarray:
@@ -151,6 +163,6 @@ class Scenario:
         self.pending = [Due(*entry) for entry in content["pending"]]
         if not all(type(e.tick) is int and e.component in self.events[e.number].components for e in self.pending):
             raise ValueError("its events are others")
-        self.seen = set(content["seen"])
+        self.seen, self.left_out = set(content["seen"]), int(content["left_out"])
         following = min((entry.tick for entry in self.pending), default=NEVER)
         self.control[DUE_AT] = self.plan.clock.start + following if following < NEVER else NEVER

@@ -23,7 +23,7 @@ from ..schema.values import Value
 from .bonds import bonds_of, requirement_of
 from .components import component_of
 from .connections import check_drivers, connections_of
-from .events import events_of
+from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
 from .recorded import recorded_names
 from .structure import Stated, given_for, is_structural, with_resized_starts

@@ -325,3 +325,14 @@ def test_the_plan_is_not_changed_by_a_run() -> None:
     assert first.tables[0].tobytes() == second.tables[0].tobytes()
     assert before == (plan.cycle.tobytes(), plan.coefficients.tobytes())
     assert KEEP.made
+
+
+def test_events_without_end_keep_so_many_rows_and_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    from rovbrush.orchestrator.run.events import scenario
+
+    monkeypatch.setattr(scenario, "MOST_ROWS", 5)
+    noise = {"at": 0, "fault": "noise", "on": "b.u", "value": 10.0}
+    again = {"when": "b.y > 0", "repeat": True, "fault": "hold", "on": "b.u", "for": "1 ms"}
+    run = both(ramp_into_keep(noise, again, stop="0.1"))
+    assert len(run.events) == 5
+    assert any("more events happened than the 5 of which rows are kept" in note for note in run.notes)
