@@ -55,23 +55,24 @@ MODELS: dict[str, Variables] = {
         ("at_burst", 4, "output", 'clocks="202"'), ("n_fast", WHOLE, "output", 'clocks="200"'),
         ("n_slow", WHOLE + 1, "output", 'clocks="201"'), ("n_burst", WHOLE + 2, "output", 'clocks="202"'),
     ],
-    "plant": [("x", 0, "output", ""), ("u", 1, "input", "")],
+    "plant": [("x", 0, "output", ""), ("u", 1, "input", ""), ("x0", 2, "parameter", 'start="0"')],
 }  # fmt: skip
 UNEVENTFUL = ("plant",)
 
 
 def clocked(
     target: Path, model: str, period: str = "1/60", tick: str | None = None, changes: Mapping[str, str] | None = None,
-    flags: str = "", calculated: bool = False,
+    flags: str = "", calculated: bool = False, causalities: Mapping[str, str] | None = None,
 ) -> Path:  # fmt: skip
     """One of MODELS as an FMU. `period`: of the controller's clock [s], `tick`: its attributes where not as usual;
-    `changes`: attributes of other variables, by name."""
+    `changes`, `causalities`: of other variables, by name."""
     counter, _, resolution = period.partition("/")
     decimal = float(counter) / float(resolution or 1)
     fraction = f'intervalCounter="{counter}" resolution="{resolution or 1}"'
     usual = TICK.format(decimal=repr(decimal), fraction=fraction)
     lines, outputs = [], []
     for name, reference, causality, stated in MODELS[model]:
+        causality = (causalities or {}).get(name, causality)
         kind = "Clock" if reference >= CLOCK else "Int64" if reference >= WHOLE else "Float64"
         given = (tick or usual) if name == "tick" else (changes or {}).get(name, stated)
         if causality == "parameter":

@@ -21,6 +21,7 @@ WORDS: dict[Kind, str] = {
 }  # fmt: skip
 RUN = {  # what can be run: versions of FMI and kinds
     *((version, CO_SIMULATION) for version in (1, 2, 3)), *((version, MODEL_EXCHANGE) for version in (2, 3)),
+    (3, SCHEDULED_EXECUTION),
 }  # fmt: skip
 
 

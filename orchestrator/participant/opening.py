@@ -6,9 +6,10 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from ..errors import FmuError
 from ..fmu.files.windows import require_co_simulation
 from ..fmu.fmu import Fmu
-from ..fmu.kinds import MODEL_EXCHANGE
+from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.mock import MockFmu
 from ..fmu.sharing import why_alone
 from ..system.model import Component
@@ -37,7 +38,19 @@ def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None 
         from .model_exchange.instance import MEMBERS
 
         return MEMBERS[fmu.version](fmu, name, logging, tolerance)
+    if fmu.kind == SCHEDULED_EXECUTION:
+        from .here.scheduled import ScheduledInstance
+
+        return ScheduledInstance(fmu, name, logging, tolerance)
+    if fmu.own.clocks:  # which need event mode
+        return _with_events(fmu, name, logging, tolerance)
     return KINDS[fmu.version](fmu, name, logging, tolerance)
+
+
+def _with_events(fmu: Fmu, name: str, logging: Logging, tolerance: float | None) -> LoadedInstance:
+    from .here.event_mode import EventModeInstance
+
+    return EventModeInstance(fmu, name, logging, tolerance)
 
 
 def why_not_here(component: Component) -> str:
@@ -89,7 +102,13 @@ def start(component: Component) -> Participant:
     wanted = component.logging, component.tolerance
     if component.fmu.own.windows:
         return Starting([component]).start(component)
-    if component.isolation == "process" or why_not_here(component):
+    apart = why_not_here(component)
+    if apart and component.in_events:
+        raise FmuError(
+            f"component {component.name}: its events need {component.fmu.path.name} in this process, which used it "
+            f"before, and {apart}; start another process"
+        )
+    if component.isolation == "process" or apart:
         from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted)
@@ -97,4 +116,12 @@ def start(component: Component) -> Participant:
         from .mock_instance import MockInstance
 
         return MockInstance(component.fmu, component.name, component.tolerance)
-    return load(component.fmu, component.name, *wanted)
+    if not component.in_events:
+        return load(component.fmu, component.name, *wanted)
+    from .here.clock_calls import ClockCalls
+
+    instance = load(component.fmu, component.name, *wanted) if component.scheduled else None
+    eventful = instance or _with_events(component.fmu, component.name, *wanted)
+    assert isinstance(eventful, ClockCalls)
+    eventful.intervals = component.clocks
+    return eventful

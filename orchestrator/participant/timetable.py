@@ -59,7 +59,7 @@ class Timetable:
 
     def ticking(self, now: Fraction) -> list[str]:
         """The clocks that tick now, or should have before; by priority."""
-        names = [name for name, instant in self.next.items() if instant <= now]
+        names = [name for name, instant in self.next.items() if instant <= now or float(instant) == float(now)]
         return sorted(names, key=lambda name: self.clocks[name].priority or 0)
 
     def ticked(self, names: Collection[str]) -> None:
@@ -69,11 +69,13 @@ class Timetable:
             if instant is not None and name in self.periods:
                 self.next[name] = instant + self.periods[name]
 
-    def ask(self, now: Fraction, ticked: Collection[str] = ()) -> None:
-        """In event mode, behind an update: what has become of intervals that the FMU chooses as it goes."""
+    def ask(self, now: Fraction, ticked: Collection[str] = (), countdowns: bool = True) -> None:
+        """Behind an update or an activation: what has become of intervals that the FMU chooses as it goes; those of
+        `countdowns` are told otherwise in scheduled execution."""
         for name, clock in self.clocks.items():
             tells = clock.variability == "tunable" and clock.interval is None
-            if not (clock.variability == "countdown" or tells or (clock.variability == "changing" and name in ticked)):
+            counts = countdowns and clock.variability == "countdown"
+            if not (counts or tells or (clock.variability == "changing" and name in ticked)):
                 continue
             qualifier, seconds = self.instance.interval(name)
             if seconds is None or (qualifier != CHANGED and clock.variability != "changing"):
@@ -81,6 +83,19 @@ class Timetable:
             if tells:
                 self.periods[name] = self._positive(name, seconds)
             self.next[name] = now + seconds
+
+    def content(self) -> dict[str, dict[str, str]]:
+        """Periods and next ticks as texts, for `restore`."""
+        return {
+            key: {name: str(seconds) for name, seconds in table.items()}
+            for key, table in (("periods", self.periods), ("next", self.next))
+        }
+
+    def restore(self, content: Mapping[str, Mapping[str, str]]) -> None:
+        """As it was."""
+        self.periods, self.next = (
+            {name: Fraction(text) for name, text in content[key].items()} for key in ("periods", "next")
+        )
 
     def _positive(self, name: str, period: Fraction | None) -> Fraction:
         if period is None or period <= 0:

@@ -40,7 +40,7 @@ class Design:
     instants: Instants  # which held inputs are given the value of their instant
 
     def into(self, name: str) -> list[Connection]:
-        """The connections into a component; those between FMUs for Model Exchange are not the plan's."""
+        """The connections into a component by which the loop forms inputs; none between FMUs for Model Exchange."""
         return self._into.get(name, [])
 
     @cached_property
@@ -57,9 +57,13 @@ class Design:
     def _into(self) -> dict[str, list[Connection]]:
         found: dict[str, list[Connection]] = {}
         for c in self.system.connections:
-            if self.choices[c].transfer != CONTINUOUS:
+            if self.choices[c].transfer != CONTINUOUS and not self.set_at_events(c):
                 found.setdefault(c.target[0], []).append(c)
         return found
+
+    def set_at_events(self, c: Connection) -> bool:
+        """Whether the input of a connection is set at events only, by its own clocks or in event mode."""
+        return c.target[1] in self.system.components[c.target[0]].at_events
 
     @cached_property
     def conversions(self) -> dict[Connection, Conversion]:

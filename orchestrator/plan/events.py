@@ -28,6 +28,7 @@ class Events:
     sources: tuple[str, ...]
     stopped: tuple[str, ...]
     late: Mapping[str, str]
+    watched: tuple[str, ...] = ()  # components at whose instants it is seen whether something has happened by them
 
 
 @dataclass(frozen=True)
@@ -43,8 +44,8 @@ class EventRows:
 
 
 def ends_early(component: Component) -> bool:
-    """Whether an FMU may end a step before its end, at an event."""
-    return False
+    """Whether an FMU may end a step before its end, at an event, or has events of its own otherwise."""
+    return component.in_events
 
 
 def events_of(
@@ -72,7 +73,17 @@ def events_of(
             late[name] = "its step cannot vary"
         elif name in means and name not in sources:
             late[name] = f"{means[name]} is the mean over its whole step"
-    return Events(sources, tuple(name for name in system.components if name not in late), late)
+    watched = {c.source[0] for c in system.connections if _may_be_event(system, c)}
+    watched |= {c.target[0] for c in system.clock_connections if c.target[0] in late}
+    stopped = tuple(name for name in system.components if name not in late)
+    return Events(sources, stopped, late, tuple(name for name in system.components if name in watched))
+
+
+def _may_be_event(system: System, c: Connection) -> bool:
+    """Whether a new value at an instant of its source is an event of the target: a discrete input without a clock."""
+    target = system.components[c.target[0]]
+    sampled = c.target[1] in target.at_events and not target.fmu.clocks_of(c.target[1]) and not target.scheduled
+    return sampled and not ends_early(system.components[c.source[0]])
 
 
 def starts_behind(rows: np.ndarray, row: int, count: int, end: int) -> list[int]:

@@ -11,6 +11,7 @@ from ..errors import counted
 from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
 from .capabilities import remarks
+from .clocks import clock_words
 from .events import event_words
 from .exchange import explained
 from .plan import Plan
@@ -59,7 +60,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     for cut, loop in plan.instants.cuts.items():
         lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
     if plan.events:
-        lines += ["", "events", *(f"  {line}" for line in event_words(plan.events, clock))]
+        said = [*event_words(plan.events, clock), *clock_words(system, clock.seconds(clock.hyperperiod))]
+        lines += ["", "events", *(f"  {line}" for line in said)]
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():
         changes = [words] if (words := plan.conversions[connection].words) else []

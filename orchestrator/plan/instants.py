@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping
 import numpy as np
 
 from ..loop.operations import AT_AN_INSTANT, GET
-from ..system.model import Connection, System
+from ..system.model import Component, Connection, System
 from .schedule.formulas import Choice
 from .schedule.layout import Key
 from .start import Block, blocks_of
@@ -90,6 +90,15 @@ def direct_answers(system: System, name: str) -> dict[str, frozenset[str]]:
     none: it forbids reading again.
     """
     component = system.components[name]
+    if component.at_events:  # what is exchanged in event mode is not read again by the loop
+        return {
+            output: inputs - component.at_events if output not in component.at_events else frozenset()
+            for output, inputs in _answers(component).items()
+        }
+    return _answers(component)
+
+
+def _answers(component: Component) -> dict[str, frozenset[str]]:
     if component.direct != "stated":
         inputs = frozenset(component.fmu.names("input") if component.direct == "all" else ())
         return dict.fromkeys(component.fmu.names("output"), inputs)

@@ -25,8 +25,9 @@ def samplers_of(system: System) -> tuple[str, ...]:
     into: dict[str, list[tuple[str, str]]] = {name: [] for name in system.components}
     for c in system.connections:
         into[c.target[0]].append(c.target)
-    for name, component in system.components.items():
-        into[name] = into[name] or [(name, variable) for variable in component.series]
+    into = {name: ends for name, ends in into.items() if not ends_early(system.components[name])}
+    for name in into:
+        into[name] = into[name] or [(name, variable) for variable in system.components[name].series]
     together = exchanged(system)  # these step as a whole, after the others
     return tuple(
         name

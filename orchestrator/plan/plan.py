@@ -11,6 +11,7 @@ from ..system.inputs.series import check_series
 from ..system.model import System
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
+from .clocks import with_event_mode
 from .design import Design
 from .events import EventRows, events_of
 from .exchange import continuous, with_one_period
@@ -69,6 +70,7 @@ def make_plan(system: System, brought: bool = False) -> Plan:
     system = with_one_period(with_processes(system))
     require_span(system.start, system.stop)
     algorithm = algorithm_of(system)
+    system = with_event_mode(system, algorithm.takes_events)
     algorithm.check(system)
     check_scenario(system, algorithm)
     check_capabilities(system)

@@ -12,6 +12,15 @@ from .schedule.formulas import BOTH_ENDS, CHANGING, Choice, choose
 
 def held_by_type(system: System, c: Connection) -> Choice | None:
     """`hold` where an end is no floating-point signal. Raises InputError for another transfer."""
+    if c.target[1] in system.components[c.target[0]].at_events:
+        if c.transfer not in ("", "hold"):
+            raise InputError(
+                f"connection {c.label}: {'.'.join(c.target)} is set at events only, so '{c.transfer}' has no meaning; "
+                f"take 'hold' {c.where}"
+            )
+        clocks = system.components[c.target[0]].fmu.clocks_of(c.target[1])
+        when = f"at the ticks of {' and '.join(clocks)}" if clocks else "at the events of its component"
+        return Choice("hold", f"sampled {when}")
     return None if system.is_real(c) else _held(system, c)
 
 

@@ -55,6 +55,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         instance.exit_initialization()
     for instance in instances.values():
         instance.first_event()
+    propagation.initialized = True
     propagation.read_outputs()
     propagation.settle_instant()
     started.notes += [note for name, c in system.components.items() for note in read_back(instances[name], c)]
@@ -83,6 +84,7 @@ class _Propagation:
     def __init__(self, plan: Plan, instances: dict[str, Participant], memory: Memory) -> None:
         self.plan, self.instances, self.memory = plan, instances, memory
         self.started = Started()
+        self.initialized = False
 
     def settle(self) -> Started:
         """Propagate, and again until nothing changes: what FMUs state of their dependencies may be incomplete."""
@@ -110,7 +112,8 @@ class _Propagation:
     def read_outputs(self) -> None:
         """All outputs into their cells."""
         for key, slot in self.plan.layout.outputs.items():
-            self.memory.put(key, slot, self._get(key))
+            if not (self.initialized and key[1] in self.plan.system.components[key[0]].at_events):
+                self.memory.put(key, slot, self._get(key))
 
     def settle_instant(self) -> None:
         """What the loop does at every instant: new inputs to outputs that answer at once, which are read again.
@@ -134,7 +137,7 @@ class _Propagation:
 
     def _read(self, names: Collection[str]) -> None:
         for key, slot in self.plan.layout.outputs.items():
-            if key[0] in names:
+            if key[0] in names and key[1] not in self.plan.system.components[key[0]].at_events:
                 self.memory.put(key, slot, self._get(key))
 
     def _get(self, key: Key) -> Value:

@@ -18,6 +18,7 @@ from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
 from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
+from ..fmu.kinds import SCHEDULED_EXECUTION
 from ..fmu.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import REALS, Value
@@ -46,6 +47,27 @@ class Component:
     tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
     direct: str = "stated"  # outputs that answer to inputs at once: those that are stated, "all", or "off"
+    event_mode: Literal["offered", "off"] = "offered"  # of FMI 3.0 for co-simulation: used where it is offered, or not
+    in_events: bool = False  # whether it takes part in events by event mode, or by partitions: the plan decides
+    clocks: Mapping[str, Fraction] = field(default_factory=dict)  # s, of clocks whose interval is ours to choose
+
+    @property
+    def scheduled(self) -> bool:
+        """Whether its partitions are activated by clocks; it makes no steps then."""
+        return self.fmu.kind == SCHEDULED_EXECUTION
+
+    @cached_property
+    def at_events(self) -> frozenset[str]:
+        """The variables that are exchanged in event mode only: clocked ones, and inputs that are discrete."""
+        if not self.in_events:
+            return frozenset()
+        return frozenset(
+            name
+            for name in self.fmu.names("input", "output")
+            if self.scheduled
+            or self.fmu.clocks_of(name)
+            or (self.fmu.variables[name].causality == "input" and self.fmu.variables[name].variability != "continuous")
+        )
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""
@@ -142,6 +164,7 @@ class System:
     format: int = FORMATS[-1]  # of its file: see `FORMATS`
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
+    clock_connections: tuple[Connection, ...] = ()  # from a clock to another one that ticks with it
 
     @cached_property
     def drivers(self) -> dict[tuple[str, str], Connection]:

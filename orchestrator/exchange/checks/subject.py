@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
 from pathlib import Path
@@ -14,6 +14,7 @@ from fmpy.model_description import ModelDescription, ModelVariable
 
 from ...errors import FmuError
 from ...fmu.description import described
+from ...fmu.details import Details
 from ...fmu.files.archive import opened
 from ...fmu.files.binary import check_identifiers, find_library, platform_folder
 from ...fmu.files.unpacked import archive_of, unpack
@@ -42,6 +43,7 @@ class Subject:
     description: ModelDescription
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
+    details: Details = field(default_factory=dict)  # what else is said of variables (FMI 3.0)
 
     @property
     def archive(self) -> Path:
@@ -120,4 +122,5 @@ def open_subject(path: Path) -> Subject:
         check_identifiers(path, found.description, notes)
         find_library(path, folder, found.description, interface, notes)
     version = int(found.description.fmiMajorVersion)
-    return Subject(path, folder, version, found.description, (*found.notes, *notes.all()), found.negated)
+    notes_of_it = (*found.notes, *notes.all())
+    return Subject(path, folder, version, found.description, notes_of_it, found.negated, found.details)

@@ -39,12 +39,15 @@ class Tried:
 
     def __init__(self, subject: Subject, name: str = "tried") -> None:
         self.subject = subject
-        kind = usual_kind(subject.description)
-        fmu = Fmu(subject.path, subject.folder, "", subject.description, {}, negated=subject.negated, kind=kind)
+        fmu = Fmu(
+            subject.path, subject.folder, "", subject.description, {}, negated=subject.negated,
+            details=subject.details, kind=usual_kind(subject.description),
+        )  # fmt: skip
         self.instance = load(fmu, name)
         self.ended = False  # whether it asked to end the simulation in the call that was refused last
         self.unguarded = self.instance.unguarded
-        self.outputs = [v for v in subject.of("output") if v.type != "Binary"]
+        self.outputs = [v for v in subject.of("output") if v.type != "Binary" and not v.clocks]
+        self.at_events = bool(fmu.clocks)  # steps go over its events then, and what is discrete is set there only
 
     @property
     def messages(self) -> list[str]:
@@ -149,6 +152,8 @@ class Tried:
         """Steps with inputs that change all the time; all outputs after each. Raises RefusedError."""
         h, seen = self.subject.step, []
         inputs = [v for v in self.subject.of("input") if v.type in REALS]
+        if self.at_events:
+            inputs = [v for v in inputs if v.variability == "continuous" and not v.clocks]
         for k in range(first, first + steps):
             for number, v in enumerate(inputs):
                 starts = self.start_values(v) or [0.0] * size(v)

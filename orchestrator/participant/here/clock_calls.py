@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 from fmpy import fmi3
 
 from ...errors import FmuError
 from ...fmu.clocks import ClockVariable, seconds_of
+from ...fmu.fmu import Fmu
+from ..messages import Logging
+from ..timetable import Timetable
 from .fmi3 import Fmi3Instance
 
 NOT_YET_KNOWN, UNCHANGED, CHANGED = range(3)  # fmi3IntervalQualifier
@@ -24,7 +29,68 @@ class Interval(NamedTuple):
 
 
 class ClockCalls(Fmi3Instance):
-    """Clocks are named as in the description. Raises CallError where they may not be called, or the FMU refuses."""
+    """Clocks are named as in the description. Raises CallError where they may not be called, or the FMU refuses.
+
+    `timetable`: of its time-based clocks, known from the end of initialization on; `intervals`: those that are chosen
+    for it [s]; `active`: the clocks that tick in the present round of an event.
+    """
+
+    intervals: Mapping[str, Fraction] = MappingProxyType({})
+    timetable: Timetable
+    _now = Fraction(0)  # s, the instant of the event that goes on
+    active: frozenset[str] = frozenset()
+
+    def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
+        self._kept: dict[int, dict[str, Any]] = {}  # what was known of events, by the handle of a state
+        super().__init__(fmu, name, logging, tolerance)
+        self._begin_table()
+
+    @property
+    def events(self) -> Any:
+        return self
+
+    def _begin_clocks(self) -> None:
+        """In initialization mode, when all is set: when the clocks tick first."""
+        self._begin_table()
+        self.timetable.begin(seconds_of(self.span[0] if self.span else 0.0))
+
+    def _begin_table(self) -> None:
+        self.timetable = Timetable(self, self.fmu.own.clocks.values(), self.intervals)
+
+    def save(self) -> int:
+        state = super().save()
+        self._kept[state] = self._ahead()
+        return state
+
+    def restore(self, state: int) -> None:
+        super().restore(state)
+        self._go_back(self._kept[state])
+
+    def forget(self, state: int) -> None:
+        super().forget(state)
+        self._kept.pop(state, None)
+
+    def serialize(self, state: int) -> bytes:
+        """A kept state as bytes, behind what is known of its clocks."""
+        known = json.dumps(self._kept[state]).encode()
+        return len(known).to_bytes(8, "little") + known + super().serialize(state)
+
+    def deserialize(self, content: bytes) -> int:
+        end = 8 + int.from_bytes(content[:8], "little")
+        state = super().deserialize(content[end:])
+        self._kept[state] = json.loads(content[8:end])
+        return state
+
+    def _ahead(self) -> dict[str, Any]:
+        """What is known of its next events, ready for JSON."""
+        table = getattr(self, "timetable", None)
+        return {} if table is None else table.content()
+
+    def _go_back(self, known: dict[str, Any]) -> None:
+        """The same, of a state that is restored."""
+        if known:
+            self._begin_table()
+            self.timetable.restore(known)
 
     def clock(self, name: str) -> ClockVariable:
         return self.fmu.own.clocks[name]

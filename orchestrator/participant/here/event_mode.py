@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ...errors import FmuError
 from ...fmu.clocks import seconds_of
 from ..base import AskedToEndError
 from ..lifecycle import DISCARD, State
-from ..timetable import Timetable
 from .clock_calls import ClockCalls
 
 MOST_ROUNDS = 1000  # of an instant at which an FMU alone asks for another one again and again
@@ -34,24 +34,56 @@ class Reached(NamedTuple):
 class EventModeInstance(ClockCalls):
     """Instantiated with eventModeUsed and earlyReturnAllowed. Leaving initialization mode leads to event mode.
 
-    `timetable`: of its time-based clocks, known from the end of initialization on; `next_event`: the time event that it
-    has announced [s].
+    `next_event`: the time event that it has announced [s]. What `run.events.handler.EventMode` asks for is here.
     """
 
     event_mode = True
     next_event = math.inf
-    timetable: Timetable
 
     def exit_initialization(self) -> None:
-        self.timetable = Timetable(self, self.fmu.own.clocks.values())
-        self.timetable.begin(seconds_of(self.span[0] if self.span else 0.0))
+        self._begin_clocks()
         self.call("exit to events", "leave initialization", self.slave.exitInitializationMode)
 
     def enter_event_mode(self) -> None:
-        self.call("enter events", "enter event mode", self.slave.enterEventMode)
+        """Nothing where it is in event mode already."""
+        if self.state is not State.EVENTS:
+            self.call("enter events", "enter event mode", self.slave.enterEventMode)
 
-    def enter_step_mode(self) -> None:
+    def leave_event_mode(self) -> None:
         self.call("leave events", "enter step mode", self.slave.enterStepMode)
+
+    def _ahead(self) -> dict[str, Any]:
+        return {**super()._ahead(), "event": None if math.isinf(self.next_event) else self.next_event}
+
+    def _go_back(self, known: dict[str, Any]) -> None:
+        super()._go_back({key: known[key] for key in ("periods", "next") if key in known})
+        self.next_event = math.inf if known["event"] is None else known["event"]
+
+    def happen(self, now: Fraction) -> str:
+        """Activate the clocks that tick now [s]; which, in words."""
+        self._now, ticking = now, self.timetable.ticking(now)
+        self.activate(ticking)
+        return f"{', '.join(f'{self.name}.{name}' for name in ticking)} ticks" if ticking else ""
+
+    def activate(self, clocks: Sequence[str]) -> None:
+        """Activate input clocks in this round."""
+        self.tick(clocks)
+        self.active |= frozenset(clocks)
+
+    def update(self) -> bool:
+        """End a round; whether it asks for another one at this instant. Raises AskedToEndError."""
+        updated = self.update_states()
+        self.timetable.ticked(self.active)
+        self.timetable.ask(self._now, self.active)
+        self.active = frozenset()
+        if updated.ends:
+            raise AskedToEndError(f"component {self.name} asked to end at {float(self._now):.9g} s", DISCARD)
+        return updated.again or bool(self.timetable.ticking(self._now)) or self.next_event <= float(self._now)
+
+    def next_instant(self) -> Fraction | None:
+        """When something is due for it next [s]."""
+        known = [self.timetable.due(), None if math.isinf(self.next_event) else Fraction(self.next_event)]
+        return min((instant for instant in known if instant is not None), default=None)
 
     def evaluate(self) -> None:
         """Compute its discrete states now, where it can do that apart from its outputs."""
@@ -59,7 +91,7 @@ class EventModeInstance(ClockCalls):
             evaluate = self.slave.fmi3EvaluateDiscreteStates
             self.call("update", "evaluate its discrete states", evaluate, self.slave.component)
 
-    def update(self) -> Updated:
+    def update_states(self) -> Updated:
         """End this round of the instant: discrete states take their new values, clocks tick no more."""
         again, ends, _, _, defined, time = self.call(
             "update", "update its discrete states", self.slave.updateDiscreteStates
@@ -85,32 +117,25 @@ class EventModeInstance(ClockCalls):
         """A step over whatever happens in it, of an FMU that nobody else is connected with."""
         end = time + length
         if self.state is State.EVENTS:
-            self.settle(time)
+            self.settle(seconds_of(time))
         while time < end:
-            due = self.timetable.due()
-            planned = min(self.next_event, math.inf if due is None else float(due))
+            due = self.next_instant()
+            planned = math.inf if due is None else float(due)
             reached = Reached(time, False)
             if planned > time:
                 reached = self.step_once(time, min(end, planned) - time)
             time = planned if reached.time == time + (planned - time) else reached.time
             if reached.event or time >= planned:
-                self.enter_event_mode()
-                self.settle(time, due if due is not None and time >= float(due) else None)
+                self.settle(due if due is not None and time >= planned else seconds_of(time))
 
-    def settle(self, time: float, instant: Fraction | None = None) -> None:
-        """Update until nothing more happens at `time` [s], and go back to step mode; `instant`: the same exactly."""
-        now = seconds_of(time) if instant is None else instant
+    def settle(self, now: Fraction) -> None:
+        """Handle what happens at an instant [s] until nothing does any more, and go back to step mode."""
+        self.enter_event_mode()
         for _ in range(MOST_ROUNDS):
-            ticking = self.timetable.ticking(now)
-            self.tick(ticking)
-            updated = self.update()
-            self.timetable.ticked(ticking)
-            self.timetable.ask(now, ticking)
-            if updated.ends:
-                raise AskedToEndError(f"component {self.name} asked to end at {time:.9g} s", DISCARD)
-            if not updated.again and not self.timetable.ticking(now):
-                self.enter_step_mode()
+            self.happen(now)
+            if not self.update():
+                self.leave_event_mode()
                 return
         raise FmuError(
-            f"component {self.name}: {MOST_ROUNDS} rounds of events at t = {time:.9g} s, and it asks for another one"
+            f"component {self.name}: {MOST_ROUNDS} rounds of events at t = {float(now):.9g} s, and it asks for another"
         )

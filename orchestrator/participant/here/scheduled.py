@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -30,11 +31,13 @@ class Told(NamedTuple):
 class ScheduledInstance(ClockCalls):
     """Partitions run one after the other, each to its end: nothing is ever preempted, so there is nothing to lock."""
 
+    waiting: list[str]  # clocks of the partitions that are to be run in this round
     kind = FMU3Scheduled
     between = State.ACTIVATING
 
     def _create(self) -> Any:
-        slave = self.slave
+        slave, self.waiting = self.slave, []
+        self._ran: dict[str, Fraction] = {}  # s, when each partition ran last
         self._row = Row(id(self), self.log.logging == "all")
         own = self.fmu.own.clocks.values()
         self._outputs = [clock.name for clock in own if clock.causality == "output"]
@@ -68,10 +71,58 @@ class ScheduledInstance(ClockCalls):
             if self.state is State.CLOCKS_TOLD:
                 self.state = before
 
+    def enter_event_mode(self) -> None:
+        """Nothing: it has no modes."""
+
+    def leave_event_mode(self) -> None:
+        """Nothing."""
+
+    def happen(self, now: Fraction) -> str:
+        """Which partitions are to be run now [s]: see `waiting`; in words."""
+        self._now, ticking = now, self.timetable.ticking(now)
+        self.timetable.ticked(ticking)
+        self.activate(ticking)
+        return f"{', '.join(f'{self.name}.{name}' for name in ticking)} ticks" if ticking else ""
+
+    def activate(self, clocks: Sequence[str]) -> None:
+        """Have the partitions of these clocks run in this round, by their priority. Raises FmuError for one that has
+        run at this instant."""
+        for name in clocks:
+            if self._ran.get(name) == self._now:
+                raise FmuError(
+                    f"component {self.name}: clock {name} ticks twice at t = {float(self._now):.9g} s; a partition is "
+                    f"activated once at an instant"
+                )
+            self._ran[name] = self._now
+        own = self.fmu.own.clocks
+        self.waiting = sorted({*self.waiting, *clocks}, key=lambda name: (own[name].priority or 0, name))
+
+    def run_next(self) -> tuple[str, list[str]]:
+        """Run the partition that is waiting first: its clock, and the output clocks that ticked meanwhile."""
+        clock = self.waiting.pop(0)
+        self.active = frozenset((clock,))
+        told = self.run_partition(clock, float(self._now))
+        for name, seconds in told.countdowns.items():
+            self.timetable.next[name] = self._now + seconds
+        self.timetable.ask(self._now, (clock,), countdowns=False)
+        self.active = frozenset((clock, *told.ticked))
+        return clock, told.ticked
+
+    def update(self) -> bool:
+        """End a round; whether a countdown of no length makes another one at this instant."""
+        self.active = frozenset()
+        return bool(self.timetable.ticking(self._now))
+
+    def next_instant(self) -> Fraction | None:
+        """When a clock ticks next [s]."""
+        return self.timetable.due()
+
     def exit_initialization(self) -> None:
+        self._begin_clocks()
+        self.waiting, self._ran = [], {}
         self.call("exit to activations", "leave initialization", self.slave.exitInitializationMode)
 
-    def activate(self, clock: str, time: float) -> Told:
+    def run_partition(self, clock: str, time: float) -> Told:
         """Run the partition of a clock that ticks at `time` [s]; what the FMU told meanwhile."""
         self._told, self._raised = Told([], {}), None
         reference = self.clock(clock).reference
@@ -82,7 +133,22 @@ class ScheduledInstance(ClockCalls):
         return self._told
 
     def step(self, time: float, length: float) -> None:
-        raise FmuError(f"component {self.name} makes no steps: its partitions are activated by their clocks")
+        """All ticks until the end of a step, of an FMU that nobody else is connected with."""
+        clocks = list(self.timetable.clocks or self.fmu.own.clocks)
+        if clocks and self.state is not State.ACTIVATING:  # which it refuses
+            self.run_partition(clocks[0], time)
+        while (due := self.timetable.due()) is not None and float(due) <= time + length:
+            self.happen(due)
+            while self.waiting:
+                self.run_next()
+            self.update()
+
+    def _ahead(self) -> dict[str, Any]:
+        return {**super()._ahead(), "ran": {name: str(instant) for name, instant in self._ran.items()}}
+
+    def _go_back(self, known: dict[str, Any]) -> None:
+        super()._go_back({key: known[key] for key in ("periods", "next") if key in known})
+        self._ran = {name: Fraction(text) for name, text in known["ran"].items()}
 
 
 def _nothing() -> None:

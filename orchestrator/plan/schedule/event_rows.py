@@ -54,7 +54,8 @@ def _after(schedule: Schedule, known: Known) -> Iterator[Row]:
     design, layout = schedule.design, schedule.layout
     direct = set(design.instants.held)
     for c, choice in design.choices.items():
-        if choice.transfer == "hold" and {c.source[0], c.target[0]} <= known and c not in direct:
+        meet = {c.source[0], c.target[0]} <= known and not design.set_at_events(c)
+        if choice.transfer == "hold" and meet and c not in direct:
             yield schedule.sent(c, 0, layout.outputs[c.source])
             yield from schedule.broken(c, 0, 0)
     yield from schedule.settling.afresh(0, known)

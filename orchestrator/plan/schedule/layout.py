@@ -42,6 +42,7 @@ class Layout:
     # Inputs and outputs of a foreign FMU as it has them, where some differ from ours in unit or direction.
     foreign_inputs: dict[Key, int] = field(default_factory=dict)
     foreign_outputs: dict[Key, int] = field(default_factory=dict)
+    at_events: set[Key] = field(default_factory=set)  # inputs and outputs that are exchanged there, not by the loop
     previous: dict[Key, int] = field(default_factory=dict)  # an output one period ago
     before: dict[Key, int] = field(default_factory=dict)  # an output two periods ago
     begins: dict[Key, int] = field(default_factory=dict)  # an output read again at the beginning of the step
@@ -89,7 +90,7 @@ class Layout:
         return self.begins.get(key, self.parts.get(key, self.previous[key]))
 
     def exchanged(self, name: str) -> tuple[dict[str, int], dict[str, int]]:
-        """Slots of the inputs and outputs that a component is given and gives, by variable, once all have theirs."""
+        """Slots of what the loop gives a component and takes, by variable, once all have theirs."""
         return self._exchanged.get(name, ({}, {}))
 
     @cached_property
@@ -98,9 +99,13 @@ class Layout:
         for side, (ours, foreign) in enumerate(
             ((self.inputs, self.foreign_inputs), (self.outputs, self.foreign_outputs))
         ):
-            for key, slot in ours.items():
+            for key, slot in self.by_the_loop(ours).items():
                 found.setdefault(key[0], ({}, {}))[side][key[1]] = foreign.get(key, slot)
         return found
+
+    def by_the_loop(self, table: Mapping[Key, int]) -> Mapping[Key, int]:
+        """The entries of a table without those that are exchanged at events only."""
+        return {key: slot for key, slot in table.items() if key not in self.at_events} if self.at_events else table
 
 
 @dataclass(frozen=True)
@@ -142,6 +147,7 @@ def make_layout(
         for variable in _by_type(fmu, [*fmu.names("input"), *tuned]):
             if any((name, element) in driven for element in component.fmu.arrays[variable]):
                 layout.add(layout.inputs, (name, variable))
+    layout.at_events |= {(name, v) for name, component in system.components.items() for v in component.at_events}
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
     leading = _leading(choices)
     histories += [(c.source, 1) for c in choices if c.source[0] in leading]

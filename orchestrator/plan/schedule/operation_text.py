@@ -60,7 +60,7 @@ class OperationText:
         self.plan = plan
         layout = plan.layout
         self.components = list(plan.system.components)
-        self.inputs, self.outputs = by_component(layout.inputs), by_component(layout.outputs)
+        self.inputs, self.outputs = (by_component(layout.by_the_loop(t)) for t in (layout.inputs, layout.outputs))
         self.slots = {slot: ".".join(key) for table in (layout.outputs, layout.inputs) for key, slot in table.items()}
         for foreign in (layout.foreign_inputs, layout.foreign_outputs):
             for (name, variable), slot in foreign.items():

@@ -118,7 +118,8 @@ class Schedule(Steps):
             if self.at_instant(tick, self.clock.periods[c.target[0]]):
                 yield self.sent(c, tick, self.layout.outputs[c.source])
         if self.design.events:
-            yield (PAUSE, tick, -1, 0, 0, 0, 0, 0)
+            looks = any(self.at_instant(tick, self.clock.periods[name]) for name in self.design.events.watched)
+            yield (PAUSE, tick, -1, int(looks), 0, 0, 0, 0)
             for name in self.due(tick):
                 yield from self.sampled(tick, name)
         yield from self.tables(tick)

@@ -54,8 +54,8 @@ class Steps:
         self.span = self.clock.hyperperiod  # of the operations that are listed [ticks]; steps end there at the latest
         layout = self.layout
         self.foreign_inputs, self.foreign_outputs = map(by_component, (layout.foreign_inputs, layout.foreign_outputs))
-        self.inputs = by_component(layout.inputs)
-        self.outputs, self.previous = by_component(layout.outputs), by_component(layout.previous)
+        self.inputs, self.outputs = (by_component(layout.by_the_loop(t)) for t in (layout.inputs, layout.outputs))
+        self.previous = by_component(layout.previous)
         self.before, self.begins = by_component(layout.before), by_component(layout.begins)
         self.samples, self.parts = by_component(layout.samples), by_component(layout.parts)
         self.averaged: dict[str, list[Connection]] = {}  # connections of which the mean is taken, by their sources
@@ -90,7 +90,8 @@ class Steps:
                 yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
         step = STEP_ON if self.design.events else STEP
-        yield (step, tick, component, self.length(name, start), start, 0, 0, 0)
+        if not self.system.components[name].scheduled:  # its partitions are activated by their clocks
+            yield (step, tick, component, self.length(name, start), start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
             yield from self._get(tick, name, AT_ITS_END)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -22,6 +23,7 @@ from ...plan.plan import Plan
 from ...results.tables import EventRow
 from ..memory.memory import Memory
 from ..memory.moments import Moments
+from .clocked import Clocked
 from .instant import Instant, Place, RunRows, exactly
 
 MOST_ROUNDS = 1000  # of one instant
@@ -69,6 +71,7 @@ class EventHandler:
         self.instant = Instant(plan, instances, memory, moments, control, components, run)
         self.modes: dict[str, EventMode] = {n: mode for n, i in instances.items() if (mode := i.events) is not None}
         self.others = others
+        self.clocked = Clocked(plan, instances, memory)
         self.rows: list[EventRow] = []
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.ends_at = cells.NEVER  # ticks from time 0; behind it a component does not want to go on
@@ -105,8 +108,12 @@ class EventHandler:
         place = Place(self.plan, cycle, operation)
         row = place.rows[operation]
         if code == cells.PAUSED:
-            now = self.plan.clock.seconds(self.plan.clock.start + place.base + int(row[1]))
-            self._go_round(place, now, "")
+            tick = self.plan.clock.start + place.base + int(row[1])
+            if tick < self.control[cells.EVENT_AT] and not self.clocked.happened(
+                place.known(place.time_of(int(row[1])))
+            ):
+                return operation + 1
+            self._go_round(place, self.plan.clock.seconds(tick), "")
             operation += 1
         elif code == cells.ENDED and self.plan.clock.start + place.base + int(row[1]) <= self.ends_at:
             known = [when for one in (*self.modes.values(), *self.others) if (when := one.next_instant()) is not None]
@@ -140,6 +147,9 @@ class EventHandler:
         """Values and discrete states until nothing changes; `alone`: a component that others cannot meet there."""
         time = float(now)
         modes = [self.modes[name] for name in self.plan.order if name in known and name in self.modes]
+        pass_on = _nothing if alone else partial(self.instant.values, place, known, time)
+        if cause:  # a step ended here: what is true behind it
+            pass_on()
         self._row(time, 0, cause)
         for mode in modes:
             mode.enter_event_mode()
@@ -147,12 +157,15 @@ class EventHandler:
         number = 0
         for _ in range(MOST_ROUNDS):
             done += [words for mode in modes if (words := mode.happen(now))]
-            changed = not alone and self.instant.values(place, known, time)
+            changed = pass_on()
+            exchanged, ticks = self.clocked.exchange(known, pass_on)
             again = any([mode.update() for mode in modes])
-            if changed or again or done:
+            new = pass_on()  # what the update has made so
+            done += ticks
+            if changed or exchanged or again or new or done:
                 number += 1
                 self._row(time, number, "; ".join(done))
-            if not changed and not again and not done:
+            if not again and not new and not self.clocked.happened(known):
                 break
             done = []
         else:
@@ -175,3 +188,8 @@ class EventHandler:
 
     def _row(self, time: float, number: int, what: str) -> None:
         self.rows.append(EventRow(time, number, what, self.memory.z[self.slots]))
+
+
+def _nothing() -> bool:
+    """What is passed on by a component alone."""
+    return False

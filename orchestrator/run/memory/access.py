@@ -56,7 +56,13 @@ class Access:
         instance = self._instance("set", name, component)
         plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
         values = checked_values(self.plan.system.components[component], variable, plain, "set")
+        apart = self.plan.system.components[component].at_events
         for scalar in values:
+            if scalar in apart:
+                raise InputError(
+                    f"set {name}: {component}.{scalar} is set at events only, by its clock or in event mode; "
+                    f"connect it with what gives its values"
+                )
             if not follows_tables(instance.fmu.variables[scalar]):
                 raise InputError(
                     f"set {name}: a parameter is set before the run; only inputs and tunable parameters can be set "

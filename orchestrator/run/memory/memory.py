@@ -61,7 +61,7 @@ class Memory:
         internal = {c.target for c in self.plan.inside if at_events(self.plan.system, c)}
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
-            do_step = instance.address(f"{instance.prefix}DoStep")
+            do_step = 0 if self.plan.system.components[name].scheduled else instance.address(f"{instance.prefix}DoStep")
             row = [signatures(instance.fmu.version), instance.pointer, do_step, flags]
             given, taken = self.plan.layout.exchanged(name)
             given = {variable: slot for variable, slot in given.items() if (name, variable) not in internal}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -69,7 +70,35 @@ def component_of(
     own_process = _isolation(file, name, table, "timeout" in entry, heading)
     component = Component(name, fmu, period, notes=file.notes.get(name, ()), **own_process)
     component = replace(component, logging=table.logging, tolerance=table.tolerance, direct=table.direct)
+    component = replace(
+        component,
+        event_mode=table.event_mode,
+        clocks=_intervals(file, component, table.clocks, heading),
+    )
     return _with_values(file, component, table, heading)
+
+
+def _intervals(file: TomlFile, component: Component, stated: Mapping[str, object], heading: str) -> dict[str, Fraction]:
+    """The intervals of clocks that the file sets. Raises InputError for a clock whose interval is not to be set."""
+    found = {}
+    for name, text in stated.items():
+        label, known = f"component {component.name}: clock {name}", component.fmu.clocks
+        if name not in known:
+            raise file.fail(
+                f"{label}: {component.fmu.path.name} has no such clock{nearest(name, known)}", name, heading
+            )
+        if not known[name].settable:
+            raise file.fail(
+                f"{label}: it is {known[name].variability}, its interval is not to be set; fixed and tunable clocks "
+                f"that state one take another",
+                name,
+                heading,
+            )
+        try:
+            found[name] = duration(text, f"{label}: interval")
+        except InputError as error:
+            raise file.fail(str(error), name, heading) from None
+    return found
 
 
 def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:

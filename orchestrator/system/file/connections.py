@@ -13,6 +13,7 @@ from ...toml_file import TomlFile
 from ...units import conversion
 from ..model import Component, Connection
 from ..schema.system import TRANSFERS
+from .clock_links import clock_connection
 from .link import ROUND, Link
 from .terminals import links_of_terminals
 
@@ -32,6 +33,8 @@ def _of_variables(components: dict[str, Component], link: Link, where: str) -> l
     label = f"connection {link}"
     if transfer and transfer not in TRANSFERS:
         raise InputError(f"{label}: unknown transfer '{transfer}'{nearest(transfer, (*TRANSFERS, ROUND))} {where}")
+    if (ticks := clock_connection(components, (source, output), (target, input_), transfer, where)) is not None:
+        return [ticks]
     ends = []
     for name, variable, causality, article in (
         (source, output, "output", "no output"),

@@ -21,6 +21,7 @@ from ..schema.report import Balance, Comparison, Figure, Window
 from ..schema.system import KEYS, Loops, Solver, SystemTable
 from ..schema.values import Value
 from .bonds import bonds_of, requirement_of
+from .clock_links import is_clock
 from .components import component_of
 from .connections import check_drivers, connections_of
 from .events.read import events_of
@@ -72,7 +73,9 @@ def load_system(
     system = System(
         name=file.name, path=file.path, description=table.description, start=begin, stop=end,
         algorithm=table.algorithm,
-        order=tuple(table.order), components=components, connections=connections,
+        order=tuple(table.order), components=components,
+        connections=tuple(c for c in connections if not is_clock(components, c)),
+        clock_connections=tuple(c for c in connections if is_clock(components, c)),
         loops=checked(Loops, file.entry(dict, "loops"), "loops", file, "loops"),
         solver=checked(Solver, file.entry(dict, "solver"), "solver", file, "solver"),
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),

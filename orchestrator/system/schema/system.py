@@ -66,6 +66,13 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             "must not be read again at an instant"
         ),
     ] = "stated"
+    event_mode: Annotated[
+        Literal["offered", "off"],
+        Meta(description='"off": the event mode of an FMI 3.0 FMU is not used, also where it offers one'),
+    ] = "offered"
+    clocks: Annotated[
+        dict[str, Time], Meta(description="intervals of clocks that are to be set, by the name of the clock")
+    ] = {}
     compile: Annotated[
         bool, Meta(description="true: its C or C++ sources are compiled where it brings no library for this machine")
     ] = False

@@ -83,6 +83,11 @@ def structure_of(system: System, files: Mapping[str, str], ssp_version: str) -> 
         _add(bindings, "ssd:ParameterBinding", source=f"resources/{name}.ssv")
         annotate(element, component_keys(component))
         hint_step(element, component.period)
+    if system.clock_connections:
+        raise InputError(
+            f"connection {system.clock_connections[0].label}: SSP has none of clocks; remove it, or keep the system as "
+            f"TOML ({system.path.name})"
+        )
     if system.connections:
         connections = _add(top, "ssd:Connections")
         for connection in system.connections:

@@ -31,7 +31,7 @@ def test_each_partition_runs_at_the_ticks_of_its_clock(partitions: ScheduledInst
     partitions.set("u", 1.0)
     ticks = [("fast", Fraction(k, 100)) for k in range(100)] + [("slow", Fraction(k, 30)) for k in range(30)]
     for clock, instant in sorted(ticks, key=lambda entry: entry[1]):
-        partitions.activate(clock, float(instant))
+        partitions.run_partition(clock, float(instant))
         assert partitions.get(f"at_{clock}") == float(instant)
     assert (partitions.get("n_fast"), partitions.get("n_slow")) == (100, 30)
     assert partitions.get("y") == pytest.approx(1 - 0.75**100, abs=1e-15)
@@ -39,10 +39,10 @@ def test_each_partition_runs_at_the_ticks_of_its_clock(partitions: ScheduledInst
 
 
 def test_a_partition_begins_a_countdown_and_ticks_an_output_clock_while_it_runs(partitions: ScheduledInstance) -> None:
-    told = [partitions.activate("slow", k / 30) for k in range(3)]
+    told = [partitions.run_partition("slow", k / 30) for k in range(3)]
     assert told[:2] == [([], {}), ([], {})] and told[2] == ([], {"burst": Fraction(5, 1000)})
-    assert partitions.activate("burst", 2 / 30 + 0.005) == (["alarm"], {})
-    assert partitions.activate("slow", 0.1) == ([], {})
+    assert partitions.run_partition("burst", 2 / 30 + 0.005) == (["alarm"], {})
+    assert partitions.run_partition("slow", 0.1) == ([], {})
 
 
 def test_calls_keep_to_the_states_of_scheduled_execution(partitions: ScheduledInstance) -> None:
@@ -52,12 +52,24 @@ def test_calls_keep_to_the_states_of_scheduled_execution(partitions: ScheduledIn
     ):
         with pytest.raises(FmuError, match=f"cannot {what} while it is between two activations"):
             call()
-    with pytest.raises(FmuError, match="makes no steps"):
-        partitions.step(0.0, 1.0)
-    partitions.activate("fast", 1.0)
+    partitions.run_partition("fast", 1.0)
     with pytest.raises(FmuError, match=r"cannot activate the partition of clock fast at t = 0.5 s \(fmi3Error\)"):
-        partitions.activate("fast", 0.5)
+        partitions.run_partition("fast", 0.5)
     assert partitions.state is State.FAILED
+
+
+def test_a_step_of_an_fmu_alone_runs_all_partitions_until_its_end(partitions: ScheduledInstance) -> None:
+    partitions.set("u", 1.0)
+    kept = 0
+    for k in range(10):
+        kept = kept or (partitions.save() if k == 5 else 0)
+        partitions.step(k * 0.1, 0.1)
+    counts = {name: partitions.get(f"n_{name}") for name in ("fast", "slow", "burst")}
+    assert counts == {"fast": 101, "slow": 31, "burst": 10}
+    partitions.restore(partitions.deserialize(partitions.serialize(kept)))
+    assert partitions.get("n_fast") == 51
+    partitions.step(0.5, 0.5)
+    assert counts == {name: partitions.get(f"n_{name}") for name in counts}
 
 
 def test_what_fails_inside_a_clock_update_is_an_error_of_the_activation(
@@ -68,22 +80,22 @@ def test_what_fails_inside_a_clock_update_is_an_error_of_the_activation(
 
     monkeypatch.setattr(partitions, "interval", fails)
     for k in range(2):
-        partitions.activate("slow", k / 30)
+        partitions.run_partition("slow", k / 30)
     with pytest.raises(FmuError, match=r"activate the partition of clock slow at t = 0\.06.* s: no interval"):
-        partitions.activate("slow", 2 / 30)
+        partitions.run_partition("slow", 2 / 30)
 
 
 def test_states_are_kept_between_two_activations(partitions: ScheduledInstance) -> None:
-    partitions.activate("fast", 0.0)
+    partitions.run_partition("fast", 0.0)
     kept = partitions.save()
     content = partitions.serialize(kept)
-    partitions.activate("fast", 0.01)
+    partitions.run_partition("fast", 0.01)
     partitions.restore(kept)
     assert partitions.get("n_fast") == 1
-    partitions.activate("fast", 0.01)
+    partitions.run_partition("fast", 0.01)
     partitions.restore(partitions.deserialize(content))
     assert partitions.state is State.ACTIVATING
-    partitions.activate("fast", 0.01)
+    partitions.run_partition("fast", 0.01)
     assert partitions.get("n_fast") == 2
 
 

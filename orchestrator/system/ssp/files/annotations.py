@@ -27,7 +27,18 @@ NAMESPACE = "urn:rovbrush:simulation:1"
 
 def system_keys(system: System) -> dict[str, Any]:
     """The top-level keys of a system file that SSP cannot say."""
-    in_ssp = ("name", "path", "description", "start", "stop", "components", "connections", "remarks", "breaches")
+    in_ssp = (
+        "name",
+        "path",
+        "description",
+        "start",
+        "stop",
+        "components",
+        "connections",
+        "clock_connections",
+        "remarks",
+        "breaches",
+    )
     return {
         **_stated(
             system, (*in_ssp, "format", "loops", "solver", "bonds", "events", "requirements", "reporting", "settings")
@@ -45,7 +56,9 @@ def system_keys(system: System) -> dict[str, Any]:
 
 def component_keys(component: Component) -> dict[str, Any]:
     units = {"units": dict(component.fmu.units)} if component.fmu.units else {}
-    return _stated(component, ("name", "fmu", "parameters", "inputs", "notes", "apart")) | units
+    clocks = {"clocks": {clock: seconds_text(s) for clock, s in component.clocks.items()}} if component.clocks else {}
+    elsewhere = ("name", "fmu", "parameters", "inputs", "notes", "apart", "in_events", "clocks")
+    return _stated(component, elsewhere) | units | clocks
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:

@@ -7,14 +7,16 @@ import subprocess
 import sys
 from pathlib import Path
 
+import clock_build
 import pytest
-from helpers import build_fixture, edited
+from helpers import build_fixture, edited, plan_of
 from native_build import feedthrough2, feedthrough3, moody, needs_gcc
-from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
 from rovbrush.orchestrator.exchange.checks.rows import Row
 from rovbrush.orchestrator.exchange.checks.rules import good_manners, misuse
 from rovbrush.orchestrator.exchange.checks.subject import open_subject
+from rovbrush.orchestrator.fmu.fmu import Fmu
 
 STATES = {
     'canGetAndSetFMUstate="false"': 'canGetAndSetFMUstate="true"',
@@ -156,8 +158,18 @@ def test_the_interface_that_is_there_instead_is_named(sound: Path, tmp_path: Pat
 
 
 @needs_gcc
-def test_an_fmu_for_scheduled_execution_is_not_called_one_for_model_exchange(tmp_path: Path) -> None:
+def test_an_fmu_for_scheduled_execution_is_taken_for_one(tmp_path: Path) -> None:
     scheduled = {"<CoSimulation ": "<ScheduledExecution "}
-    built = feedthrough3(tmp_path / "clocked.fmu")
-    with pytest.raises(FmuError, match="is for scheduled execution only; export it for co-simulation"):
-        open_subject(edited(built, tmp_path / "other.fmu", {}, scheduled))
+    other = edited(feedthrough3(tmp_path / "clocked.fmu"), tmp_path / "other.fmu", {}, scheduled)
+    assert open_subject(other).interface.modelIdentifier == "clocked" and Fmu.open(other).kind == "scheduled-execution"
+    with pytest.raises(
+        InputError, match=r"component one: other.fmu has no input clock that would activate a partition"
+    ):
+        plan_of(tmp_path, tmp_path, {"one": (str(other), "1 s")})
+
+
+@needs_gcc
+@pytest.mark.parametrize("model", clock_build.MODELS)
+def test_an_fmu_with_events_clocks_or_partitions_is_driven_over_them(model: str, tmp_path: Path) -> None:
+    rows = run_rules(clock_build.built(tmp_path) / f"{model}.fmu", (*good_manners.RULES, *misuse.RULES))
+    assert not [row for row in rows if row.verdict == "error"]
