@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..participant.base import Participant
 from ..participant.model_exchange.group import Group
@@ -17,7 +18,14 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     """The group, if there is one; its members know it. Raises FmuError where they cannot be connected."""
     names = plan.exchange
     members = [instance for name in names if isinstance(instance := instances[name], Member)]
-    if not members or len(members) < len(names):
+    if len(members) < len(names):
+        apart = next(name for name in names if not isinstance(instances[name], Member))
+        if len(names) > 1:
+            raise FmuError(
+                f"component {apart}: {instances[apart].fmu.path.name} was used in this process before and cannot be "
+                f"loaded again, but must be in one process with {', '.join(n for n in names if n != apart)}, all for "
+                f"Model Exchange; run the system in a process of its own"
+            )
         return None
     numbers = {name: k for k, name in enumerate(names)}
     blocks = [

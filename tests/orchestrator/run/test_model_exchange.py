@@ -11,7 +11,7 @@ import exchange_build
 import numpy as np
 import pytest
 from native_build import answers, needs_gcc
-from rovbrush.orchestrator import InputError, RunError, load
+from rovbrush.orchestrator import FmuError, InputError, RunError, load
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
@@ -237,3 +237,15 @@ def test_a_run_tells_where_a_model_proved_stiff(tmp_path: Path) -> None:
     path = system(tmp_path, text + "parameters = { mu = 1000.0 }\n")
     notes = load(path).run().summary["notes"]
     assert any("o: steps were limited by stability at t = " in note for note in notes)
+
+
+def test_one_that_cannot_be_loaded_beside_the_others_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It would have a process of its own then, where its connections to the others cannot be solved."""
+    from rovbrush.orchestrator.participant import opening
+
+    path = system(tmp_path, RELAY.format(solver=""), "relay", "lag")
+    monkeypatch.setattr(opening, "why_not_here", lambda c: "it keeps static data" if c.name == "lag" else "")
+    with pytest.raises(FmuError, match=r"component lag: lag.fmu was used in this process before"):
+        load(path).run()
