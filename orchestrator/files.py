@@ -92,7 +92,9 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def plain(content: Any) -> Any:
-    """Content without numbers that JSON does not have."""
+    """Content without numbers that JSON does not have; bytes are hexadecimal."""
+    if isinstance(content, bytes):
+        return content.hex()
     if isinstance(content, Mapping):
         return {key: plain(value) for key, value in content.items()}
     if isinstance(content, (list, tuple)):

@@ -24,6 +24,7 @@ from typing import Any
 from ..clock import seconds_text
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file
+from ..fmu.binary import as_text
 from ..fmu.kinds import CO_SIMULATION, WORDS
 from ..plan.plan import Plan
 from ..system.inputs.series import refuse_series
@@ -125,9 +126,18 @@ def _check(system: System) -> None:
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
         fmu = component.fmu
-        arrays = [
-            v for v in (*fmu.names("output"), *component.parameters, *component.inputs) if fmu.places[v].count > 1
-        ]
+        if fmu.structure:
+            sizes = ", ".join(f"{key} = {as_text(value)}" for key, value in fmu.structure.items())
+            raise InputError(
+                f"component {name}: a container cannot set structural parameters ({sizes}); export an SSP (--ssp)"
+            )
+        shown = (*fmu.names("output"), *component.parameters, *component.inputs)
+        binary = [v for v in shown if fmu.variables[v].type == "Binary"]
+        if binary:
+            raise InputError(
+                f"component {name}: {binary[0]} is Binary, which a container cannot pass on; export an SSP (--ssp)"
+            )
+        arrays = [v for v in shown if fmu.places[v].count > 1]
         if fmu.version == 3 and arrays:
             raise InputError(
                 f"component {name}: {arrays[0].partition('[')[0]} is an array of FMI 3.0, which a container cannot "

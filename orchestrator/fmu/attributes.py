@@ -8,6 +8,7 @@ from typing import Any
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ..errors import InputError, nearest
+from .binary import bytes_of
 from .types import REALS, TYPES, FmiType, Value
 
 INHERITED = ("quantity", "unit", "displayUnit", "min", "max", "nominal")
@@ -40,7 +41,7 @@ def parse_value(variable: ModelVariable, value: object, label: str, kind: FmiTyp
     """
     unit = f" {variable.unit}" if variable.unit not in (None, "", "1") else ""
     number = _number(variable, value, label)
-    if isinstance(number, (str, bool)):
+    if isinstance(number, (str, bool, bytes)):
         return number
     low, high = _bounds(variable, kind or TYPES[2].get(variable.type) or TYPES[3].get(variable.type))
     if not low <= number <= high:
@@ -69,7 +70,9 @@ def items_of(variable: ModelVariable) -> dict[str, int]:
 def _number(variable: ModelVariable, value: object, label: str) -> Value:
     """A value in the variable's type."""
     real = variable.type in REALS
-    if variable.type in ("String", "Binary"):
+    if variable.type == "Binary":
+        return bytes_of(value, label)
+    if variable.type == "String":
         return str(value)
     items = items_of(variable)
     try:

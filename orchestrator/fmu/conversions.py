@@ -14,7 +14,7 @@ from fmpy.model_description import ModelVariable
 
 from ..errors import InputError
 from .attributes import items_of
-from .types import BOOLEAN, TEXT, FmiType, Value
+from .types import BINARY, BOOLEAN, TEXT, FmiType, Value
 
 EXACT = {4: 2.0**24, 8: 2.0**53}  # so far every whole number is a floating-point number of 4 or 8 bytes
 
@@ -90,7 +90,7 @@ def conversion_of(
             raise InputError(f"signals of type {variable.type} cannot be connected")
     assert a is not None and b is not None
     words = "" if a.name == b.name else f"{a.name} to {b.name}"
-    if TEXT in (a.code, b.code):
+    if {TEXT, BINARY} & {a.code, b.code}:
         if a.code == b.code:
             return Conversion(How.SAME)
         raise InputError("there is no conversion between them; put an FMU between that makes one of the other")

@@ -35,7 +35,7 @@ class Described(NamedTuple):
     """What a description says."""
 
     description: ModelDescription  # attributes of variables resolved: see `attributes.resolve`
-    texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
+    texts: dict[str, list[str]]  # start values of FMI 3 texts and bytes, which can be arrays
     definitions: Mapping[str, Definition]  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
@@ -107,7 +107,8 @@ def described(path: Path, folder: Path) -> Described:
     resolve(description, root)
     texts = {
         e.get("name"): [start.get("value") for start in e.iterfind("Start")]
-        for e in root.iterfind("ModelVariables/String")
+        for kind in ("String", "Binary")
+        for e in root.iterfind(f"ModelVariables/{kind}")
     }
     terminals = terminals_of(path, folder, {v.name for v in description.modelVariables}, notes)
     negated = negated_names(root) if stated_version == 1 else frozenset[str]()

@@ -41,7 +41,7 @@ class Fmu(Capabilities):
     folder: Path
     digest: str
     description: ModelDescription
-    texts: dict[str, list[str]]  # start values of FMI 3 String variables, which can be arrays
+    texts: dict[str, list[str]]  # start values of FMI 3 texts and bytes, which can be arrays
     definitions: Mapping[str, Definition] = field(default_factory=dict)  # of its units, by name
     notes: tuple[Note, ...] = ()  # where it breaks the standard, and how that was taken
     negated: frozenset[str] = frozenset()  # variables that are another one with the other sign (FMI 1.0)
@@ -174,8 +174,18 @@ class Fmu(Capabilities):
         """For every scalar the scalars that are set and got together with it, in their order."""
         return {name: list(elements) for elements in self._elements.values() for name in elements}
 
+    def detail(self, name: str, attribute: str) -> str | None:
+        """What else the description says of a scalar (see `details`), or of the array that it is in."""
+        return self.details.get(self._owners.get(name, ""), {}).get(attribute)
+
+    @cached_property
+    def _owners(self) -> dict[str, str]:
+        """The variable that each scalar is, or is an element of; of an alias that of which it is one."""
+        owners = {name: v for v, elements in self._elements.items() for name in elements}
+        return owners | {name: owners[of] for name, of in self.aliases.items()}
+
     def type_of(self, name: str) -> FmiType | None:
-        """The type of a scalar; None for one that cannot be exchanged (Binary, Clock)."""
+        """The type of a scalar; None for one that cannot be exchanged (Clock)."""
         return TYPES[self.version].get(self.variables[name].type)
 
     def unit(self, name: str) -> Unit | None:
@@ -236,8 +246,7 @@ class Fmu(Capabilities):
             for u in stated
             if u.dependencies is not None
         }
-        owners = {name: v for v, elements in self._elements.items() for name in elements}
-        owners |= {name: owners[of] for name, of in self.aliases.items()}
+        owners = self._owners
         known = initial and self.version > 1  # before FMI 2.0 nothing can be read until all is set
         fixed = {name for name, v in self.variables.items() if known and v.initial == "exact"}
         return {

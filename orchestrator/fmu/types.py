@@ -1,7 +1,8 @@
 """The variable types of FMI 1.0, 2.0 and 3.0: their families, sizes and ranges.
 
 In the run's vector a floating-point signal is a double; every other one is a 64-bit whole number in the same eight
-bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the number of a text (`texts.py`).
+bytes (UInt64: its bits): 0 or 1 of a Boolean, the value of an Enumeration, the number of a text or of
+bytes (`loop/texts.py`).
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-Value = float | int | bool | str  # of a scalar
+Value = float | int | bool | str | bytes  # of a scalar
 REALS = ("Real", "Float64", "Float32")
 # How the loop turns a raw value into a cell of the vector, and back; NEGATED: whole numbers of negated aliases.
-FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED = range(5)
+FLOAT, WHOLE, BOOLEAN, TEXT, NEGATED, BINARY = range(6)
 FLOAT32 = math.nextafter(2.0**128 - 2.0**103, 0.0)  # the largest double that is rounded to a finite one of 4 bytes
 
 
@@ -68,6 +69,7 @@ _FMI3 = (
     _type("Enumeration", WHOLE, 8, "i8"),
     _type("Boolean", BOOLEAN, 1, "?"),
     _type("String", TEXT, 8, "O"),
+    _type("Binary", BINARY, 8, "O"),
 )
 TYPES = {1: {t.name: t for t in _FMI1}, 2: {t.name: t for t in _FMI2}, 3: {t.name: t for t in _FMI3}}
 GROUPED = {name: k for k, name in enumerate(dict.fromkeys(t.name for t in (*_FMI2, *_FMI3)))}  # order in a layout
@@ -90,11 +92,11 @@ def encode(kind: FmiType, value: float | int | bool) -> float:
 
 
 def decode(kind: FmiType, cells: np.ndarray) -> np.ndarray:
-    """Cells of the run's vector, any shape, as numbers of the type; texts stay numbers of texts."""
+    """Cells of the run's vector, any shape, as numbers of the type; texts and bytes stay numbers of theirs."""
     if kind.real:
         return cells if kind.size == 8 else cells.astype(kind.dtype)
     whole = cells.view(np.uint64 if kind.dtype == np.uint64 else np.int64)
-    return whole if kind.code == TEXT else whole.astype(kind.dtype)
+    return whole if kind.code in (TEXT, BINARY) else whole.astype(kind.dtype)
 
 
 def encode_cells(values: np.ndarray) -> np.ndarray:

@@ -32,7 +32,7 @@ class Place:
 
     def turned(self, value: Value) -> Value:
         """A value of the scalar as what is there, or back."""
-        return -value if self.negated and not isinstance(value, str) else value
+        return -value if self.negated and not isinstance(value, (str, bytes)) else value
 
 
 def elements_of(path: Path, variables: list[ModelVariable], texts: dict[str, list[str]]) -> Elements:
@@ -57,7 +57,7 @@ def scalars_of(path: Path, variable: ModelVariable, texts: dict[str, list[str]])
     """A variable as scalars, each with its own start value."""
     if not variable.shape:
         return {variable.name: variable}
-    if variable.type == "String":
+    if variable.type in ("String", "Binary"):
         name = variable.alias.name if variable.alias is not None else variable.name
         starts = texts[name]
     else:

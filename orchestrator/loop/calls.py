@@ -36,6 +36,15 @@ def _set_or_get3(address: int) -> Any:
 
 
 @cache
+def _set_or_get_bytes(address: int) -> Any:
+    kind = ctypes.CFUNCTYPE(
+        ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p,
+        ctypes.c_size_t,
+    )  # fmt: skip
+    return kind(address)
+
+
+@cache
 def _do_step(address: int) -> Any:
     return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int)(address)
 
@@ -55,6 +64,14 @@ def exchange2(function: int, component: int, references: int, count: int, values
 def exchange3(function: int, component: int, references: int, count: int, values: int, size: int) -> int:
     """fmi3SetFloat64, fmi3GetInt32...: `size` values at address `values` for `count` references; the status."""
     return int(_set_or_get3(int(function))(int(component), int(references), int(count), int(values), int(size)))
+
+
+def exchange_bytes(
+    function: int, component: int, references: int, count: int, sizes: int, values: int, size: int
+) -> int:
+    """fmi3SetBinary, fmi3GetBinary: `size` addresses at `values`, of so many bytes each as at `sizes`; the status."""
+    call = _set_or_get_bytes(int(function))
+    return int(call(int(component), int(references), int(count), int(sizes), int(values), int(size)))
 
 
 def do_step(function: int, component: int, time: float, step: float, final: int) -> int:
@@ -114,6 +131,22 @@ def _exchange3_native(
         target = builder.inttoptr(args[0], kind.as_pointer())
         component, references, values = (_pointer(builder, args[k]) for k in (1, 2, 4))
         return builder.call(target, [component, references, args[3], values, args[5]])
+
+    return signature, codegen
+
+
+@intrinsic
+def _exchange_bytes_native(
+    typing: Any, function: Any, component: Any, references: Any, count: Any, sizes: Any, values: Any, size: Any
+) -> Any:
+    signature = types.int32(*(types.int64,) * 7)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        pointer = cgutils.voidptr_t
+        kind = ir.FunctionType(_INT32, [pointer, pointer, _INT64, pointer, pointer, _INT64])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        component, references, sizes, values = (_pointer(builder, args[k]) for k in (1, 2, 4, 5))
+        return builder.call(target, [component, references, args[3], sizes, values, args[6]])
 
     return signature, codegen
 
@@ -185,6 +218,13 @@ def _do_step_overload(function, component, time, step, final):  # type: ignore[n
 def _exchange3_overload(function, component, references, count, values, size):  # type: ignore[no-untyped-def]
     return lambda function, component, references, count, values, size: _exchange3_native(
         function, component, references, count, values, size
+    )  # type: ignore[call-arg]
+
+
+@overload(exchange_bytes)
+def _exchange_bytes_overload(function, component, references, count, sizes, values, size):  # type: ignore[no-untyped-def]
+    return lambda function, component, references, count, sizes, values, size: _exchange_bytes_native(
+        function, component, references, count, sizes, values, size
     )  # type: ignore[call-arg]
 
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from ..fmu.types import BOOLEAN, FLOAT, FLOAT32, NEGATED, TEXT
+from ..fmu.types import BINARY, BOOLEAN, FLOAT, FLOAT32, NEGATED, TEXT
 from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
-from .texts import ADDRESS, OFFSETS, number_of
+from .texts import ADDRESS, OFFSETS, length_of, number_of, number_of_bytes
 
 SIGN = -(1 << 63)  # the bit that is set in a negative double
 
@@ -55,6 +55,9 @@ def pack(
             put_whole(raw, at + size * j, size, index[ADDRESS] + index[OFFSETS + whole[first + j]])
         elif code == NEGATED:
             put_whole(raw, at + size * j, size, -whole[first + j])
+        elif code == BINARY:
+            put_whole(raw, at + size * j, size, index[ADDRESS] + index[OFFSETS + whole[first + j]])
+            put_whole(raw, at + size * (blocks[m, SIZE] + j), size, length_of(whole[first + j], index))
         else:
             put_whole(raw, at + size * j, size, whole[first + j])
     return -1
@@ -65,7 +68,7 @@ def unpack(
     blocks: np.ndarray, m: int, z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray,
     pool: np.ndarray, index: np.ndarray,
 ) -> int:  # fmt: skip
-    """What the FMU gave for block m into its cells; -1, or the cell of a text for which there is no room."""
+    """What the FMU gave for block m into its cells; -1, or the cell of a text, or bytes, for which there is no room."""
     at, first, size, code = blocks[m, AT], blocks[m, FIRST_SLOT], blocks[m, BYTES], blocks[m, CODE]
     for j in range(blocks[m, SIZE]):
         if code == FLOAT and size == 8:
@@ -81,6 +84,12 @@ def unpack(
             whole[first + j] = whole_at(raw, at + size * j, size, 0) != 0
         elif code == NEGATED:
             whole[first + j] = -whole_at(raw, at + size * j, size, 1)
+        elif code == BINARY:
+            length = whole_at(raw, at + size * (blocks[m, SIZE] + j), size, 0)
+            number = number_of_bytes(whole_at(raw, at + size * j, size, 0), length, pool, index)
+            if number < 0:
+                return int(first + j)
+            whole[first + j] = number
         else:
             whole[first + j] = whole_at(raw, at + size * j, size, blocks[m, SIGNED])
     return -1

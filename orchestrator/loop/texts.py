@@ -1,5 +1,6 @@
-"""The texts of a run, numbered: a cell of the run's vector holds the number of a text, so that it is copied, compared
-and recorded like any other signal. The same text has the same number throughout a run; number 0 is the empty text.
+"""The texts and bytes of a run, numbered: a cell of the run's vector holds the number of one, so that it is copied,
+compared and recorded like any other signal. The same one has the same number throughout a run; 0 is the empty one. Both
+have one store, a text as its bytes, where each is followed by a zero that is none of it.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from numba.extending import overload, register_jitable
 from .calls import byte_at
 
 BYTES, COUNT = 1 << 24, 1 << 16  # room for all different texts of a run
+MANY_BYTES, MANY = 1 << 30, 1 << 19  # of one that has Binary signals
 USED_COUNT, USED_BYTES, ADDRESS, OFFSETS = range(4)  # cells of `index`; offsets of the texts, then a hash table
 FACTOR, BITS = 16777619, 0xFFFFFFFF  # of the hash: the bytes as digits of a number to this base, its last 32 bits
 BLOCK = 1 << 16
@@ -24,14 +26,23 @@ def number_of(address: int, pool: np.ndarray, index: np.ndarray) -> int:
 
     `pool` (bytes,) holds the texts; `index` how many there are, where they are, and an open hash table.
     """
-    room = (len(index) - OFFSETS) // 3
     if address == 0:
         return 0
-    length = length_at(address)
+    return number_of_bytes(address, length_at(address), pool, index)
+
+
+@register_jitable
+def number_of_bytes(address: int, length: int, pool: np.ndarray, index: np.ndarray) -> int:
+    """The number of so many bytes at an address; -1 if there is no room for them, or if they are nowhere."""
+    room = (len(index) - OFFSETS) // 3
+    if length == 0:
+        return 0
+    if address == 0 or length < 0 or length >= len(pool):
+        return -1
     cell = hash_at(address, length) % (2 * room)
     while index[OFFSETS + room + cell] != 0:
         number = index[OFFSETS + room + cell] - 1
-        if is_at(address, length, pool, index[OFFSETS + number]):
+        if length_of(number, index) == length and is_at(address, length, pool, index[OFFSETS + number]):
             return int(number)
         cell = (cell + 1) % (2 * room)
     number, offset = index[USED_COUNT], index[USED_BYTES]
@@ -43,6 +54,13 @@ def number_of(address: int, pool: np.ndarray, index: np.ndarray) -> int:
     index[USED_COUNT] = number + 1
     index[USED_BYTES] = offset + length + 1
     return int(number)
+
+
+@register_jitable
+def length_of(number: int, index: np.ndarray) -> int:
+    """How many bytes a text has."""
+    end = index[USED_BYTES] if number + 1 == index[USED_COUNT] else index[OFFSETS + number + 1]
+    return int(end - index[OFFSETS + number] - 1)
 
 
 # What is done with the bytes of a text, for Python; the compiled loop has the same below, byte by byte.
@@ -128,17 +146,26 @@ class Texts:
         self.pool = np.zeros(size, dtype=np.uint8)
         self.index = np.zeros(OFFSETS + 3 * count, dtype=np.int64)
         self.index[ADDRESS] = self.pool.ctypes.data
-        self.number("")
+        self.index[USED_COUNT] = self.index[USED_BYTES] = 1  # the empty one, and the zero behind it
 
     def number(self, text: str) -> int:
         """The number of a text, which is new or known."""
         buffer = ctypes.create_string_buffer(text.encode())
         return number_of(ctypes.addressof(buffer), self.pool, self.index)
 
+    def number_of_bytes(self, content: bytes) -> int:
+        """The number of bytes, which are new or known."""
+        buffer = ctypes.create_string_buffer(content, len(content) + 1)
+        return number_of_bytes(ctypes.addressof(buffer), len(content), self.pool, self.index)
+
     def text(self, number: int) -> str:
         """The text of a number; bytes that are no UTF-8 are replaced."""
+        return self.bytes(number).decode("utf-8", "replace")
+
+    def bytes(self, number: int) -> bytes:
+        """The bytes of a number."""
         address = int(self.index[ADDRESS] + self.index[OFFSETS + number])
-        return ctypes.string_at(int(address)).decode("utf-8", "replace")
+        return ctypes.string_at(address, length_of(number, self.index))
 
     @property
     def longest(self) -> int:

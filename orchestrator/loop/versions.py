@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
-from .calls import byte_at, do_step, do_step3, exchange2, exchange3
+from .calls import byte_at, do_step, do_step3, exchange2, exchange3, exchange_bytes
 
 REPORTS = 1 << 40  # from here on, where no status of an FMU can be: a C int
 EVENT, TERMINATE, EARLY = REPORTS, REPORTS + 1, REPORTS + 2  # what fmi3DoStep reports beside its status
@@ -29,9 +29,14 @@ def good(status: int) -> bool:
 
 @register_jitable
 def exchange(fmi: int, function: int, instance: int, references: int, count: int, values: int, size: int) -> int:
-    """Set or get `size` values at address `values`, of `count` variables at `references`; the status."""
+    """Set or get `size` values at address `values`, of `count` variables at `references`; the status.
+
+    `function` of bytes (Binary) is the negative of its address: it wants their sizes too, which lie behind the values.
+    """
     if fmi == 2:
         return exchange2(function, instance, references, count, values)
+    if function < 0:
+        return exchange_bytes(-function, instance, references, count, values + 8 * size, values, size)
     return exchange3(function, instance, references, count, values, size)
 
 

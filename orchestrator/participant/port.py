@@ -54,7 +54,7 @@ class Ports:
             port.put(given[name] for name in port.names)
 
     def take(self) -> list[Value]:
-        """Get them, in the order of the names, as numbers, truth values and texts."""
+        """Get them, in the order of the names, as numbers, truth values, texts and bytes."""
         found: dict[str, Value] = {}
         for port in self.ports:
             found |= zip(port.names, map(READ.get(port.kind, _same), port.take()), strict=True)
@@ -69,4 +69,8 @@ def _text(value: bytes | str | None) -> str:
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else value or ""
 
 
-READ: dict[str, Callable[[Any], Value]] = {"Boolean": bool, "String": _text}
+def _bytes(value: bytes | None) -> bytes:
+    return bytes(value or b"")
+
+
+READ: dict[str, Callable[[Any], Value]] = {"Boolean": bool, "String": _text, "Binary": _bytes}

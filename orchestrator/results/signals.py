@@ -19,7 +19,7 @@ from .tables import Run
 class Signal:
     """One recorded variable: time [s] and values, both of shape (rows,).
 
-    Values have the variable's own type: floating point, whole numbers, truth values, or texts (as objects).
+    Values have the variable's own type: floating point, whole numbers, truth values, or texts and bytes (as objects).
     """
 
     name: str
@@ -83,6 +83,12 @@ class Signals:
         v, kind = fmu.variables[variable], fmu.type_of(variable)
         return (v.unit or "1" if kind is None or kind.real else ""), v.description or ""
 
+    def is_bytes(self, name: str) -> bool:
+        """Whether a signal is a Binary variable."""
+        component, _, variable = name.partition(".")
+        owner = self.run.plan.system.components.get(component)
+        return owner is not None and owner.fmu.variables[variable].type == "Binary"
+
     def __contains__(self, name: str) -> bool:
         return name in self.places
 
@@ -93,7 +99,7 @@ def instants(clock: Clock, ticks: np.ndarray) -> np.ndarray:
 
 
 def typed(plan: Plan, key: tuple[str, str], cells: np.ndarray, texts: Texts | None) -> np.ndarray:
-    """Recorded cells of a variable in its own type; texts as objects."""
+    """Recorded cells of a variable in its own type; texts and bytes as objects."""
     if key in plan.layout.extras:
         return cells
     fmu = plan.system.components[key[0]].fmu
@@ -102,4 +108,9 @@ def typed(plan: Plan, key: tuple[str, str], cells: np.ndarray, texts: Texts | No
     if fmu.variables[key[1]].type == "String" and texts is not None:
         known = {number: texts.text(number) for number in np.unique(values).tolist()}
         values = np.array([known[number] for number in values.tolist()], dtype=object)
+    if fmu.variables[key[1]].type == "Binary" and texts is not None:
+        content = {number: texts.bytes(number) for number in np.unique(values).tolist()}
+        found = np.empty(len(values), dtype=object)
+        found[:] = [content[number] for number in values.tolist()]
+        return found
     return values

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..clock import Clock
 from ..errors import FmuError, InputError
+from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
 from ..participant.opening import start
@@ -144,7 +145,7 @@ class _Propagation:
         value: Value = self.instances[key[0]].get(key[1])
         if self.memory.kind(key).real and not math.isfinite(float(value)):
             raise FmuError(
-                f"component {key[0]}: output {key[1]} is {value} at {begin_text(self.plan.clock)}"
+                f"component {key[0]}: output {key[1]} is {as_text(value)} at {begin_text(self.plan.clock)}"
                 f"{self.instances[key[0]].log_text()}"
             )
         return value

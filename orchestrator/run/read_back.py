@@ -7,6 +7,7 @@ than were asked for.
 from __future__ import annotations
 
 from ..errors import FmuError
+from ..fmu.binary import as_text
 from ..fmu.structure import STRUCTURAL
 from ..fmu.types import FmiType, Value
 from ..participant.base import CallError, Participant
@@ -33,10 +34,11 @@ def read_back(instance: Participant, component: Component) -> list[str]:
         kind = fmu.type_of(name)
         assert kind is not None
         if not same(kind, value, found):
+            kept = as_text(found)
             raise FmuError(
-                f"component {component.name}: parameter {name} was set to {value} and is {found} after initialization: "
-                f"{fmu.path.name} does not keep it; remove it from the values that are set, or set it to {found}"
-                f"{instance.log_text()}"
+                f"component {component.name}: parameter {name} was set to {as_text(value)} and is {kept} after "
+                f"initialization: {fmu.path.name} does not keep it; remove it from the values that are set, or set it "
+                f"to {kept}{instance.log_text()}"
             )
     return notes
 

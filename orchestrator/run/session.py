@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RovbrushError, RunError
+from ..files import plain
 from ..loop import cells
 from ..loop.compiled import compiled_run
 from ..loop.run import run
@@ -285,7 +286,7 @@ class Session:
         self._require_alive()
         self._access.set(name, value)
         self.set_by_hand.pop(name, None)  # the order in which they are set again is that of the last times
-        self.set_by_hand[name] = value.tolist() if hasattr(value, "tolist") else value
+        self.set_by_hand[name] = plain(value.tolist() if hasattr(value, "tolist") else value)
 
     @property
     def _rows(self) -> list[int]:

@@ -21,7 +21,7 @@ import numpy as np
 
 from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file, write_json
-from ..fmu.types import TEXT
+from ..fmu.types import BINARY, TEXT
 from ..plan.plan import make_plan
 from ..results.plots import new_figure
 from ..results.signals import Signals
@@ -116,7 +116,7 @@ def is_number(system: System, key: str) -> bool:
     """Whether a signal is one: texts converge to nothing."""
     component, _, variable = key.partition(".")
     kind = system.components[component].fmu.type_of(variable)
-    return kind is None or kind.code != TEXT
+    return kind is None or kind.code not in (TEXT, BINARY)
 
 
 def row(key: str, values: list[float]) -> dict[str, Any]:

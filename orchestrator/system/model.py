@@ -296,12 +296,20 @@ def checked_values(component: Component, name: str, value: object, origin: str) 
         found[scalar] = parse_value(
             fmu.variables[scalar], in_own_unit(fmu, scalar, v, label), label, fmu.type_of(scalar)
         )
+        most = fmu.detail(scalar, "maxSize")
+        if isinstance(found[scalar], bytes) and most is not None and most.isdecimal():
+            _require_size(label, len(found[scalar]), int(most))  # type: ignore[arg-type]
     return found
+
+
+def _require_size(label: str, size: int, most: int) -> None:
+    if size > most:
+        raise InputError(f"{label}: {size} bytes are too many: {most} are allowed (maxSize)")
 
 
 def start_as_toml(variable: ModelVariable) -> str:
     """The start value of a variable, or what stands for none, as it is written in a file."""
-    if variable.type == "String":
+    if variable.type in ("String", "Binary"):
         return json.dumps(variable.start or "", ensure_ascii=False)
     if variable.type == "Boolean":
         return "true" if str(variable.start).lower() in ("true", "1") else "false"

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ...errors import InputError, nearest
+from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
 from ...system.replace.mapping import VariableMapping
@@ -129,7 +130,7 @@ def _surplus(fmu: Fmu, bindings: dict[str, Binding], mapping: VariableMapping) -
         held = {**mapping.inputs, **mapping.parameters}
         values = [value for name, value in held.items() if name == v.name or name.startswith(f"{v.name}[")]
         if values:
-            value = values[0] if len(values) == 1 else f"{len(values)} values"
+            value = as_text(values[0]) if len(values) == 1 else f"{len(values)} values"
             rows.append(Row("", v.name, "surplus", f"{_a(v.causality)}; held at {value} by the mapping file"))
         elif v.causality == "input":
             text = f"an input; stays at its start value {v.start}, or at one under [inputs] of a mapping file"

@@ -17,7 +17,7 @@ from .fit import check_steps, crossings_for
 from .read import Recording, read_recording
 from .values import typed
 
-EXACT = ("Boolean", "Enumeration", "String")  # outputs that are right or wrong, with nothing between
+EXACT = ("Boolean", "Enumeration", "String", "Binary")  # outputs that are right or wrong, with nothing between
 
 
 @dataclass(frozen=True)
@@ -113,7 +113,7 @@ def compare(
 
 def _error(value: Value, wanted: Value) -> float:
     """The difference of two numbers; infinite where one is none, or where two texts differ."""
-    if isinstance(value, str) or isinstance(wanted, str):
+    if isinstance(value, (str, bytes)) or isinstance(wanted, (str, bytes)):
         return 0.0 if value == wanted else math.inf
     error = float(abs(value - wanted))  # of whole numbers exact
     return error if math.isfinite(error) else math.inf

@@ -20,7 +20,7 @@ from ...fmu.types import FmiType, Value
 def cells_of(values: np.ndarray) -> list[object]:
     """Values of a signal, (rows,), as they are written."""
     found: list[object] = (values.astype(int) if values.dtype == bool else values).tolist()
-    return found
+    return [value.hex() if isinstance(value, bytes) else value for value in found]
 
 
 def numbers(cells: Sequence[str], label: str) -> np.ndarray:

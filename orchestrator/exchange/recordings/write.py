@@ -76,12 +76,14 @@ def boundary_files(title: str) -> list[str]:
 
 
 def _text(value: object) -> object:
+    if isinstance(value, bytes):
+        return value.hex()
     return str(value).lower() if isinstance(value, bool) else value
 
 
 def _number(fmu: Fmu, name: str, value: Value) -> object:
     """A constant input as a cell."""
-    return float(value) if fmu.is_real(name) else int(value) if isinstance(value, bool) else value
+    return float(value) if fmu.is_real(name) else int(value) if isinstance(value, bool) else _text(value)
 
 
 def _series(times: Sequence[float], columns: dict[str, list[object]]) -> Iterable[Sequence[object]]:

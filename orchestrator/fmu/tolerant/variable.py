@@ -129,6 +129,7 @@ class _Variable:
     def _start(self) -> str | None:
         start: str | None = self.value.get("start")
         if self.known.version == 3 and self.type in ("String", "Binary"):
+            self._bytes()
             start = next((child.get("value") for child in self.value.findall("Start")), None)
         elif start is not None and self.type != "String":
             start = self._numbers(start)
@@ -138,6 +139,18 @@ class _Variable:
         if start and (initial == "calculated" or self.element.get("causality") == "independent"):
             self.note(START_SURPLUS)
         return start
+
+    def _bytes(self) -> None:
+        """The start values of bytes are hexadecimal; left out where one is not."""
+        starts = self.value.findall("Start") if self.type == "Binary" else ()
+        for start in starts:
+            try:
+                bytes.fromhex(start.get("value") or "")
+            except ValueError:
+                self.note(NUMBER, f"start={start.get('value')[:40]!r} of ")
+                for each in starts:
+                    self.value.remove(each)
+                return
 
     def _numbers(self, start: str) -> str | None:
         """The start value, or those of an array, as numbers; left out where one of them is none."""

@@ -11,6 +11,7 @@ from weakref import WeakValueDictionary
 from fmpy import fmi3
 
 from ...errors import FmuError
+from ...fmu.binary import as_text
 from ...fmu.types import Value
 from ..apart.library import fresh_library
 from ..base import AskedToEndError, CallError
@@ -87,7 +88,7 @@ class Fmi3Instance(LoadedInstance):
             return
         self.call("configure", "enter configuration mode", self.slave.enterConfigurationMode)
         self.set_own(values)
-        shown = ", ".join(f"{name} = {value}" for name, value in values.items())
+        shown = ", ".join(f"{name} = {as_text(value)}" for name, value in values.items())
         self.call("configured", f"leave configuration mode with {shown}", self.slave.exitConfigurationMode)
         if self.fmu.structure != values:
             self.fmu = self.fmu.with_structure(values)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import FmuError
+from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.sharing import made_by_pythonfmu, made_here
 from ...fmu.types import Value, function_type
@@ -114,7 +115,7 @@ class LoadedInstance(Participant):
                 known = self.arrays.setdefault(place.reference, [fmu.start(s) for s in fmu.arrays[name]])
                 known[place.index] = value
                 sent = known
-            self.put(f"{name} = {value}", function_type(self.fmu.version, v.type), [place.reference], sent)
+            self.put(f"{name} = {as_text(value)}", function_type(self.fmu.version, v.type), [place.reference], sent)
 
     def get_own(self, name: str) -> Any:
         place, v = self.fmu.own.places[name], self.fmu.own.variables[name]
@@ -122,6 +123,8 @@ class LoadedInstance(Participant):
         value = self.take(name, kind, [place.reference], place.count)[place.index]
         if v.type == "Boolean":
             return bool(value)
+        if v.type == "Binary":
+            return bytes(value or b"")
         value = place.turned(value)
         return value.decode("utf-8", "replace") if isinstance(value, bytes) else "" if value is None else value
 

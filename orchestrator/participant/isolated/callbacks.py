@@ -13,7 +13,7 @@ from typing import Any
 from cffi import FFI
 
 from ..lifecycle import FATAL, good
-from .channel import AT_REFERENCES, AT_VALUES, CALL, REFERENCES, VALUES, Shared, put_pointers, texts_at
+from .channel import AT_REFERENCES, AT_VALUES, CALL, REFERENCES, VALUES, Shared, bytes_at, put_pointers, texts_at
 from .functions import Function, functions
 
 Ask = Callable[[str, bytes], int]  # the kind of a function, a packed CALL; the status
@@ -38,6 +38,7 @@ class Callbacks:
         if name not in self.made:
             number, function = self.known[name]
             kind = {"set": self._exchange, "get": self._exchange, "step": self._step}.get(function.kind, self._state)
+            kind = self._exchange_bytes if function.binary else kind
             callback = self.ffi.callback(
                 function.signature, kind(number, function), error=FATAL, onerror=lambda e, *_: self.broken_off(e)
             )
@@ -64,6 +65,24 @@ class Callbacks:
                     put_pointers(values, shared.text_addresses(number_of_values))
                 else:
                     ctypes.memmove(values, shared.base + AT_VALUES, room)
+            return status
+
+        return exchange
+
+    def _exchange_bytes(self, number: int, function: Function) -> Callable[..., int]:
+        shared = self.shared
+
+        def exchange(_instance: int, references: int, count: int, sizes: int, values: int, size: int) -> int:
+            if 4 * count > REFERENCES or 16 * size > VALUES:
+                return self.refuse("it has more values than the memory shared with it can hold")
+            ctypes.memmove(shared.base + AT_REFERENCES, references, 4 * count)
+            if function.kind == "set" and not shared.put_bytes(bytes_at(sizes, values, size)):
+                return self.refuse("its bytes are more than the memory shared with it can hold")
+            status = self.ask(function.kind, CALL.pack(number, count, size, 0.0, 0.0, False))
+            if function.kind == "get" and good(status):
+                found, addresses = shared.byte_addresses(size)
+                put_pointers(sizes, found)  # whole numbers as long as a pointer
+                put_pointers(values, addresses)
             return status
 
         return exchange

@@ -9,7 +9,9 @@ answer. It gets no chance to keep the master waiting either: every wait has an e
 
 from __future__ import annotations
 
+import base64
 import ctypes
+import json
 import mmap
 import os
 import select
@@ -18,6 +20,8 @@ import time
 import zlib
 from collections.abc import Sequence
 from contextlib import suppress
+from itertools import accumulate
+from typing import Any
 
 MARK = 0x52764263
 HEAD = struct.Struct("<IIII")
@@ -31,7 +35,20 @@ REFERENCES, VALUES, TEXT_ROOM = 1 << 20, 1 << 20, 1 << 20  # bytes; offsets foll
 SIZE = REFERENCES + VALUES + TEXT_ROOM
 AT_REFERENCES, AT_VALUES = 0, REFERENCES
 AT_TEXT = AT_VALUES + VALUES
+BYTES = "base64"  # the key of bytes in JSON
 ASIDE = 640  # the number from which on descriptors lie out of the way of code that closes or fills the first ones
+
+
+def to_json(content: Any) -> bytes:
+    """What is passed on by name; bytes as text that says that it is such."""
+    return json.dumps(content, default=lambda found: {BYTES: base64.b64encode(found).decode()}).encode()
+
+
+def from_json(content: bytes) -> Any:
+    """What `to_json` made of it. Raises ValueError for what is no JSON."""
+    return json.loads(
+        content, object_hook=lambda found: base64.b64decode(found[BYTES]) if found.keys() == {BYTES} else found
+    )
 
 
 class ChannelClosedError(Exception):
@@ -181,6 +198,28 @@ class Shared:
             found.append(at)
             at += len(ctypes.string_at(at)) + 1
         return found
+
+    def put_bytes(self, contents: Sequence[bytes]) -> bool:
+        """Their sizes into the values, and all of them where texts are, one after the other; whether there is room."""
+        data = b"".join(contents)
+        if len(data) > TEXT_ROOM or 16 * len(contents) > VALUES:
+            return False
+        (ctypes.c_size_t * len(contents)).from_address(self.values)[:] = list(map(len, contents))
+        ctypes.memmove(self.base + AT_TEXT, data, len(data))
+        return True
+
+    def byte_addresses(self, count: int) -> tuple[list[int], list[int]]:
+        """The sizes of bytes, and where they are."""
+        sizes = list((ctypes.c_size_t * count).from_address(self.values))
+        at = self.base + AT_TEXT
+        return sizes, list(accumulate(sizes[:-1], initial=at)) if sizes else []
+
+
+def bytes_at(sizes: int, values: int, count: int) -> list[bytes]:
+    """The bytes to which `count` pointers at an address lead."""
+    pointers, lengths = ((kind * count).from_address(at) for kind, at in (
+        (ctypes.c_void_p, values), (ctypes.c_size_t, sizes)))  # fmt: skip
+    return [ctypes.string_at(p, n) if p and n else b"" for p, n in zip(pointers, lengths, strict=True)]
 
 
 def texts_at(values: int, count: int) -> list[bytes]:

@@ -5,7 +5,6 @@ python -m rovbrush.orchestrator.participant.isolated.child PIPE_IN PIPE_OUT MEMO
 
 from __future__ import annotations
 
-import base64
 import ctypes
 import json
 import os
@@ -21,7 +20,20 @@ from ..base import CallError, State
 from ..here.loaded import LoadedInstance
 from ..lifecycle import ERROR
 from ..opening import load
-from .channel import CALL, ENDS, STATUS, Channel, ChannelClosedError, Shared, aside, put_pointers, texts_at
+from .channel import (
+    CALL,
+    ENDS,
+    STATUS,
+    Channel,
+    ChannelClosedError,
+    Shared,
+    aside,
+    bytes_at,
+    from_json,
+    put_pointers,
+    texts_at,
+    to_json,
+)
 from .functions import Function, functions
 
 BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
@@ -63,10 +75,10 @@ class Served:
                 channel.send(letter, status + json.dumps(news).encode() if news else status, number)
                 continue
             try:
-                answer: dict[str, Any] = {"ok": self.by_name(*json.loads(body))}
+                answer: dict[str, Any] = {"ok": self.by_name(*from_json(body))}
             except Exception as error:
                 answer = {"error": str(error), "status": getattr(error, "status", None)}
-            channel.send(letter, json.dumps(answer | self.news(asked=True)).encode(), number)
+            channel.send(letter, to_json(answer | self.news(asked=True)), number)
 
     def news(self, asked: bool) -> dict[str, Any]:
         """What the master must know of the instance: messages, and its state where that has changed. `asked`: by
@@ -87,7 +99,7 @@ class Served:
         return found
 
     def by_name(self, what: str, *values: Any) -> Any:
-        """A method of the instance; bytes travel as text."""
+        """A method of the instance."""
         if what == "start":
             fmu = Fmu.open(self.path)
             if fmu.digest != self.digest:
@@ -96,10 +108,7 @@ class Served:
             return [self.instance.pointer, self.instance.missing]
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")
-        if what == "deserialize":
-            values = (base64.b64decode(values[0]),)
-        found = getattr(self.instance, what)(*values)
-        return base64.b64encode(found).decode() if isinstance(found, bytes) else found
+        return getattr(self.instance, what)(*values)
 
     def function(self, body: bytes) -> int:
         """An FMI function with references and values in the shared memory; the status."""
@@ -118,6 +127,8 @@ class Served:
             status = native(pointer, at)
         elif kind == "restore":
             status = native(pointer, ctypes.c_void_p.from_address(at).value)
+        elif function.binary:
+            status = self.exchange_bytes(function, native, references, values)
         else:
             if function.text and kind == "set":
                 put_pointers(at, self.shared.text_addresses(values))
@@ -128,6 +139,19 @@ class Served:
                 return 3
         instance.noted(kind, int(status))
         return int(status)
+
+    def exchange_bytes(self, function: Function, native: Any, references: int, count: int) -> int:
+        """fmi3SetBinary and fmi3GetBinary: sizes in the shared values, pointers behind them."""
+        shared, instance = self.shared, self.instance
+        assert instance is not None
+        sizes, pointers = shared.values, shared.values + 8 * count
+        if function.kind == "set":
+            put_pointers(pointers, shared.byte_addresses(count)[1])
+        status = int(native(instance.pointer, shared.references, references, sizes, pointers, count))
+        if function.kind == "get" and status in (0, 1) and not shared.put_bytes(bytes_at(sizes, pointers, count)):
+            instance.log.add(ERROR, "", "its bytes are more than the memory shared with it can hold")
+            return ERROR
+        return status
 
 
 if __name__ == "__main__":

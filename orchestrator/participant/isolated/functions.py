@@ -15,13 +15,15 @@ IN_C = {POINTER: "uintptr_t", DOUBLE: "double", SIZE_T: "size_t", INT: "int", BO
 
 @dataclass(frozen=True)
 class Function:
-    """`kind`: the action of `lifecycle.py`; `size` bytes of a value; `text` where values are pointers to text."""
+    """`kind`: the action of `lifecycle.py`; `size` bytes of a value; `text` where values are pointers to text, `binary`
+    where they are pointers to bytes, whose sizes stand before them."""
 
     name: str
     kind: str
     size: int
     text: bool
     arguments: tuple[Any, ...]
+    binary: bool = False
 
     @property
     def prototype(self) -> Any:
@@ -39,12 +41,15 @@ def functions(version: int) -> list[Function]:
     prefix = PREFIX[version]
     exchange = (POINTER, POINTER, SIZE_T, POINTER, *([SIZE_T] if version == 3 else []))
     found = [
-        Function(f"{prefix}{verb}{name}", verb.lower(), kind.size, name == "String", exchange)
+        Function(
+            f"{prefix}{verb}{name}", verb.lower(), kind.size, name == "String",
+            (*exchange[:3], POINTER, *exchange[3:]) if name == "Binary" else exchange, name == "Binary",
+        )
         for kind in TYPES[version].values()
         for name in [function_type(version, kind.name)]
         if name == kind.name
         for verb in ("Set", "Get")
-    ]
+    ]  # fmt: skip
     step = (POINTER, DOUBLE, DOUBLE, *([BOOL, *(POINTER,) * 4] if version == 3 else [INT]))
     found.append(Function(f"{prefix}DoStep", "step", 0, False, step))
     if version == 1:

@@ -6,7 +6,6 @@ memory; the loop does not know the difference, and gets the same bits.
 
 from __future__ import annotations
 
-import base64
 import json
 import math
 import os
@@ -24,7 +23,7 @@ from ..base import CallError, Participant, State
 from ..lifecycle import FATAL, PREFIX, STATE_FUNCTIONS
 from ..messages import Logging
 from .callbacks import Callbacks
-from .channel import SIZE, STATUS, Shared
+from .channel import SIZE, STATUS, Shared, from_json, to_json
 from .child_process import ChildProcess, ProcessLostError
 
 # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
@@ -124,7 +123,7 @@ class IsolatedInstance(Participant):
             reason = self.fault or f"it is {self.state.value}"
             raise CallError(f"component {self.name}: cannot {shown}: {reason}{self.log_text()}")
         try:
-            answer = json.loads(self._ask(b"J", json.dumps([what, *arguments]).encode(), limit or self.limit))
+            answer = from_json(self._ask(b"J", to_json([what, *arguments]), limit or self.limit))
         except ProcessLostError:
             raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
         self._news(answer)
@@ -166,10 +165,10 @@ class IsolatedInstance(Participant):
         self._by_name("forget", state)
 
     def serialize(self, state: int) -> bytes:
-        return base64.b64decode(self._by_name("serialize", state))
+        return bytes(self._by_name("serialize", state))
 
     def deserialize(self, content: bytes) -> int:
-        return int(self._by_name("deserialize", base64.b64encode(content).decode()))
+        return int(self._by_name("deserialize", content))
 
     def terminated(self) -> bool:
         return not self.dead and bool(self._by_name("terminated"))

@@ -60,8 +60,10 @@ def _write(run: Run, path: Path, chosen: Sequence[int]) -> None:
             file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
 
 
-def csv_text(value: float | int | bool | str) -> str:
-    """A cell of the table; a text is quoted where it must be."""
+def csv_text(value: float | int | bool | str | bytes) -> str:
+    """A cell of the table; a text is quoted where it must be, bytes are hexadecimal."""
+    if isinstance(value, bytes):
+        return value.hex()
     if isinstance(value, str):
         quoted = value.replace('"', '""')
         return f'"{quoted}"' if any(c in value for c in ',"\r\n') else value

@@ -20,6 +20,7 @@ LONGEST = 60_000  # bytes of a text that an attribute holds itself
 IN_HEADER = 32  # attributes of a variable that lie in its header
 ORDER = h5p.CRT_ORDER_TRACKED | h5p.CRT_ORDER_INDEXED
 REFERENCES = h5py.vlen_dtype(h5py.ref_dtype)
+WRITTEN_AS, HEX = "written_as", "hexadecimal"  # an attribute of bytes, which netCDF has only of one length
 BOOLEAN = {"dtype": "bool"}  # how netCDF, which has no truth values, says that bytes are such
 
 
@@ -49,15 +50,22 @@ class Tables:
 
 
 def raw(values: np.ndarray) -> np.ndarray:
-    """Values of a variable as the file holds them: truth values as bytes, texts as UTF-8 of any length."""
+    """Values of a variable as the file holds them: truth values as bytes, texts as UTF-8 of any length,
+    bytes as hexadecimal texts."""
     if values.dtype == bool:
         return values.astype(np.int8)
+    if values.dtype.kind == "O" and len(values) and isinstance(values[0], bytes):
+        values = np.array([value.hex() for value in values.tolist()], dtype=object)
     return np.ascontiguousarray(values, dtype=h5py.string_dtype() if values.dtype.kind == "O" else None)
 
 
 def values_of(dataset: Any) -> np.ndarray:
     """The other way round: all values of a variable as they were given."""
     found: np.ndarray = dataset.asstr()[:].astype(object) if dataset.dtype.kind == "O" else dataset[:]
+    if dataset.dtype.kind == "O" and texts_of(dataset).get(WRITTEN_AS) == HEX:
+        content = np.empty(len(found), dtype=object)
+        content[:] = [bytes.fromhex(text) for text in found.tolist()]
+        return content
     return found.astype(bool) if texts_of(dataset).get("dtype") == "bool" else found
 
 

@@ -60,7 +60,8 @@ def rate_tables(run: Run) -> Iterator[RateTable]:
 
 def _column(signals: Signals, name: str) -> Column:
     signal = signals[name]
-    return Column(name, signal.values, _said(signal.unit, signal.description))
+    written = {"written_as": "hexadecimal"} if signals.is_bytes(name) else {}
+    return Column(name, signal.values, {**_said(signal.unit, signal.description), **written})
 
 
 def _said(unit: str, description: str) -> dict[str, str]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from ...environment import changes, environment
 from ...errors import InputError
+from ...files import plain
 from ...plan.plan import Plan
 
 
@@ -21,7 +22,7 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
                 "fmu": component.fmu.path.name, "sha256": component.fmu.digest,
                 "tolerance": component.tolerance,
                 "values": {
-                    **component.fmu.structure, **component.parameters, **component.inputs,
+                    **plain({**component.fmu.structure, **component.parameters, **component.inputs}),
                     **{name: f"{series} ({series.digest[:12]})" for name, series in component.series.items()},
                 },
             } for name, component in system.components.items()

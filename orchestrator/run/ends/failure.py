@@ -97,7 +97,7 @@ def _said(
         instance.noted(action, FATAL)
         return f": {instance.fault}", instance.log_text()
     if status == versions.NO_ROOM:
-        what = f": there is no room for another text of output {outputs[slot]}; do not record or connect it,"
+        what = f": there is no room for another value of output {outputs[slot]}; do not record or connect it,"
         return what, instance.log_text()
     if status in REPORTED:
         return REPORTED[status], instance.log_text()

@@ -7,11 +7,11 @@ from itertools import groupby
 
 import numpy as np
 
-from ...fmu.types import NEGATED, TEXT, FmiType, Value, decode, encode, function_type
+from ...fmu.types import BINARY, NEGATED, TEXT, FmiType, Value, decode, encode, function_type
 from ...loop.calls import STEP_FLAGS
 from ...loop.cells import IN_PLACE
 from ...loop.operations import RESTORE
-from ...loop.texts import Texts
+from ...loop.texts import MANY, MANY_BYTES, Texts
 from ...loop.versions import signatures
 from ...participant.base import Participant
 from ...plan.exchange import at_events
@@ -28,9 +28,13 @@ class Memory:
         self.plan = plan
         self.z = np.zeros(max(plan.layout.size, 1))
         self.whole = self.z.view(np.int64)
-        self.texts = Texts()
+        self.texts = Texts(MANY, MANY_BYTES) if self._has_bytes() else Texts()
         self.raw = np.zeros(0, dtype=np.uint8)
         self.keep: list[np.ndarray] = []  # value references, alive as long as their addresses are in use
+
+    def _has_bytes(self) -> bool:
+        layout = self.plan.layout
+        return any(self.kind(key).code == BINARY for table in (layout.inputs, layout.outputs) for key in table)
 
     def kind(self, key: Key) -> FmiType:
         """The type of a signal that has a cell."""
@@ -41,8 +45,11 @@ class Memory:
     def put(self, key: Key, slot: int, value: Value) -> None:
         """A value into its cell."""
         kind = self.kind(key)
-        self.whole[slot] = self.texts.number(str(value)) if kind.code == TEXT else 0
-        if kind.code != TEXT:
+        if kind.code == TEXT:
+            self.whole[slot] = self.texts.number(str(value))
+        elif isinstance(value, bytes):
+            self.whole[slot] = self.texts.number_of_bytes(value)
+        else:
             assert not isinstance(value, str)
             self.z[slot] = encode(kind, value)
 
@@ -50,6 +57,8 @@ class Memory:
         """The value in a cell."""
         kind = self.kind(key)
         found: Value = decode(kind, self.z[slot : slot + 1])[0].item()
+        if kind.code == BINARY:
+            return self.texts.bytes(int(found))
         return self.texts.text(int(found)) if kind.code == TEXT else found
 
     def tables(self, instances: dict[str, Participant]) -> tuple[np.ndarray, np.ndarray, Typed]:
@@ -107,8 +116,10 @@ class Memory:
         in_place = kind.real and kind.size == 8 and not negated
         if negated and not kind.real:
             code = NEGATED
-        used = 0 if in_place else -(-size * kind.size // 16) * 16
+        each = kind.size * (2 if code == BINARY else 1)  # an address, and how many bytes are there
+        used = 0 if in_place else -(-size * each // 16) * 16
+        address = (-1 if code == BINARY else 1) * instance.address(function)  # see `versions.exchange`
         return [
-            instance.address(function), references.ctypes.data, len(references), 8 * first if in_place else raw,
-            size, first, IN_PLACE if in_place else raw, code, kind.size, int(kind.signed),
+            address, references.ctypes.data, len(references), 8 * first if in_place else raw, size, first,
+            IN_PLACE if in_place else raw, code, kind.size, int(kind.signed),
         ], used  # fmt: skip

@@ -23,6 +23,7 @@ def as_table(rows: int, columns: int, values: Callable[[int], np.ndarray], texts
     for k in range(columns):
         column = values(k)
         if column.dtype.kind == "O":
-            column = np.array([texts.number(text) for text in column.tolist()], dtype=np.int64)
+            numbers = [texts.number_of_bytes(x) if isinstance(x, bytes) else texts.number(x) for x in column.tolist()]
+            column = np.array(numbers, dtype=np.int64)
         cells[:, k] = encode_cells(column)
     return cells

@@ -26,6 +26,7 @@ from .observers import NEVER, Piece
 from .read_back import as_table, type_of
 
 LARGEST_CHUNK = 1 << 16  # rows that lie together in the file
+WIDTH = {"String": 1, "Binary": 2}  # bytes in the file for each of the value: bytes are hexadecimal there
 TEXT = 64  # bytes that a text takes beside its own
 REFUSED = (OSError, RuntimeError, ValueError, KeyError)  # what HDF5 raises where the disk does, or a descriptor is lost
 
@@ -109,7 +110,7 @@ class Stream:
                 size += room_for(self.rows[g], len(table), len(columns) + 1, chunk)
                 size += (
                     len(table)
-                    * sum(type_of(self.plan, key) == "String" for key in columns)
+                    * sum(WIDTH.get(type_of(self.plan, key), 0) for key in columns)
                     * (TEXT + self.texts.longest)
                 )
             file.reserve(size)

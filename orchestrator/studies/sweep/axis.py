@@ -94,7 +94,7 @@ def checked_axis(system: System, name: str, values: Sequence[object]) -> Axis:
 def listed(system: System, name: str, text: object) -> list[object] | None:
     """The entries of a list; None for a range, which texts have not."""
     found = _varied(system, name)
-    is_text = found and found[0].variables[found[1]].type == "String"
+    is_text = found and found[0].variables[found[1]].type in ("String", "Binary")
     if not isinstance(text, list) and ":" in str(text) and not is_text:
         return None
     items: list[object] = text if isinstance(text, list) else [part.strip() for part in str(text).split(",")]

@@ -83,7 +83,7 @@ def last_values(system: System) -> dict[str, str]:
         fmu = component.fmu
         for name in fmu.names("output") or fmu.names("local"):
             kind = fmu.type_of(name)
-            if kind is not None and kind.name != "String":
+            if kind is not None and kind.name not in ("String", "Binary"):
                 full = f"{component.name}.{name}"
                 found[f"{name if alone else full}_last"] = written("last", [full])
     return found

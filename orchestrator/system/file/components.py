@@ -12,6 +12,7 @@ from typing import Any
 
 from ...clock import duration
 from ...errors import FmuError, InputError, nearest
+from ...fmu.binary import beside
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, Value
 from ...toml_file import TomlFile
@@ -132,7 +133,7 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
                 if (of := component.fmu.main_name(key)) != key and of in values:
                     raise InputError(f"{origin}: {name}.{of} has a value already; {name}.{key} is the same variable")
                 continue
-            scalars = checked_values(component, key, value, origin)
+            scalars = checked_values(component, key, beside(value, file.path.parent), origin)
             is_input = component.fmu.variables[next(iter(scalars))].causality == "input"
             if is_input != (kind == "inputs"):
                 raise InputError(f"{origin}: {name}.{key} is no {'parameter' if is_input else 'input'}")

@@ -17,6 +17,8 @@ from .clock_links import clock_connection
 from .link import ROUND, Link
 from .terminals import links_of_terminals
 
+ANYTHING = "application/octet-stream"  # the kind of bytes that state none
+
 
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
     """The connections of an entry: of two variables, of the elements of two arrays, or of all that two terminals have
@@ -114,6 +116,12 @@ def _loses(
     """Whether values may lose something, as the link allows. Raises InputError where that is not allowed, or there is
     no conversion."""
     (a, u), (b, v) = ((components[name].fmu, variable) for name, variable in (source, target))
+    kinds = [fmu.detail(name, "mimeType") or ANYTHING for fmu, name in ((a, u), (b, v))]
+    if ANYTHING not in kinds and kinds[0] != kinds[1]:
+        raise InputError(
+            f"connection {link}: {kinds[0]} and {kinds[1]} are different kinds of data (mimeType); put an FMU between "
+            f"that makes one of the other {where}"
+        )
     try:
         conversion_of(a.variables[u], a.type_of(u), b.variables[v], b.type_of(v))
     except InputError as error:

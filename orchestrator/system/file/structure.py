@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ...errors import FmuError, InputError
 from ...fmu.attributes import parse_value
+from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.structure import STRUCTURAL
 from ...fmu.types import Value
@@ -61,7 +62,7 @@ def with_resized_starts(component: Component, later: Iterable[Stated], fail: str
             continue
         lacking = [scalar for scalar in scalars if scalar not in known]
         if lacking and fmu.variables[lacking[0]].start is None:
-            sizes = ", ".join(f"{key} = {value}" for key, value in fmu.structure.items())
+            sizes = ", ".join(f"{key} = {as_text(value)}" for key, value in fmu.structure.items())
             raise InputError(
                 f"{fail}: the start values of {component.name}.{array} are for another size than that of {sizes}; "
                 f"give all {len(scalars)} of it"

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import NamedTuple, TypeVar
 
 from ...errors import InputError, nearest
+from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
 from ..model import Component
@@ -153,7 +154,7 @@ class _Pairing:
         ]
         if values[0] != values[1]:
             names = [f"{end.component.name}.{m.variable}" for end, m in ((a, one), (b, other))]
-            shown = [v[0] if len(v) == 1 else v for v in values]
+            shown = [", ".join(map(as_text, v)) for v in values]
             self.faults.append(
                 f"{label} is a parameter of both, {names[0]} = {shown[0]} and {names[1]} = {shown[1]}; give them one "
                 f"value"

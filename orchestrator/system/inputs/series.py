@@ -106,7 +106,7 @@ def _plain(values: Any) -> list[Any]:
 
 def _checked(variable: Any, value: object, label: str, kind: FmiType) -> float | int | bool:
     found = parse_value(variable, value, label, kind)
-    assert not isinstance(found, str)
+    assert not isinstance(found, (str, bytes))
     return found
 
 

@@ -15,6 +15,7 @@ from fmpy.model_description import ModelVariable
 
 from ...errors import InputError
 from ...fmu.attributes import parse_value
+from ...fmu.binary import as_text
 from ...fmu.conversions import conversion_of
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, TYPES, Value
@@ -235,7 +236,8 @@ def _differing(before: Component, presented: Iterable[ModelVariable], crossings:
         values = [parse_value(theirs, v.start, theirs.name) for v in (theirs, ours) if v.start is not None]
         if len(values) == 2 and not _alike(*values):
             unit = f" {ours.unit}" if ours.unit and ours.unit != "1" else ""
-            yield f"{before.name}.{theirs.name} is {values[0]}{unit} there, {values[1]}{unit} here; theirs is kept"
+            there, here = map(as_text, values)
+            yield f"{before.name}.{theirs.name} is {there}{unit} there, {here}{unit} here; theirs is kept"
 
 
 def _alike(a: Value, b: Value) -> bool:

@@ -40,7 +40,7 @@ class Stated:
             unit = converted(stated, element.fmu.unit(scalar), self.document.notes, label, self.where)
         linear, own = unit.then(self.linear), items_of(v)
         items = {**self._connector_items(element, variable), **self.items, **{k: str(n) for k, n in own.items()}}
-        texts: list[Any] = [text if v.type == "String" else items.get(text, text) for text in self.texts]
+        texts: list[Any] = [text if v.type in ("String", "Binary") else items.get(text, text) for text in self.texts]
         if linear != IDENTITY:
             try:
                 texts = [linear.factor * float(text) + linear.offset for text in texts]
@@ -63,7 +63,7 @@ def stated_value(document: Document, parameter: Any, known: Mapping[str, Definit
     texts = [entry.get("value", "") for entry in find(typed, "Value")]
     if not texts:
         text = typed.get("value", "")
-        texts = text.split() if local(typed) not in ("String", "Enumeration") else [text]
+        texts = text.split() if local(typed) not in ("String", "Enumeration", "Binary") else [text]
     if not texts:
         raise document.fail(f"parameter '{shown(name)}' has no value", parameter)
     items = document.enumerations.get(typed.get("name", ""), {}) if local(typed) == "Enumeration" else {}

@@ -25,7 +25,7 @@ from .files.hints import hint_base_step, hint_step
 
 VERSIONS = ("1.0", "2.0")
 EARLIEST = (1980, 1, 1, 0, 0, 0)  # the date of every entry: the same system, the same file
-TYPES = {"Real": "Real", "Float64": "Real", "Float32": "Real", "Boolean": "Boolean", "String": "String"}
+TYPES = {**dict.fromkeys(("Real", "Float64", "Float32"), "Real"), **{t: t for t in ("Boolean", "String", "Binary")}}
 KINDS = ("input", "output", "parameter")
 
 
@@ -110,6 +110,7 @@ def parameter_set(component: Component, set_name: str, ssp_version: str) -> Any:
     for name, value in {**component.fmu.structure, **component.parameters, **component.inputs}.items():
         variable = component.fmu.variables[name]
         entry = _add(_add(parameters, "ssv:Parameter", name=name), f"ssv:{_type(variable)}")
+        value = value.hex() if isinstance(value, bytes) else value
         entry.set("value", str(value).lower() if isinstance(value, bool) else str(value))
         if variable.unit in units and _type(variable) == "Real":
             entry.set("unit", variable.unit)

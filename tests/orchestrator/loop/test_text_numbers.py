@@ -63,3 +63,33 @@ def test_texts_that_differ_in_their_last_byte_only_have_two_numbers(compiled: An
 def test_a_text_for_which_there_is_no_room_is_told() -> None:
     known = Texts(count=10, size=100)
     assert known.number("x" * 98) == 1 and known.number("y") == -1 and known.number("x" * 98) == 1
+
+
+def test_bytes_have_numbers_whatever_is_in_them() -> None:
+    @numba.njit
+    def run(address: int, length: int, pool: np.ndarray, index: np.ndarray) -> int:
+        return texts.number_of_bytes(address, length, pool, index)
+
+    @settings(max_examples=200, deadline=None)
+    @given(st.lists(st.binary(max_size=12), max_size=60))
+    def same(found: list[bytes]) -> None:
+        plain, fast = Texts(count=40, size=500), Texts(count=40, size=500)
+        known: dict[bytes, int] = {}
+        for content in found:
+            buffer = ctypes.create_string_buffer(content, len(content) + 1)
+            number = plain.number_of_bytes(content)
+            assert number == run(ctypes.addressof(buffer), len(content), fast.pool, fast.index)
+            if number >= 0:
+                assert plain.bytes(number) == content and known.setdefault(content, number) == number
+        assert len(set(known.values())) == len(known)
+        assert np.array_equal(plain.pool, fast.pool)
+
+    same()
+
+
+def test_a_text_is_its_bytes_and_what_goes_on_behind_a_zero_is_another() -> None:
+    store = Texts()
+    longer = store.number_of_bytes(b"ab\0c")
+    assert store.number("ab") != longer and store.number("ab") == store.number_of_bytes(b"ab")
+    assert store.number_of_bytes(b"") == store.number("") == 0 and store.bytes(longer) == b"ab\0c"
+    assert store.number_of_bytes(b"\0") not in (0, longer)

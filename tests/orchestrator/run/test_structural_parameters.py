@@ -8,11 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from chain_build import chain
+from arrays_build import chain
 from helpers import column, last, plan_of, read_system, rovbrush, run_of
 from native_build import needs_gcc
 from rovbrush.orchestrator.api import load
 from rovbrush.orchestrator.errors import FmuError, InputError
+from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import load as load_instance
 from rovbrush.orchestrator.results.result import Result
@@ -178,6 +179,12 @@ def test_sizes_survive_an_ssp(fmus: Path, tmp_path: Path) -> None:
         again = load_system(str(path))
         assert [c.label for c in again.connections] == [c.label for c in system.connections]
         assert again.components["a"].fmu.structure == {"n": 5}
+
+
+def test_a_container_has_no_configuration_mode(fmus: Path, tmp_path: Path) -> None:
+    system = read_system(tmp_path, fmus, {"a": ("chain", "10 ms", FIVE)})
+    with pytest.raises(InputError, match=r"a container cannot set structural parameters \(n = 5\)"):
+        write_container(system, tmp_path / "out.fmu")
 
 
 def test_structural_parameters_are_set_in_configuration_mode_alone(fmus: Path) -> None:

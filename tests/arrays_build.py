@@ -1,4 +1,4 @@
-"""An FMI 3.0 array model whose sizes are structural parameters: a decay chain, `fixtures/native/chain3.c`."""
+"""FMI 3.0 FMUs for tests: a decay chain whose sizes are structural parameters, and one of bytes in and bytes out."""
 
 from __future__ import annotations
 
@@ -45,3 +45,32 @@ def chain(target: Path, rates: str = "1", **defines: object) -> Path:
     )
     sources = [NATIVE / "chain3.c", NATIVE / "unused3.c"]
     return native_fmu.native_fmu(target, sources, xml, 3, {"CONFIGURES": 1, **defines})
+
+
+def bytes_fmu(target: Path, mime: str = "application/x-own") -> Path:
+    """data -> out (changed by key), pair_in[2] -> pair_out[2] (exchanged), size of data; see `bytes3.c`."""
+    two = '<Dimension start="2"/>'
+    variables = [
+        f'<Binary name="data" valueReference="0" causality="input" mimeType="{mime}"><Start value="00ff10"/></Binary>',
+        '<Binary name="key" valueReference="1" causality="parameter" variability="fixed"><Start value="01"/></Binary>',
+        f'<Binary name="out" valueReference="2" causality="output" mimeType="{mime}"><Alias name="out too"/></Binary>',
+        f'<Binary name="pair_in" valueReference="3" causality="input">{two}<Start value="aa"/>'
+        '<Start value=""/></Binary>',
+        f'<Binary name="pair_out" valueReference="4" causality="output">{two}</Binary>',
+        '<UInt64 name="size" valueReference="5" causality="output"/>',
+        '<Int32 name="fault" valueReference="6" causality="parameter" variability="fixed" start="0"/>',
+        '<Binary name="limited" valueReference="7" causality="input" maxSize="4"><Start value=""/></Binary>',
+        '<Float64 name="time" valueReference="999" causality="independent"/>',
+    ]
+    outputs = {2: "0", 4: "3", 5: "0"}
+    structure = "".join(f'<Output valueReference="{r}" dependencies="{d}"/>' for r, d in outputs.items())
+    structure += "".join(f'<InitialUnknown valueReference="{r}" dependencies="{d}"/>' for r, d in outputs.items())
+    xml = (
+        '<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="3.0" modelName="bytes" '
+        f'instantiationToken="{{b}}">\n<CoSimulation modelIdentifier="{target.stem}" '
+        'canHandleVariableCommunicationStepSize="true"/>\n'
+        f"<ModelVariables>\n{chr(10).join(variables)}\n</ModelVariables>\n"
+        f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
+    )
+    sources = [NATIVE / "bytes3.c", NATIVE / "unused3.c"]
+    return native_fmu.native_fmu(target, sources, xml, 3, {"HAS_BYTES": 1})
