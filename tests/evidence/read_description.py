@@ -36,5 +36,9 @@ def one(index: int, folder: Path) -> str:
             fmu.feedthrough(initial)
         for name in fmu.names("input", "parameter"):
             fmu.start(name)
+        sizes = {name: 3 for name in fmu.names("structuralParameter") if not isinstance(fmu.start(name), (bytes, str))}
+        other = fmu.with_structure(sizes)
+        for name in other.names("input", "parameter"):
+            other.start(name)
 
     return read(reading)
