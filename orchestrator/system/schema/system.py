@@ -40,7 +40,13 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     kind: Annotated[
         Kind | None, Meta(description="how an FMU of several kinds is run; else as co-simulation where it can be")
     ] = None
-    parameters: Annotated[Values, Meta(description="start values of parameters; a list for an array")] = {}
+    parameters: Annotated[
+        Values,
+        Meta(
+            description="start values of parameters; a list for an array; structural parameters give arrays their "
+            'sizes; a Binary value is hexadecimal, `"base64:..."` or `"file:PATH"`'
+        ),
+    ] = {}
     inputs: Annotated[
         dict[str, Value | list[Value] | Table],
         Meta(
@@ -239,7 +245,8 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         list[Any],
         Meta(
             description='`"a.output -> b.input"`, or `"a.output -> b.input (mean)"` with a transfer of your choice: '
-            "hold, linear, quadratic, interpolate, mean; `(round)` allows what the input's type does not hold",
+            "hold, linear, quadratic, interpolate, mean; `(round)` allows what the input's type does not hold; "
+            '`"a.port -> b.port"` connects all that two terminals have in common',
             extra_json_schema={"items": {"type": "string", "pattern": CONNECTION}},
         ),
     ] = []
