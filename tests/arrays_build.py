@@ -44,7 +44,7 @@ def chain(target: Path, rates: str = "1", **defines: object) -> Path:
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
     sources = [NATIVE / "chain3.c", NATIVE / "unused3.c"]
-    return native_fmu.native_fmu(target, sources, xml, 3, {"CONFIGURES": 1, **defines})
+    return native_fmu.native_fmu(target, sources, xml, 3, defines)
 
 
 def bytes_fmu(target: Path, mime: str = "application/x-own") -> Path:
@@ -73,4 +73,4 @@ def bytes_fmu(target: Path, mime: str = "application/x-own") -> Path:
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
     sources = [NATIVE / "bytes3.c", NATIVE / "unused3.c"]
-    return native_fmu.native_fmu(target, sources, xml, 3, {"HAS_BYTES": 1})
+    return native_fmu.native_fmu(target, sources, xml, 3)

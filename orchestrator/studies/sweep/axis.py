@@ -82,6 +82,11 @@ class Range:
 def checked_axis(system: System, name: str, values: Sequence[object]) -> Axis:
     """Every value checked as a run would check it, and in the type of the variable."""
     origin = "--vary"
+    found = _varied(system, name)
+    if found and found[0].variables[found[1]].type == "Binary":
+        raise InputError(
+            f"{origin} {name}: it is of type Binary, which is not varied; run it with --set for each value"
+        )
     system.with_values({name: values[0]}, origin)  # unknown names, driven inputs
     component, _, variable = name.partition(".")
     owner = system.components[component]

@@ -105,7 +105,7 @@ def test_a_matrix_parameter_is_set_element_by_element(native: Path, tmp_path: Pa
         ("a.n_out -> c.Int16_in", "Int16 holds -32768 to 32767 only"),
         ("a.n_out -> c.UInt64_in", "UInt64 holds 0 to 18446744073709551615 only"),
         ("a.mode_out -> c.Enumeration_in", "the items of the two enumerations differ"),
-        ("c.blob_out -> c.blob", "signals of type Binary cannot be connected"),
+        ("c.blob_out -> c.String_in", "there is no conversion between them"),
         ("a.n_out -> b.n_in (linear)", "a Integer is held, 'linear' has no meaning"),
     ],
 )

@@ -105,7 +105,7 @@ def test_values_and_ends_may_have_a_unit(fmus: Path) -> None:
         ("Enumeration_in=off:bigg:2", "'bigg' is no item of the enumeration; did you mean 'big'"),
         ("Enumeration_in=off,2", "2 is none of the items of the enumeration: off"),
         ("Boolean_in=0:2:3", "'2' is not true or false"),
-        ("blob=1,2", "blob is of type Binary, which cannot be set"),
+        ("blob=00,ff", "it is of type Binary, which is not varied"),
         ("time=1,2", "of causality independent and cannot be set"),
         ("Float64_in=1 mm:2 mm:3", "states no unit for it; give the number alone"),
         ("Float64_im=1:2:3", "did you mean 'feedthrough3.Float64_in'"),
