@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from ..clock import seconds_text
+from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..system.event import Event, Fault, Key
 from ..system.model import System
@@ -95,7 +96,7 @@ def _broken(system: System, fault: Fault, key: Key) -> str:
     if value is None:
         return f"{name} stays as it is ({fault.kind})"
     if fault.kind == "scale":
-        return f"{name} times {value:g} ({fault.kind})"
+        return f"{name} times {float(value):g} ({fault.kind})"
     said = quantity(system, key, value)
     if fault.kind == "loss":
         return f"{name} is {said} ({fault.kind})"
@@ -105,6 +106,8 @@ def _broken(system: System, fault: Fault, key: Key) -> str:
 
 def quantity(system: System, key: Key, value: Value) -> str:
     """A value with its unit."""
+    if isinstance(value, bytes):
+        return as_text(value)
     if isinstance(value, bool | str):
         return str(value).lower() if isinstance(value, bool) else repr(value)
     unit = system.components[key[0]].fmu.variables[key[1]].unit

@@ -60,8 +60,12 @@ def rate_tables(run: Run) -> Iterator[RateTable]:
 
 def _column(signals: Signals, name: str) -> Column:
     signal = signals[name]
-    written = {"written_as": "hexadecimal"} if signals.is_bytes(name) else {}
-    return Column(name, signal.values, {**_said(signal.unit, signal.description), **written})
+    return Column(name, signal.values, _said(signal.unit, signal.description) | _written(signals, name))
+
+
+def _written(signals: Signals, name: str) -> dict[str, str]:
+    """How the values of a signal stand in the file, where that is not as they are."""
+    return {"written_as": "hexadecimal"} if signals.is_bytes(name) else {}
 
 
 def _said(unit: str, description: str) -> dict[str, str]:
@@ -134,7 +138,9 @@ def event_columns(run: Run) -> Iterator[Column]:
     signals = Signals(run)
     for k, key in enumerate(keys):
         name = ".".join(key)
-        yield Column(name, typed(run.plan, key, cells[:, k], run.texts), _said(*signals.about(name)))
+        yield Column(
+            name, typed(run.plan, key, cells[:, k], run.texts), _said(*signals.about(name)) | _written(signals, name)
+        )
 
 
 def write_events(run: Run, file: RowsFile) -> None:

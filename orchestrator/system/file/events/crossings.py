@@ -52,7 +52,7 @@ def _watched(signals: Signals, name: str) -> Key | None:
     if len(found) != 1 or signals.causality(found[0]) not in ("output", "local"):
         return None
     kind = signals.components[found[0][0]].fmu.type_of(found[0][1])
-    return found[0] if kind is not None and kind.name != "String" else None
+    return found[0] if kind is not None and kind.name not in ("String", "Binary") else None
 
 
 def _why_not_watched(signals: Signals, name: str) -> str:

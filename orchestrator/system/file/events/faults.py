@@ -56,7 +56,7 @@ def _at_input(signals: Signals, table: EventTable, key: Key, c: Connection, fail
     variable, type_ = fmu.variables[key[1]], fmu.type_of(key[1])
     given: object = table.value
     if given is None:
-        given = {"String": "", "Boolean": False}.get(variable.type, 0)
+        given = {"String": "", "Binary": "", "Boolean": False}.get(variable.type, 0)
     try:
         if kind not in WITHOUT_UNIT:
             given = in_own_unit(fmu, key[1], given, "value", difference=kind in ("bias", "noise"))
@@ -70,7 +70,7 @@ def _at_input(signals: Signals, table: EventTable, key: Key, c: Connection, fail
     except InputError as error:
         raise fail(str(error), "value") from None
     if kind == "noise" and float(value) < 0:
-        raise fail(f"value = {value:g} is the standard deviation of the noise and cannot be negative", "value")
+        raise fail(f"value = {float(value):g} is the standard deviation of the noise and cannot be negative", "value")
     if key == c.target or kind in WITHOUT_UNIT:
         return value
     if kind in ("bias", "noise"):
