@@ -47,6 +47,7 @@ def test_info_tells_types_units_ranges_starts_and_items(
 def test_info_shows_every_start_value_of_an_array_of_texts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
     fmu = built(tmp_path) / "feedthrough3.fmu"
     starts = Fmu.open(fmu).texts["t_in"]
     assert len(starts) == 2 and starts[0] != starts[1]
