@@ -47,7 +47,6 @@ def test_info_tells_types_units_ranges_starts_and_items(
 def test_info_shows_every_start_value_of_an_array_of_texts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setenv("COLUMNS", "200")
     fmu = built(tmp_path) / "feedthrough3.fmu"
     starts = Fmu.open(fmu).texts["t_in"]
     assert len(starts) == 2 and starts[0] != starts[1]
@@ -55,7 +54,8 @@ def test_info_shows_every_start_value_of_an_array_of_texts(
     found = {v["name"]: v["start"] for v in json.loads(capsys.readouterr().out)["variables"]}
     assert found["t_in"] == starts
     assert rovbrush(monkeypatch, "info", fmu) == 0
-    assert " ".join(map(json.dumps, starts)) in capsys.readouterr().out
+    text = capsys.readouterr().out
+    assert all(json.dumps(start) in text for start in starts)  # a narrow terminal folds them
 
 
 @needs_gcc
