@@ -113,7 +113,7 @@ class _Propagation:
     def read_outputs(self) -> None:
         """All outputs into their cells."""
         for key, slot in self.plan.layout.outputs.items():
-            if not (self.initialized and key[1] in self.plan.system.components[key[0]].at_events):
+            if not self._kept(key):
                 self.memory.put(key, slot, self._get(key))
 
     def settle_instant(self) -> None:
@@ -141,6 +141,10 @@ class _Propagation:
             if key[0] in names and key[1] not in self.plan.system.components[key[0]].at_events:
                 self.memory.put(key, slot, self._get(key))
 
+    def _kept(self, key: Key) -> bool:
+        """Whether an output can be read in event mode alone now: it is what it was in initialization mode."""
+        return self.initialized and key[1] in self.plan.system.components[key[0]].at_events
+
     def _get(self, key: Key) -> Value:
         value: Value = self.instances[key[0]].get(key[1])
         if self.memory.kind(key).real and not math.isfinite(float(value)):
@@ -152,7 +156,8 @@ class _Propagation:
 
     def _received(self, c: Connection) -> Value:
         """What the source of a connection sends."""
-        value = self._get(c.source)
+        kept = self._kept(c.source)
+        value = self.memory.value(c.source, self.plan.layout.outputs[c.source]) if kept else self._get(c.source)
         try:
             received = self.plan.conversions[c].convert(value, c.gain, c.offset)
         except ValueError as error:

@@ -44,6 +44,7 @@ period = "0.5 ms"
 [components.brush]
 fmu = "brush.fmu"
 period = "0.5 ms"
+inputs = { delta = "5 mm" }
 """
 G, E = 9.81, 0.5
 
@@ -75,4 +76,4 @@ def test_all_kinds_run_in_one_plan(tmp_path: Path, native: Path, monkeypatch: py
         assert float(result["ball.h"].sel(time=t)) == pytest.approx(height(t), abs=1e-9)
     assert int(result["controller.ticks"][-1]) == 37  # at 0, 1/60 s ... 36/60 s
     speed = float(result["motor.omega_b"][-1])
-    assert math.isfinite(speed) and speed > 0.0 and float(result["brush.T_brush"][-1]) < 0.0
+    assert math.isfinite(speed) and speed > 0.0 and float(result["brush.T_brush"].min()) < 0.0
