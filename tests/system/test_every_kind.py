@@ -1,5 +1,5 @@
-"""One system file with all kinds: Model Exchange with events, a clocked controller of FMI 3.0, a library for Windows that
-wine runs, and the brush."""
+"""One system file with all kinds: Model Exchange with events, a clocked controller of FMI 3.0, a library for Windows
+that wine runs, and the brush."""
 
 from __future__ import annotations
 
