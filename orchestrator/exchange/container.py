@@ -132,16 +132,16 @@ def _check(system: System) -> None:
                 f"component {name}: a container cannot set structural parameters ({sizes}); export an SSP (--ssp)"
             )
         shown = (*fmu.names("output"), *component.parameters, *component.inputs)
-        binary = [v for v in shown if fmu.variables[v].type == "Binary"]
-        if binary:
-            raise InputError(
-                f"component {name}: {binary[0]} is Binary, which a container cannot pass on; export an SSP (--ssp)"
-            )
         arrays = [v for v in shown if fmu.places[v].count > 1]
         if fmu.version == 3 and arrays:
             raise InputError(
                 f"component {name}: {arrays[0].partition('[')[0]} is an array of FMI 3.0, which a container cannot "
                 f"pass on; take an FMU of FMI 2.0, or export an SSP (--ssp)"
+            )
+        binary = [v for v in shown if fmu.variables[v].type == "Binary"]
+        if binary:
+            raise InputError(
+                f"component {name}: {binary[0]} is Binary, which a container cannot pass on; export an SSP (--ssp)"
             )
     for connection in system.connections:
         if words := system.conversion(connection).words:

@@ -100,7 +100,7 @@ def compare(
         exact = fmu.variables[theirs].type in EXACT
         errors = [_error(value, wanted) for value, wanted in zip(values, reference, strict=True)]
         k = max(range(len(errors)), key=errors.__getitem__)
-        scale = max((abs(float(wanted)) for wanted in reference if not isinstance(wanted, str)), default=0.0)
+        scale = max((abs(float(wanted)) for wanted in reference if not isinstance(wanted, (str, bytes))), default=0.0)
         start = recording.starts.get(output)
         verdicts.append(
             Verdict(

@@ -185,6 +185,12 @@ def test_values_are_objects_of_bytes_in_a_dataset(fmus: Path, tmp_path: Path) ->
 
 
 def test_a_container_names_what_it_cannot_pass_on(fmus: Path, tmp_path: Path) -> None:
-    system = read_system(tmp_path, fmus, {"a": ("bytes", "1 ms")})
+    parts = {
+        '<Binary name="pair_out" valueReference="4" causality="output"><Dimension start="2"/></Binary>': "",
+        '<Output valueReference="4" dependencies="3"/>': "",
+        '<InitialUnknown valueReference="4" dependencies="3"/>': "",
+    }
+    edited(fmus / "bytes.fmu", tmp_path / "scalar.fmu", {}, parts)
+    system = read_system(tmp_path, tmp_path, {"a": ("scalar.fmu", "1 ms")})
     with pytest.raises(InputError, match=r"component a: out is Binary, which a container cannot pass on"):
         write_container(system, tmp_path / "out.fmu")
