@@ -299,12 +299,13 @@ class Session:
         rows = self._rows
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
+        notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
+        further = [*(self.group.notes() if self.group else []), *(self.scenario.notes if self.scenario else [])]
+        notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated,
-            [*self.participants.notes, *(self.group.notes() if self.group else []),
-             *(self.scenario.notes if self.scenario else [])],
-            self.participants.messages(), self.ended, self._happened(),
+            notes, self.participants.messages(), self.ended, self._happened(),
         )  # fmt: skip
 
     def _happened(self) -> list[EventRow]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, NamedTuple
+from weakref import proxy
 
 from fmpy import fmi3
 
@@ -55,7 +56,8 @@ class ClockCalls(Fmi3Instance):
         self.timetable.begin(seconds_of(self.span[0] if self.span else 0.0))
 
     def _begin_table(self) -> None:
-        self.timetable = Timetable(self, self.fmu.own.clocks.values(), self.intervals)
+        # no cycle: an instance that is dropped is known as a sender of messages no longer
+        self.timetable = Timetable(proxy(self), self.fmu.own.clocks.values(), self.intervals)
 
     def save(self) -> int:
         state = super().save()

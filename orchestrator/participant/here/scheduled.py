@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
+from weakref import ref
 
 from fmpy import fmi3
 
@@ -45,7 +47,7 @@ class ScheduledInstance(ClockCalls):
         self._told: Told = Told([], {})
         self._raised: Exception | None = None
         logger = fmi3.fmi3LogMessageCallback(filtered(3, address_of(LOGGER)))
-        update = fmi3.fmi3ClockUpdateCallback(self._clocks_changed)
+        update = fmi3.fmi3ClockUpdateCallback(partial(_clocks_changed, ref(self)))
         lock, unlock = fmi3.fmi3LockPreemptionCallback(_nothing), fmi3.fmi3UnlockPreemptionCallback(_nothing)
         self._callbacks = logger, update, lock, unlock  # alive as long as the FMU may call them
         folder = f"{self.fmu.folder / 'resources'}{os.sep}"
@@ -54,7 +56,7 @@ class ScheduledInstance(ClockCalls):
             *self._callbacks,
         )  # fmt: skip
 
-    def _clocks_changed(self, _environment: Any) -> None:
+    def clocks_changed(self) -> None:
         """Called by the FMU within a partition: ask its output clocks and countdowns."""
         before, self.state = self.state, State.CLOCKS_TOLD
         try:
@@ -149,6 +151,13 @@ class ScheduledInstance(ClockCalls):
     def _go_back(self, known: dict[str, Any]) -> None:
         super()._go_back({key: known[key] for key in ("periods", "next") if key in known})
         self._ran = {name: Fraction(text) for name, text in known["ran"].items()}
+
+
+def _clocks_changed(instance: ref[ScheduledInstance], _environment: Any) -> None:
+    """An instance is not kept alive by the function that its FMU may call."""
+    there = instance()
+    if there is not None:
+        there.clocks_changed()
 
 
 def _nothing() -> None:

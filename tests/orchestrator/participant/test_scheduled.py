@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import weakref
 from fractions import Fraction
 from pathlib import Path
 
@@ -13,8 +14,10 @@ from fmpy import fmi3
 from native_build import needs_gcc
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.contents import readable
+from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.base import State
 from rovbrush.orchestrator.participant.here.scheduled import ScheduledInstance
+from rovbrush.orchestrator.participant.opening import load
 
 pytestmark = needs_gcc
 
@@ -83,6 +86,18 @@ def test_what_fails_inside_a_clock_update_is_an_error_of_the_activation(
         partitions.run_partition("slow", k / 30)
     with pytest.raises(FmuError, match=r"activate the partition of clock slow at t = 0\.06.* s: no interval"):
         partitions.run_partition("slow", 2 / 30)
+
+
+def test_an_instance_that_is_dropped_is_gone_at_once(tmp_path: Path) -> None:
+    folder = built(tmp_path)
+    for model in ("partitions", "controller"):
+        instance = load(Fmu.open(folder / f"{model}.fmu"), model)
+        instance.begin(1.0)
+        instance.exit_initialization()
+        gone = weakref.ref(instance)
+        instance.close()
+        del instance
+        assert gone() is None, model
 
 
 def test_states_are_kept_between_two_activations(partitions: ScheduledInstance) -> None:
