@@ -34,7 +34,7 @@ def systems(draw: st.DrawFn) -> Any:
         inputs += [(name, variable) for variable in own]
         everything = frozenset(own)
         some = st.one_of(st.just(everything), st.frozensets(st.sampled_from(own)) if own else st.just(everything))
-        components[name] = SimpleNamespace(fmu=Answers({f"y{k}": draw(some) for k in range(3)}))
+        components[name] = SimpleNamespace(fmu=Answers({f"y{k}": draw(some) for k in range(3)}), in_events=False)
     source = st.tuples(st.sampled_from(names), st.sampled_from(["y0", "y1", "y2"]))
     connections = tuple(Connection(draw(source), target) for target in draw(st.permutations(inputs)))
     return SimpleNamespace(components=components, connections=connections)

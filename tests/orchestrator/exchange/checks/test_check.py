@@ -166,10 +166,13 @@ def test_sources_without_a_list_or_a_list_without_sources_are_found(gain: Edit) 
     assert static_rows(gain({"sources/gain.c": b""}, files))["sources are complete"].verdict == "pass"
 
 
-def test_a_binary_for_windows_only_is_one_clear_row_with_a_remedy(gain: Edit) -> None:
-    row = loadable_row(open_subject(gain({"binaries/linux64/gain.so": None})))
-    assert row.verdict == "error" and "none for linux64; there is win64" in row.found and "this platform" in row.mend
-    row = loadable_row(open_subject(gain({"binaries/linux64/gain.so": None, "sources/gain.c": b""})))
+OTHERS = {"binaries/linux64/gain.so": None, "binaries/win64/gain.dll": None, "binaries/darwin32/gain.dylib": b"x"}
+
+
+def test_a_binary_for_another_system_only_is_one_clear_row_with_a_remedy(gain: Edit) -> None:
+    row = loadable_row(open_subject(gain(OTHERS)))
+    assert row.verdict == "error" and "none for linux64; there is darwin32" in row.found and "this platform" in row.mend
+    row = loadable_row(open_subject(gain({**OTHERS, "sources/gain.c": b""})))
     assert "nothing says how to compile them" in row.mend
 
 
@@ -177,7 +180,7 @@ def test_a_binary_for_windows_only_is_one_clear_row_with_a_remedy(gain: Edit) ->
     ("changes", "replacements", "found", "mend"),
     [
         ({}, {'fmiVersion="2.0"': 'fmiVersion="1.0"'}, "FMI version 1.0", "correct fmiVersion"),
-        ({}, {"<CoSimulation": "<ModelExchange"}, "model exchange only", "co-simulation"),
+        ({}, {"<CoSimulation": "<Cosimulation"}, "no interface at all", "co-simulation"),
         ({"modelDescription.xml": None}, None, "no modelDescription.xml", "not an FMU"),
         ({"../evil.txt": b""}, None, "would leave the unpack folder", "inside the archive"),
         ({}, {"<fmiModelDescription": "<!DOCTYPE x><fmiModelDescription"}, "document type", "remove it"),
@@ -263,7 +266,7 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_command_shows_a_table_writes_json_and_returns_the_verdict(fmus: Path, gain: Edit, tmp_path: Path) -> None:
-    bad = gain({"binaries/linux64/gain.so": None}, {'description="input" ': ""})
+    bad = gain(OTHERS, {'description="input" ': ""})
     json_file = tmp_path / "report.json"
     run = command(str(fmus / "gain.fmu"), str(bad), "--json", str(json_file))
     assert run.returncode == 1 and not run.stderr, run.stderr
