@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
+import time
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 from native_build import NATIVE
 from rovbrush.orchestrator.fmu.files.windows import FOLDERS, runs_windows, wine
 from rovbrush.orchestrator.participant.windows.build import COMPILERS
@@ -18,6 +21,23 @@ LACKING = [] if runs_windows() else ["Linux on x86-64"]
 LACKING += [
     name for name, found in (("wine64", wine("win64")), ("mingw-w64", shutil.which(COMPILERS["win64"]))) if not found
 ]
+
+
+def _made_folder() -> None:
+    """Let wine make its folder once, before several processes would at the same time."""
+    folder = Path(os.environ.get("WINEPREFIX") or Path.home() / ".wine")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with FileLock(f"{folder}.lock"):
+        if not (folder / "system.reg").is_file():
+            subprocess.run([str(wine("win64")), "wineboot", "-i"], capture_output=True, check=False, timeout=300)
+            for _ in range(300):  # it is written when the server of wine ends
+                if (folder / "system.reg").is_file():
+                    break
+                time.sleep(0.1)
+
+
+if not LACKING:
+    _made_folder()
 needs_wine = pytest.mark.skipif(bool(LACKING), reason=f"FMUs for Windows need {' and '.join(LACKING)}")
 SOURCES = {"feedthrough2": ["feedthrough2.c"], "feedthrough3": ["feedthrough3.c", "unused3.c"], "first": ["first.c"],
            "moody": ["moody.c"]}  # fmt: skip
