@@ -43,6 +43,7 @@ MODELS: dict[str, Variables] = {
         ("bounces", WHOLE, "output", ""),
     ],
     "square": [("y", 0, "output", 'variability="discrete"'), ("half", 1, "parameter", 'start="0.25"'),
+               ("stuck", 2, "parameter", 'start="1e9"'),
                ("changes", WHOLE, "output", "")],
     "partitions": [
         ("fast", CLOCK, "input", 'intervalVariability="constant" intervalDecimal="0.01" priority="0"'),

@@ -12,9 +12,10 @@ from .energy import balance, ledger, over_limits
 from .figures_of_merit import figure_of_merit, steady_window
 from .ranges import left_range
 from .signals import Signals
-from .tables import Run
+from .tables import AT_START, Run
 
 ROUNDING = 1e-9  # relative, of a number of steps
+MOST_TOLD = 1000  # lines of what happened
 
 
 def summarize(run: Run) -> dict[str, Any]:
@@ -68,8 +69,11 @@ def summarize(run: Run) -> dict[str, Any]:
 
 
 def happened(run: Run) -> list[str]:
-    """What happened in the run, one a line."""
-    return [f"t = {row.time:.9g} s: {row.what}" for row in run.events if row.what]
+    """What happened in the run, one a line: the first MOST_TOLD, and how many more there are."""
+    told = [row for row in run.events if row.what not in ("", AT_START)]
+    lines = [f"t = {row.time:.9g} s: {row.what}" for row in told[:MOST_TOLD]]
+    more = len(told) - MOST_TOLD
+    return [*lines, f"and {more} more, all in the group `events` of result.nc"] if more > 0 else lines
 
 
 def coupling(run: Run, signals: Signals) -> dict[str, Any]:

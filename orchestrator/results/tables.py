@@ -29,6 +29,9 @@ class Stored(Protocol):
         in the run goes there too."""
 
 
+AT_START = "start"  # what happened, of the row in which participants with events are at the start
+
+
 class EventRow(NamedTuple):
     """What is true in an event: the instant [s], a number in the order of what happens there, 0 before it; what
     happened, in words; cells of all recorded signals, of the first table first."""

@@ -60,10 +60,12 @@ class EventModeInstance(ClockCalls):
         self.next_event = math.inf if known["event"] is None else known["event"]
 
     def happen(self, now: Fraction) -> str:
-        """Activate the clocks that tick now [s]; which, in words."""
+        """Activate the clocks that tick now [s]; which, and whether a time event is due, in words."""
         self._now, ticking = now, self.timetable.ticking(now)
         self.activate(ticking)
-        return f"{', '.join(f'{self.name}.{name}' for name in ticking)} ticks" if ticking else ""
+        told = [f"{self.name} has a time event"] if self.next_event <= float(now) else []
+        told += [f"{', '.join(f'{self.name}.{name}' for name in ticking)} ticks"] if ticking else []
+        return "; ".join(told)
 
     def activate(self, clocks: Sequence[str]) -> None:
         """Activate input clocks in this round."""

@@ -20,7 +20,7 @@ from ...loop.operations import STEP_ON
 from ...participant.base import Participant
 from ...plan.events import Known
 from ...plan.plan import Plan
-from ...results.tables import EventRow
+from ...results.tables import AT_START, EventRow
 from ..memory.memory import Memory
 from ..memory.moments import Moments
 from .clocked import Clocked
@@ -79,7 +79,7 @@ class EventHandler:
 
     def begin(self) -> None:
         """Behind initialization, where participants with event mode are in it. Raises RunError, AskedToEndError."""
-        self._go_round(Place(self.plan, 0, 0), Fraction(self.plan.clock.start) * self.plan.clock.seconds(1), "start")
+        self._go_round(Place(self.plan, 0, 0), Fraction(self.plan.clock.start) * self.plan.clock.seconds(1), AT_START)
         self.plan_next()
 
     def end_at(self, tick: int) -> None:
@@ -170,9 +170,11 @@ class EventHandler:
             done = []
         else:
             names = ", ".join(mode.name for mode in modes) or "the connections"
+            over = [mode.name for mode in modes if (when := mode.next_instant()) is not None and float(when) <= time]
+            why = f"; {', '.join(over)} announced a next event that is not behind this instant" if over else ""
             raise RunError(
                 f"the events at t = {time:.9g} s do not settle: after {MOST_ROUNDS} rounds {names} "
-                f"still ask for another one, or values still change"
+                f"still ask for another one, or values still change{why}"
             )
         for mode in modes:
             mode.leave_event_mode()

@@ -12,7 +12,8 @@ from clock_build import built, clocked
 from helpers import column, last, plan_of, run_of
 from native_build import needs_gcc
 from rovbrush.orchestrator.fmu.types import decode
-from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.results import summary
+from rovbrush.orchestrator.results.tables import AT_START, Run
 from rovbrush.orchestrator.run.simulation import simulate
 
 pytestmark = needs_gcc
@@ -156,3 +157,24 @@ def test_events_that_do_not_settle_are_an_error_with_the_rows_until_then(tmp_pat
     assert run.failure.startswith(
         "the events at t = 1e-300 s do not settle: after 1000 rounds s still ask for another one"
     )
+
+
+def test_a_time_event_that_is_announced_for_a_time_that_is_over_is_named_and_rows_are_kept(
+    tmp_path: Path, fmus: Path
+) -> None:
+    run = simulate(plan_of(tmp_path, fmus, {"s": ("square", "100 ms", {"stuck": 2.0})}, stop="1 s"))
+    assert run.failure.startswith("the events at t = 0.5 s do not settle")
+    assert run.failure.endswith("; s announced a next event that is not behind this instant")
+    assert len(run.tables[0]) == 5  # at 0, 0.1 ... 0.4 s
+    assert [row.what for row in run.events if row.what not in ("", AT_START)][:2] == ["s has a time event"] * 2
+
+
+def test_a_summary_tells_so_many_events_and_counts_the_others(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(summary, "MOST_TOLD", 3)
+    run = run_of(tmp_path, fmus, {"s": ("square", "100 ms")}, stop="2 s")
+    told = summary.summarize(run)["events"]
+    assert told[:3] == [f"t = {0.25 * k:g} s: s has a time event" for k in (1, 2, 3)]
+    more = [row for row in run.events if row.what not in ("", AT_START)][3:]
+    assert more and told[3:] == [f"and {len(more)} more, all in the group `events` of result.nc"]
