@@ -8,6 +8,7 @@ from typing import Any
 
 from ...errors import FmuError, InputError, shown
 from ...fmu.fmu import Fmu
+from ...fmu.kinds import CO_SIMULATION, MODEL_EXCHANGE, SCHEDULED_EXECUTION, WORDS, Kind
 from .files.archive import Archive
 from .files.document import Document, find
 from .files.rules import KIND_OF_SOURCE
@@ -17,8 +18,9 @@ FMU, DEFINITION, PACKAGE = (
     "application/x-ssp-definition",
     "application/x-ssp-package",
 )
-CO_SIMULATION = ("any", "", "CoSimulation")
-OTHERS = ("ModelExchange", "ScheduledExecution")  # taken as co-simulation where the FMU can do both
+IMPLEMENTATIONS: dict[str, Kind] = {  # an FMU of several kinds is taken for the first of its own, whatever is wanted
+    "CoSimulation": CO_SIMULATION, "ModelExchange": MODEL_EXCHANGE, "ScheduledExecution": SCHEDULED_EXECUTION,
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -86,7 +88,7 @@ def _same_file(document: Document, archive: Archive, id_: str, open_: Open, labe
 
 def _fmu(archive: Archive, file: Path, xml: Any, label: str) -> Fmu:
     wanted = xml.get("implementation") or "any"
-    if wanted not in (*CO_SIMULATION, *OTHERS):
+    if wanted != "any" and wanted not in IMPLEMENTATIONS:
         raise InputError(f"{label}: {shown(wanted)} is not supported; CoSimulation is needed")
     try:
         return Fmu.open(file)
@@ -94,7 +96,8 @@ def _fmu(archive: Archive, file: Path, xml: Any, label: str) -> Fmu:
         raise FmuError(f"{label}: {error}".replace(str(file), archive.shown(file))) from None
 
 
-def implementation_note(name: str, xml: Any) -> str:
+def implementation_note(name: str, xml: Any, fmu: Fmu) -> str:
     """What the user must know of a component that is run otherwise than the file says."""
     wanted = xml.get("implementation") or "any"
-    return f"{name}: the SSP wants {wanted}; the FMU is run in co-simulation" if wanted in OTHERS else ""
+    otherwise = IMPLEMENTATIONS.get(wanted, fmu.kind) != fmu.kind
+    return f"{name}: the SSP wants {wanted}; the FMU is run in {WORDS[fmu.kind]}" if otherwise else ""

@@ -156,7 +156,7 @@ class _Reader:
             return
         element.fmu, element.bindings = source, _bindings(element)
         element.fmu = self.sized(element)
-        element.note = implementation_note(element.name, xml)
+        element.note = implementation_note(element.name, xml, source)
         element.connectors = _of_variables(document, element, _connectors(document, xml))
         name, count = element.name, 2
         while element.name in self.taken:

@@ -17,6 +17,7 @@ from lxml import etree
 from msgspec import to_builtins
 
 from ....clock import seconds_text
+from ....fmu.kinds import usual_kind
 from ...model import FORMATS, Bond, Component, Connection, Requirement, System
 from ...schema.system import Loops, Solver
 from .document import NAMESPACES, Document, find
@@ -57,8 +58,9 @@ def system_keys(system: System) -> dict[str, Any]:
 def component_keys(component: Component) -> dict[str, Any]:
     units = {"units": dict(component.fmu.units)} if component.fmu.units else {}
     clocks = {"clocks": {clock: seconds_text(s) for clock, s in component.clocks.items()}} if component.clocks else {}
+    kind = {"kind": component.fmu.kind} if component.fmu.kind != usual_kind(component.fmu.description) else {}
     elsewhere = ("name", "fmu", "parameters", "inputs", "notes", "apart", "in_events", "clocks")
-    return _stated(component, elsewhere) | units | clocks
+    return _stated(component, elsewhere) | kind | units | clocks
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:

@@ -9,10 +9,12 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import exchange_build
 import numpy as np
 import pytest
 from helpers import read_system
 from lxml import etree
+from native_build import needs_gcc
 from rovbrush.orchestrator.cli.main import app
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
@@ -104,6 +106,17 @@ def test_the_export_is_valid_by_the_schemas_and_an_invalid_tree_would_be_found(f
     root.find(".//{*}Component").attrib.pop("name")
     with pytest.raises(InputError, match=r"no valid SSP file.*name"):
         validate(root, "ssd")
+
+
+@needs_gcc
+def test_the_kind_that_was_chosen_for_an_fmu_of_several_survives(tmp_path: Path) -> None:
+    exchange_build.exchange(tmp_path, "lag", both=True)
+    parts = {"a": ("lag.fmu", "10 ms"), "b": ("lag.fmu", "10 ms")}
+    system = read_system(tmp_path, tmp_path, parts, of={"a": {"kind": "model-exchange"}})
+    write_ssp(system, tmp_path / "case.ssp")
+    again = load_system(str(tmp_path / "case.ssp"))
+    assert [c.fmu.kind for c in again.components.values()] == ["model-exchange", "co-simulation"]
+    assert_equal_plans(system, again)
 
 
 def test_two_fmus_of_one_name_are_both_in_the_file(fmus: Path, tmp_path: Path) -> None:

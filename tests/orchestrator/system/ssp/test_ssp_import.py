@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import zipfile
 from fractions import Fraction
 from pathlib import Path
 
@@ -217,3 +218,24 @@ def test_model_exchange_of_an_fmu_that_can_do_both_is_run_in_co_simulation_and_n
     assert last(simulate(make_plan(found)), "b.y") == last(simulate(make_plan(plain)), "b.y")
     print_notes(found)
     assert "a: the SSP wants ModelExchange" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize(
+    ("wanted", "notes"),
+    [
+        ("ModelExchange", ()),
+        ("any", ()),
+        ("CoSimulation", ("a: the SSP wants CoSimulation; the FMU is run in model exchange",)),
+    ],
+)
+def test_an_fmu_for_model_exchange_alone_is_run_as_one_whatever_is_wanted(
+    wanted: str, notes: tuple[str, ...], tmp_path: Path, fmus: Path
+) -> None:
+    (tmp_path / "alone").mkdir()
+    with zipfile.ZipFile(fmus / "gain.fmu") as archive:
+        xml = archive.read("modelDescription.xml").decode()
+    tag = xml[xml.index("<CoSimulation") : xml.index("/>", xml.index("<CoSimulation")) + 2]
+    edited(fmus / "gain.fmu", tmp_path / "alone" / "gain.fmu", {}, {tag: '<ModelExchange modelIdentifier="gain"/>'})
+    top = document(system(component("a", "gain", implementation=wanted)))
+    found = load_system(str(write_ssp_file(tmp_path / "case.ssp", tmp_path / "alone", top, ("gain",))))
+    assert found.components["a"].notes == notes and found.components["a"].fmu.kind == "model-exchange"
