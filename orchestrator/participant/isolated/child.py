@@ -101,10 +101,11 @@ class Served:
     def by_name(self, what: str, *values: Any) -> Any:
         """A method of the instance."""
         if what == "start":
-            fmu = Fmu.open(self.path)
+            kind, *wanted = values
+            fmu = Fmu.open(self.path).of_kind(kind)
             if fmu.digest != self.digest:
                 raise ValueError(f"{self.path.name} has changed since the system was read; start again")
-            self.instance, self.functions = load(fmu, self.name, *values), functions(fmu.version)
+            self.instance, self.functions = load(fmu, self.name, *wanted), functions(fmu.version)
             return [self.instance.pointer, self.instance.missing]
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")

@@ -49,7 +49,7 @@ class IsolatedInstance(Participant):
         self.shared = Shared(memory)
         self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
-            started = self._by_name("start", logging, tolerance, limit=max(timeout, STARTING))
+            started = self._by_name("start", fmu.kind, logging, tolerance, limit=max(timeout, STARTING))
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None

@@ -231,6 +231,15 @@ def test_one_in_a_process_of_its_own_is_a_group_by_itself(tmp_path: Path) -> Non
     assert explain(planned(path)).count("integrated by") == 1
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
+@pytest.mark.parametrize("isolation", ["none", "process"])
+def test_the_kind_that_was_chosen_counts_wherever_the_fmu_runs(isolation: str, tmp_path: Path) -> None:
+    exchange_build.exchange(tmp_path, "lag", both=True)
+    chosen = f'kind = "model-exchange"\nisolation = "{isolation}"\ninputs = {{ push = 1.0 }}'
+    path = lag_system(tmp_path, component=chosen)
+    assert float(load(path).run()["lag.x"][-1]) == pytest.approx(1.0 - math.exp(-1.0), abs=1e-6)
+
+
 def test_a_run_tells_where_a_model_proved_stiff(tmp_path: Path) -> None:
     exchange_build.exchange(tmp_path, "oscillator")
     text = 'format = 2\nstop_time = "20 s"\n[components.o]\nfmu = "oscillator.fmu"\nperiod = "1 s"\n'
