@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from fmpy.model_description import ModelVariable
+from msgspec import to_builtins
 
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
@@ -55,6 +56,14 @@ class Component:
     def scheduled(self) -> bool:
         """Whether its partitions are activated by clocks; it makes no steps then."""
         return self.fmu.kind == SCHEDULED_EXECUTION
+
+    @property
+    def choices(self) -> dict[str, Any]:
+        """How its FMU is run, as far as that decides the results, ready for JSON."""
+        return {
+            "kind": self.fmu.kind, "tolerance": self.tolerance, "direct": self.direct, "event_mode": self.event_mode,
+            "clocks": {name: str(interval) for name, interval in self.clocks.items()},
+        }  # fmt: skip
 
     @cached_property
     def at_events(self) -> frozenset[str]:
@@ -165,6 +174,11 @@ class System:
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
     clock_connections: tuple[Connection, ...] = ()  # from a clock to another one that ticks with it
+
+    @property
+    def choices(self) -> dict[str, Any]:
+        """How it is solved beside its algorithm, as far as that decides the results, ready for JSON."""
+        return {"solver": to_builtins(self.solver), "loops": to_builtins(self.loops)}
 
     @cached_property
     def drivers(self) -> dict[tuple[str, str], Connection]:

@@ -20,7 +20,7 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "components": {
             name: {
                 "fmu": component.fmu.path.name, "sha256": component.fmu.digest,
-                "tolerance": component.tolerance,
+                "choices": component.choices,
                 "values": {
                     **plain({**component.fmu.structure, **component.parameters, **component.inputs}),
                     **{name: f"{series} ({series.digest[:12]})" for name, series in component.series.items()},
@@ -30,7 +30,8 @@ def fingerprint(plan: Plan) -> dict[str, Any]:
         "tick": str(plan.clock.seconds(1)), "start": str(system.start), "stop": str(system.stop),
         "algorithm": system.algorithm,
         "recorded": [[".".join(key) for key in group.columns] for group in plan.groups],
-        "connections": [c.label for c in system.connections],
+        "connections": [c.label for c in (*system.connections, *system.clock_connections)],
+        "solving": system.choices,
         "schedule": operations,
         **({"scenario": [repr(event) for event in system.events]} if system.events else {}),
         "versions": environment(),
@@ -55,6 +56,12 @@ def require_unchanged(then: Mapping[str, Any], plan: Plan, force: bool = False) 
                 f"{said} component {name}: the FMU has changed, {old['fmu']} had sha256 {old['sha256'][:12]}, "
                 f"{new['fmu']} has {new['sha256'][:12]}; put the old one back, or start again"
             )
+        for key, chosen in new["choices"].items():
+            if old["choices"].get(key) != chosen:
+                raise InputError(
+                    f"{said} component {name}: {key} was {old['choices'].get(key)}, now it is {chosen}; put it back "
+                    f"({plan.system.path.name}), or start again"
+                )
         for key in dict.fromkeys([*old["values"], *new["values"]]):
             if old["values"].get(key) != new["values"].get(key):
                 raise InputError(

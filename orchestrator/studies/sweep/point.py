@@ -121,13 +121,14 @@ def digest(system: System) -> str:
             sorted(c.parameters.items()),
             sorted(c.inputs.items()),
             sorted((name, series.digest) for name, series in c.series.items()),
-            [c.tolerance, c.direct],
+            c.choices,
             {variable: astuple(crossing) for variable, crossing in crossings_of(c.fmu).items()},
         ]
         for name, c in system.components.items()
     }
     wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
-    coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings)]
+    wiring += [[c.label] for c in system.clock_connections]
+    coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings), system.choices]
     bonds = [astuple(bond) for bond in system.bonds]
     happens = [repr(event) for event in system.events]
     reported = [system.reporting["summary"], system.reporting["balance"]]

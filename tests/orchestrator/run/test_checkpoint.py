@@ -7,6 +7,7 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 from helpers import Part, edited, plan_of, system_text
@@ -22,6 +23,8 @@ from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.schema.system import Solver
 from test_session import ALGORITHMS, car
 
 
@@ -137,6 +140,10 @@ def test_what_cannot_be_written_to_disk_is_named(tmp_path: Path, fmus: Path) -> 
     assert not (tmp_path / "checkpoint").exists()
 
 
+def with_choice(system: System, name: str, **choice: Any) -> System:
+    return system.with_component(replace(system.components[name], **choice))
+
+
 def test_a_changed_fmu_value_or_schedule_is_refused(tmp_path: Path, fmus: Path) -> None:
     plan = car(tmp_path, fmus, "jacobi")
     cut(plan, tmp_path, 5)
@@ -151,6 +158,9 @@ def test_a_changed_fmu_value_or_schedule_is_refused(tmp_path: Path, fmus: Path) 
         (replace(system, stop=2 * system.stop), "another stop now: was 3/10, now 3/5"),
         (system.with_periods(Fraction(1, 2)), "another tick now: was 1/1000, now 1/2000"),
         (replace(system, record=("w.*",)), "another recorded now"),
+        (with_choice(system, "w", tolerance=1e-5), "component w: tolerance was None, now it is 1e-05"),
+        (with_choice(system, "w", event_mode="off"), "component w: event_mode was offered, now it is off"),
+        (replace(system, solver=Solver(tolerance=1e-3)), "another solving now"),
         (replace(system, algorithm="iterated"), "another algorithm now: was jacobi, now iterated"),
     ):
         with pytest.raises(InputError) as refused:
