@@ -14,8 +14,8 @@ from fmpy.model_description import ModelVariable
 from ...errors import InputError
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
-from ...system.model import start_as_toml
 from ...system.replace.replacement import can_be
+from ...system.values import start_as_toml
 from ...units import conversion
 from .binding import elements_of
 from .opened import whole_variables

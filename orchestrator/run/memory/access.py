@@ -11,7 +11,7 @@ from ...errors import InputError, nearest
 from ...fmu.types import Value
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ...system.model import checked_values, follows_tables
+from ...system.values import checked_values, follows_tables
 from .memory import Memory
 
 

@@ -17,8 +17,9 @@ from ...errors import InputError, nearest
 from ...fmu.attributes import items_of
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
-from ...system.model import System, checked_values
+from ...system.model import System
 from ...system.quantities import in_own_unit
+from ...system.values import checked_values
 
 DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected
 LARGEST = 1_000_000  # points; a larger design is a typing error

@@ -18,9 +18,10 @@ from ...fmu.types import REALS, Value
 from ...toml_file import TomlFile
 from ...units import left_open, parse_unit
 from ..inputs.series_file import stated_series
-from ..model import Component, checked_values
+from ..model import Component
 from ..schema.checked import checked, checked_value
 from ..schema.system import ComponentTable
+from ..values import checked_values
 from .structure import Stated, is_structural, with_structure
 
 STATED = (bool, int, float, str)  # what a value in a file may be

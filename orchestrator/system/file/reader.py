@@ -15,11 +15,12 @@ from ...errors import InputError, nearest
 from ...toml_file import TomlFile
 from ..formats import is_system_file, opened
 from ..inputs.free_inputs import require_values
-from ..model import FORMATS, Component, System, checked_values
+from ..model import FORMATS, Component, System
 from ..schema.checked import checked, checked_value
 from ..schema.report import Balance, Comparison, Figure, Window
 from ..schema.system import KEYS, Loops, Solver, SystemTable
 from ..schema.values import Value
+from ..values import checked_values
 from .bonds import bonds_of, requirement_of
 from .clock_links import is_clock
 from .components import component_of

@@ -12,7 +12,8 @@ from fmpy.model_description import ModelVariable
 from ...errors import InputError
 from ...fmu.attributes import items_of
 from ...fmu.fmu import Fmu
-from ..model import System, start_as_toml
+from ..model import System
+from ..values import start_as_toml
 
 NAMED = 5  # inputs of a component that a note names
 

@@ -15,8 +15,8 @@ from ...clock import duration, seconds_text
 from ...errors import InputError, shown
 from ...fmu.attributes import items_of
 from ...fmu.fmu import Fmu
-from ..model import settable
 from ..ssp.files.rules import NOT_SETTABLE
+from ..values import settable
 from .document import OspDocument, find, local
 
 FOLDERS = ("fmus", "FMUs", "fmu")  # beside the file or the folder that it is in, where a source names the file alone

@@ -20,7 +20,8 @@ from ...fmu.conversions import conversion_of
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, TYPES, Value
 from ...units import Unit, left_open
-from ..model import Component, System, start_as_toml
+from ..model import Component, System
+from ..values import start_as_toml
 from .crossing import Crossing, crossing
 from .mapping import VariableMapping
 from .missing import Missing, leave_out

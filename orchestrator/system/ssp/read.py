@@ -12,7 +12,8 @@ from ...fmu.tolerant.rules import Notes
 from ...toml_file import TomlFile
 from ..experiment import periods_of, stop_of, whole_stop
 from ..inputs.free_inputs import lacking_starts
-from ..model import FORMATS, settable
+from ..model import FORMATS
+from ..values import settable
 from .files.annotations import annotated
 from .files.archive import Archive
 from .files.document import Document, find

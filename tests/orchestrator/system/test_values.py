@@ -10,7 +10,7 @@ from fmpy.model_description import ModelVariable
 from good_system import GOOD, read
 from helpers import last, run_of
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.system.model import start_as_toml
+from rovbrush.orchestrator.system.values import start_as_toml
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,10 @@ from ....errors import InputError, nearest
 from ....fmu.types import Value
 from ....toml_file import TomlFile
 from ...event import Event, Key
-from ...model import Component, Connection, System, checked_values, follows_tables
+from ...model import Component, Connection, System
 from ...schema.checked import checked
 from ...schema.system import EventTable
+from ...values import checked_values, follows_tables
 from .crossings import crossing_of
 from .faults import fault_of
 from .signals import Fail, Signals
