@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import InputError, RovbrushError, RunError
 from ..files import plain
@@ -14,12 +14,12 @@ from ..loop.compiled import compiled_run
 from ..loop.run import run
 from ..participant.base import AskedToEndError
 from ..plan.plan import Plan
-from ..results.tables import EventRow, Run
+from ..results.tables import Run
 from .blocks import Blocks
 from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
-from .events.handler import EventHandler
+from .events.events import Events
 from .exchange_models import bring_together
 from .initialize import initialize
 from .memory.access import Access
@@ -29,9 +29,6 @@ from .participants import Participants
 from .position import Position
 from .recording.observers import NEVER, Observer, Progress
 from .recording.recorder import Recorder
-
-if TYPE_CHECKING:
-    from .events.scenario import Scenario
 
 
 class Session:
@@ -78,34 +75,14 @@ class Session:
                 self.participants.look_around("in the initialization")
                 self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
-                self.scenario = self._scenario()
+                self.events = Events(plan, self.memory, self.control, self.space)
                 self._access = Access(plan, self.memory, self.instances)
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
-                self.events = self._event_handler()
-                if self.events:
-                    self.events.begin()
+                self.events.begin(self.instances, self._blocks)
                 self.recorder = Recorder(plan, self.memory, file)
             except BaseException:
                 self.participants.abandon()
                 raise
-
-    def _event_handler(self) -> EventHandler | None:
-        moments = self.space.moments
-        if moments is None:
-            return None
-        blocks, control = self._blocks, self.control
-        control[cells.MOMENTS] = len(self.space.solver) - len(moments.cells)
-        return EventHandler(
-            self.plan, self.instances, self.memory, moments, control, blocks.components, blocks.run_rows
-        )
-
-    def _scenario(self) -> Scenario | None:
-        """The events of the system; None where there are none."""
-        if not self.plan.system.events:
-            return None
-        from .events.scenario import Scenario
-
-        return Scenario(self.plan, self.memory, self.control, self.space.clock)
 
     @property
     def time(self) -> float:
@@ -164,7 +141,7 @@ class Session:
             return
         begin = self.at.cycle
         code, due = self._blocks.run(self.at, size, self.recorder)
-        while code in (cells.DUE, cells.PAUSED, cells.ENDED, cells.BAD_STATUS) and self._handled(code):
+        while self._handled(code):
             if self.over:
                 return
             size -= self.at.cycle - begin
@@ -190,42 +167,17 @@ class Session:
         else:
             self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
             self.at.time = clock.time(self.tick)
-            self._over = clock.start + self.tick >= self._ends_at
-
-    @property
-    def _ends_at(self) -> int:
-        """The instant [ticks from time 0] behind which a component does not want to go on."""
-        return self.events.ends_at if self.events else int(self.control[cells.ENDS_AT])
+            self._over = clock.start + self.tick >= self.events.ends_at
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
-        cycle = int(self.control[cells.AT_CYCLE])
-        if code == cells.DUE:
-            self._act()
-        if code == cells.DUE or self.events is None:
-            return code == cells.DUE
         try:
-            operation = self.events.paused(code)
+            return self.events.handled(code, self.at)
+        except AskedToEndError as error:
+            self.ended, self._over = "\n".join(filter(None, [self.ended, str(error)])), True
         except RovbrushError as error:
-            self.at.cycle, self.at.operation = cycle, int(self.control[cells.AT_OPERATION])
-            self.at.time = float(self.events.rows[-1].time) if self.events.rows else self.at.time
-            if isinstance(error, AskedToEndError):
-                self.ended, self._over = "\n".join(filter(None, [self.ended, str(error)])), True
-            else:
-                self.failure = str(error)
-            return True
-        if operation is not None:
-            whole = operation == len(self.plan.operations(cycle))
-            self.at.cycle, self.at.operation = (cycle + 1, 0) if whole else (cycle, operation)
-        return operation is not None
-
-    def _act(self) -> None:
-        """Do what is due where the loop is, and go on behind it."""
-        assert self.scenario is not None
-        cycle, operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
-        begin = int(self.space.clock[cells.NOW]) + cycle * self.plan.cycle_ticks
-        self.scenario.act(begin + int(self.plan.operations(cycle)[operation, 1]))
-        self.at.cycle, self.at.operation = cycle, operation + 1
+            self.failure = str(error)
+        return True
 
     def _asked_to_end(self) -> bool:
         """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
@@ -238,12 +190,10 @@ class Session:
         self._blocks.no_more_inputs(asked.component)
         self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
         if asked.whole and not plan.algorithm.saves_states:
-            control[cells.ENDS_AT] = min(plan.clock.start + asked.tick, self._ends_at)
-            if self.events:
-                self.events.end_at(int(control[cells.ENDS_AT]))
+            self.events.end_at(min(plan.clock.start + asked.tick, self.events.ends_at))
             if self.at.operation == len(plan.operations(self.at.cycle)):
                 self.at.cycle, self.at.operation = self.at.cycle + 1, 0
-                self._over = not plan.adaptive or plan.clock.start + self.tick >= self._ends_at
+                self._over = not plan.adaptive or plan.clock.start + self.tick >= self.events.ends_at
         else:
             self._over = True
         if self._over:
@@ -300,24 +250,13 @@ class Session:
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
-        further = [*(self.group.notes() if self.group else []), *(self.scenario.notes if self.scenario else [])]
+        further = [*(self.group.notes() if self.group else []), *self.events.notes]
         notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated,
-            notes, self.participants.messages(), self.ended, self._happened(),
+            notes, self.participants.messages(), self.ended, self.events.rows,
         )  # fmt: skip
-
-    def _happened(self) -> list[EventRow]:
-        """The rows of all events, those of the system behind those of FMUs at one instant."""
-        rows = [*(self.events.rows if self.events else []), *(self.scenario.rows if self.scenario else [])]
-        if not (self.events and self.scenario):
-            return rows
-        found: list[EventRow] = []
-        for row in sorted(rows, key=lambda row: row.time):
-            again = found and found[-1].time == row.time
-            found.append(row._replace(number=found[-1].number + 1) if again else row)
-        return found
 
     def close(self) -> None:
         """Give the FMUs back. Runs that were taken before stay valid."""

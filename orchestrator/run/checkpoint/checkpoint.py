@@ -60,7 +60,8 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
     try:
         shutil.rmtree(temporary, ignore_errors=True)
         temporary.mkdir(parents=True)
-        happened = {"events": session.scenario.cells} if session.scenario else {}
+        scenario = session.events.scenario
+        happened = {"events": scenario.cells} if scenario else {}
         np.savez(temporary / ARRAYS, **_arrays(session), **happened, **session.recorder.content())  # type: ignore[arg-type]
         for k, instance in enumerate(session.instances.values()):
             (temporary / f"{k}.state").write_bytes(_state(instance))
@@ -70,7 +71,7 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
             session.recorder.stream.copy(temporary / ROWS)
         head = {
             "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
-            "set_by_hand": session.set_by_hand, "events": session.scenario.content() if session.scenario else {},
+            "set_by_hand": session.set_by_hand, "events": scenario.content() if scenario else {},
         }  # fmt: skip
         seal(temporary, head)
         if target.exists():
@@ -147,8 +148,8 @@ class Checkpoint:
                     raise InputError(f"{self.folder} is of another version of rovbrush; start again")
                 target[...] = found
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
-        if session.scenario:
-            session.scenario.restore(self.events, self.arrays["events"])
+        if session.events.scenario:
+            session.events.scenario.restore(self.events, self.arrays["events"])
         session.recorder.restore(self.arrays, self.folder / ROWS)
         for k, instance in enumerate(session.instances.values()):
             state = instance.deserialize((self.folder / f"{k}.state").read_bytes())

@@ -48,9 +48,9 @@ def eventful(tmp_path: Path, fmus: Path, rates: tuple[str, str], **keys: object)
 def rung(plan: Plan, times: Sequence[Fraction], interpreted: bool = False) -> tuple[Run, Bells]:
     bells = Bells(times)
     with Session(plan, interpreted) as session:
-        assert session.events is not None
-        session.events.others = [bells]
-        session.events.plan_next()
+        assert session.events.handler is not None
+        session.events.handler.others = [bells]
+        session.events.handler.plan_next()
         session.advance()
         return session.run(), bells
 
