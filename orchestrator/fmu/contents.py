@@ -11,11 +11,11 @@ from fmpy.model_description import ModelVariable
 
 from ..errors import FmuError
 from .attributes import items_of
-from .description import described
 from .files.unpacked import unpack
 from .fmu import Fmu
 from .kinds import FIELDS, usual_kind
-from .terminals import as_data
+from .reading.description import described
+from .reading.terminals import as_data
 
 FLAGS = (
     "canHandleVariableCommunicationStepSize", "canInterpolateInputs", "maxOutputDerivativeOrder",

@@ -16,16 +16,16 @@ from ..errors import FmuError
 from ..units import Definition, Unit
 from .attributes import start_value
 from .capabilities import Capabilities
-from .clocks import ClockVariable, read_clocks
-from .description import read_description
-from .details import Details
 from .files.archive import opened
 from .files.binary import find_library
 from .files.unpacked import archive_of, unpack
 from .files.windows import platform_of
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
-from .structure import resize, resized_variables
-from .terminals import Terminal
+from .reading.clocks import ClockVariable, read_clocks
+from .reading.description import read_description
+from .reading.details import Details
+from .reading.structure import resize, resized_variables
+from .reading.terminals import Terminal
 from .tolerant.rules import Note, Notes
 from .types import BINARY, REALS, TYPES, FmiType, Value
 from .variables import Elements, Place, elements_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from .settings import Method, SolverSettings
-from .sundials import is_there
+from .stiff.sundials import is_there
 
 MANY = 50  # states, from which on a model is taken for a stiff one: a discretized field, a network
 

@@ -14,8 +14,9 @@ from types import FunctionType
 from typing import Any
 
 from ..loop.compiled import loop_hash, numba_compiles
-from . import connections, cvode, events, members, one_step
+from . import connections, events, members, one_step
 from . import step as steps
+from .stiff import cvode
 
 # What C passes: w a whole number or pointer, d a double, b a truth value.
 FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {

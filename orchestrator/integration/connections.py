@@ -43,8 +43,8 @@ from .cells import (
     WHO,
     V,
 )  # fmt: skip
-from .linear import factorize_and_solve
 from .memory import call, number, put, put_whole, whole
+from .stiff.linear import factorize_and_solve
 
 MOST = 25  # iterations of Newton's method
 SMALL, NEARLY = 1e-13, 1e-9  # of the largest unknown: what is solved; what still is where rounding stops Newton

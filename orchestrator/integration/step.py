@@ -51,11 +51,11 @@ from .cells import (
     X,
 )  # fmt: skip
 from .connections import exchange
-from .cvode import advance_by_cvode
 from .events import enter_events, log, read_nominals, read_states, settle
 from .members import fault, indicate, place
 from .memory import call, call_whole, number, put, put_byte, put_whole, whole
 from .roots import EPSILON, first_changed
+from .stiff.cvode import advance_by_cvode
 
 MOST_EVENTS = 1000  # in one step
 BACK = 1e-9  # of a step, by which its beginning may differ from where the group is

@@ -19,7 +19,7 @@ from enum import Enum
 
 from fmpy.model_description import ModelVariable
 
-from ..fmu.structure import STRUCTURAL
+from ..fmu.reading.structure import STRUCTURAL
 
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
 STATUS = {OK: "OK", WARNING: "Warning", DISCARD: "Discard", ERROR: "Error", FATAL: "Fatal", PENDING: "Pending"}

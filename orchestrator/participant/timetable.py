@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Protocol
 
 from ..errors import FmuError
-from ..fmu.clocks import ClockVariable
+from ..fmu.reading.clocks import ClockVariable
 
 CHANGED = 2  # fmi3IntervalQualifier
 

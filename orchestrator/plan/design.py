@@ -10,8 +10,8 @@ from ..fmu.conversions import Conversion
 from ..system.inputs.series import Series
 from ..system.model import Connection, System
 from .algorithms.base import Algorithm
-from .events import Events
 from .exchange import CONTINUOUS, exchanged
+from .happening.events import Events
 from .instants import Instants
 from .schedule.bond_energy import BondEnergy
 from .schedule.formulas import Choice

@@ -10,7 +10,7 @@ from math import gcd, lcm
 from ..clock import duration, seconds_text
 from ..errors import InputError, counted
 from ..fmu.kinds import MODEL_EXCHANGE
-from ..fmu.states import state_names
+from ..fmu.reading.states import state_names
 from ..integration.choice import choose
 from ..integration.settings import SolverSettings
 from ..system.model import Connection, System

@@ -11,12 +11,12 @@ from ..errors import counted
 from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
 from .capabilities import remarks
-from .clocks import clock_words
-from .events import event_words
 from .exchange import explained
+from .happening.clocks import clock_words
+from .happening.events import event_words
+from .happening.scenario_text import scenario_in_words
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
-from .scenario_text import scenario_in_words
 from .schedule.operation_text import OperationText
 
 

@@ -8,8 +8,8 @@ from itertools import groupby
 from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
-from .events import ends_early
 from .exchange import exchanged
+from .happening.events import ends_early
 from .schedule.formulas import Choice
 
 

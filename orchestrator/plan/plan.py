@@ -11,14 +11,14 @@ from ..system.inputs.series import check_series
 from ..system.model import System
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
-from .clocks import with_event_mode
 from .design import Design
-from .events import EventRows, events_of
 from .exchange import continuous, with_one_period
+from .happening.clocks import with_event_mode
+from .happening.events import EventRows, events_of
+from .happening.scenario import check_scenario
 from .instants import Instants
 from .order import check_leaders, leaders_of, order_of
 from .processes import with_processes
-from .scenario import check_scenario
 from .schedule.bond_energy import bond_energies, check_names
 from .schedule.event_rows import event_rows
 from .schedule.layout import make_groups, make_layout

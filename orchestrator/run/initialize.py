@@ -13,8 +13,8 @@ from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
 from ..participant.opening import start
+from ..plan.happening.scenario import with_values_from_start
 from ..plan.plan import Plan
-from ..plan.scenario import with_values_from_start
 from ..plan.schedule.layout import Key
 from ..results.tables import Started
 from ..system.inputs.free_inputs import left_alone

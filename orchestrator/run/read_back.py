@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..errors import FmuError
 from ..fmu.binary import as_text
-from ..fmu.structure import STRUCTURAL
+from ..fmu.reading.structure import STRUCTURAL
 from ..fmu.types import FmiType, Value
 from ..participant.base import CallError, Participant
 from ..system.model import Component

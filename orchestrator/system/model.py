@@ -17,7 +17,7 @@ from ..fmu.attributes import parse_value
 from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import SCHEDULED_EXECUTION
-from ..fmu.structure import STRUCTURAL
+from ..fmu.reading.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import Value
 from .event import Event

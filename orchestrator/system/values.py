@@ -10,7 +10,7 @@ from fmpy.model_description import ModelVariable
 
 from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
-from ..fmu.structure import STRUCTURAL
+from ..fmu.reading.structure import STRUCTURAL
 from ..fmu.types import REALS, Value
 from .quantities import in_own_unit
 

@@ -13,12 +13,12 @@ import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ...errors import FmuError
-from ...fmu.description import described
-from ...fmu.details import Details
 from ...fmu.files.archive import opened
 from ...fmu.files.binary import check_identifiers, find_library, platform_folder
 from ...fmu.files.unpacked import archive_of, unpack
 from ...fmu.kinds import interface_of, require_kind, usual_kind
+from ...fmu.reading.description import described
+from ...fmu.reading.details import Details
 from ...fmu.tolerant.rules import Note, Notes
 
 STEP = 1e-3  # s, where the FMU suggests none

@@ -8,7 +8,7 @@ from typing import Any
 from attrs import fields
 from fmpy.model_description import BaseUnit, CoSimulation, Item, ModelExchange, ScheduledExecution, SimpleType
 
-from ..details import OF_TYPE
+from ..reading.details import OF_TYPE
 from .literals import mend_boolean, mend_number, number, place
 from .rules import MISSING, NAMELESS, NUMBER, UNKNOWN, VERSION, Notes
 

@@ -12,8 +12,8 @@ from weakref import proxy
 from fmpy import fmi3
 
 from ...errors import FmuError
-from ...fmu.clocks import ClockVariable, seconds_of
 from ...fmu.fmu import Fmu
+from ...fmu.reading.clocks import ClockVariable, seconds_of
 from ..messages import Logging
 from ..timetable import Timetable
 from .fmi3 import Fmi3Instance

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from ...errors import FmuError
-from ...fmu.clocks import seconds_of
+from ...fmu.reading.clocks import seconds_of
 from ..base import AskedToEndError
 from ..lifecycle import DISCARD, State
 from .clock_calls import ClockCalls

@@ -24,7 +24,7 @@ from ...integration.choice import choose
 from ...integration.compiled import address_of
 from ...integration.memory import call, number, put, put_whole, whole
 from ...integration.settings import TOLERANCE, SolverSettings
-from ...integration.sundials import Cvode, is_there
+from ...integration.stiff.sundials import Cvode, is_there
 from ...loop.calls import STEP_FLAGS, do_step3
 from ..here.loaded import LoadedInstance
 from .links import LinkBlock

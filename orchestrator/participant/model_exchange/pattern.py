@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ...fmu.fmu import Fmu
-from ...fmu.states import derivatives_of, state_names
+from ...fmu.reading.states import derivatives_of, state_names
 
 Key = tuple[int, str]  # member, variable
 FEW = 12  # states, up to which a band is not worth while

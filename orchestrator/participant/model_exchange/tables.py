@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...errors import FmuError
-from ...fmu.states import derivative_names, state_names
+from ...fmu.reading.states import derivative_names, state_names
 from ...fmu.types import function_type
 from ...integration import cells
 from ...loop.versions import signatures

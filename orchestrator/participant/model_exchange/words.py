@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...fmu.fmu import Fmu
-from ...fmu.states import derivative_names
+from ...fmu.reading.states import derivative_names
 from ...integration import cells
 from ...integration.memory import number, whole
 from ..lifecycle import PREFIX, status_text

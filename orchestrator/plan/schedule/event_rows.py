@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
-from ..events import EventRows, Known, starts_behind
+from ..happening.events import EventRows, Known, starts_behind
 from .schedule import Schedule
 from .steps import Row
 

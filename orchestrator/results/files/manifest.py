@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 from typing import Any
 
-from ...fmu.structure import STRUCTURAL
+from ...fmu.reading.structure import STRUCTURAL
 from ...system.inputs.series import manifest_of
 from ..tables import Run
 

@@ -13,7 +13,7 @@ from typing import Any
 from ...errors import RunError
 from ...fmu.types import Value
 from ...participant.base import Participant
-from ...plan.events import Known
+from ...plan.happening.events import Known
 from ...plan.plan import Plan
 from ...plan.schedule.layout import Key
 from ...system.model import Connection

@@ -20,8 +20,8 @@ from ...loop.cells import (
     THRESHOLD,
 )
 from ...loop.noise import gaussian
+from ...plan.happening.scenario import from_start
 from ...plan.plan import Plan
-from ...plan.scenario import from_start
 from ...system.event import Key, stream_of
 from ..memory.memory import Memory
 

@@ -18,7 +18,7 @@ from ...errors import RunError
 from ...loop import cells
 from ...loop.operations import STEP_ON
 from ...participant.base import Participant
-from ...plan.events import Known
+from ...plan.happening.events import Known
 from ...plan.plan import Plan
 from ...results.tables import AT_START, EventRow
 from ..memory.memory import Memory

@@ -14,7 +14,7 @@ from ...loop.calls import EARLY_RETURN, EVENT_NEEDED, LAST_TIME
 from ...loop.operations import SAMPLE, SERIES, STEP_ON
 from ...loop.run import FOREVER
 from ...participant.base import Participant
-from ...plan.events import EventRows, Known, starts_behind
+from ...plan.happening.events import EventRows, Known, starts_behind
 from ...plan.plan import Plan
 from ...plan.schedule.event_rows import at_instant
 from ..ends.failure import failed_at

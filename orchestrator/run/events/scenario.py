@@ -15,9 +15,9 @@ import numpy as np
 
 from ...loop.cells import CROSSED, DUE_AT, NEVER, STEP_TICKS, STOP, THRESHOLD
 from ...loop.solvers.step_control import fitted
+from ...plan.happening.scenario import end_of, from_start, place
+from ...plan.happening.scenario_text import what
 from ...plan.plan import Plan
-from ...plan.scenario import end_of, from_start, place
-from ...plan.scenario_text import what
 from ...results.tables import EventRow
 from ...system.event import Event
 from ..memory.memory import Memory

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...errors import InputError, nearest
-from ...fmu.clocks import ClockVariable
+from ...fmu.reading.clocks import ClockVariable
 from ..model import Component, Connection
 
 Components = Mapping[str, Component]

@@ -9,7 +9,7 @@ from ...errors import FmuError, InputError
 from ...fmu.attributes import parse_value
 from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
-from ...fmu.structure import STRUCTURAL
+from ...fmu.reading.structure import STRUCTURAL
 from ...fmu.types import Value
 from ..model import Component
 

@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeVar
 from ...errors import InputError, nearest
 from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
-from ...fmu.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
+from ...fmu.reading.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
 from ..model import Component
 from .link import Link
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from ...errors import InputError, shown
 from ...fmu.fmu import Fmu
-from ...fmu.structure import STRUCTURAL
+from ...fmu.reading.structure import STRUCTURAL
 from ..file.structure import is_structural, with_structure
 from .files.document import Document, find, local
 from .files.rules import EMPTY

@@ -9,8 +9,8 @@ import pytest
 from fmpy.model_description import ModelVariable
 from lxml import etree
 from rovbrush.orchestrator.errors import FmuError
-from rovbrush.orchestrator.fmu.clocks import ClockVariable, read_clocks, require_clocks, seconds_of
-from rovbrush.orchestrator.fmu.details import details_of
+from rovbrush.orchestrator.fmu.reading.clocks import ClockVariable, read_clocks, require_clocks, seconds_of
+from rovbrush.orchestrator.fmu.reading.details import details_of
 
 
 def clock(attributes: str, types: str = "") -> ClockVariable:

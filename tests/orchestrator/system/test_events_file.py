@@ -14,8 +14,8 @@ from good_system import read
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.container import write_container
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
+from rovbrush.orchestrator.plan.happening.scenario import check_scenario
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.plan.scenario import check_scenario
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import apply_changes
 from rovbrush.orchestrator.system.file.reader import load_system

@@ -11,14 +11,14 @@ from fractions import Fraction
 from math import ceil
 from typing import TYPE_CHECKING
 
-from ..clock import Clock
-from ..errors import InputError
-from ..fmu.kinds import MODEL_EXCHANGE
-from ..system.event import Event
-from ..system.model import System
+from ...clock import Clock
+from ...errors import InputError
+from ...fmu.kinds import MODEL_EXCHANGE
+from ...system.event import Event
+from ...system.model import System
 
 if TYPE_CHECKING:
-    from .algorithms.base import Algorithm
+    from ..algorithms.base import Algorithm
 
 
 def check_scenario(system: System, algorithm: Algorithm) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from ..errors import InputError
-from ..units import BASE_UNITS, Definition, meaning
+from ...errors import InputError
+from ...units import BASE_UNITS, Definition, meaning
 
 
 class Shown(NamedTuple):

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from ..clock import seconds_text
-from ..errors import InputError
-from ..fmu.clocks import ClockVariable, require_clocks
-from ..fmu.kinds import CO_SIMULATION
-from ..system.model import Component, Connection, System
+from ...clock import seconds_text
+from ...errors import InputError
+from ...fmu.kinds import CO_SIMULATION
+from ...fmu.reading.clocks import ClockVariable, require_clocks
+from ...system.model import Component, Connection, System
 
 SHOWN = 12  # ticks of a clock that the plan lists
 

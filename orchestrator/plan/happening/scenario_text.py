@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from ..clock import seconds_text
-from ..fmu.binary import as_text
-from ..fmu.types import Value
-from ..system.event import Event, Fault, Key
-from ..system.model import System
-from .plan import Plan
+from ...clock import seconds_text
+from ...fmu.binary import as_text
+from ...fmu.types import Value
+from ...system.event import Event, Fault, Key
+from ...system.model import System
+from ..plan import Plan
 from .scenario import from_start, place, spacing
 
 

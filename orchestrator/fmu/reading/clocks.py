@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from fmpy.model_description import ModelVariable
 
-from ..errors import FmuError
+from ...errors import FmuError
 from .details import Details
 
 PERIODIC = ("constant", "fixed", "calculated", "tunable")  # `calculated` was in FMI 3.0.0 and is `fixed` since

@@ -11,7 +11,7 @@ from contextlib import suppress
 from functools import cache
 from typing import Any
 
-from .cells import (
+from ..cells import (
     ABSOLUTE,
     CV_ABSOLUTE,
     CV_BAND,
@@ -33,10 +33,10 @@ from .cells import (
     STATES,
     TIME,
     X,
-)  # fmt: skip
-from .compiled import address_of
-from .memory import number, put_whole, whole
-from .settings import SolverSettings
+)
+from ..compiled import address_of
+from ..memory import number, put_whole, whole
+from ..settings import SolverSettings
 
 BDF = 2
 MOST_STEPS = 100_000  # between two returns

@@ -11,11 +11,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..clock import Clock, seconds_text
-from ..errors import InputError
-from ..loop.operations import STEP_ON
-from ..system.model import Component, Connection, System
-from .schedule.formulas import Choice
+from ...clock import Clock, seconds_text
+from ...errors import InputError
+from ...loop.operations import STEP_ON
+from ...system.model import Component, Connection, System
+from ..schedule.formulas import Choice
 
 Known = frozenset[str]
 

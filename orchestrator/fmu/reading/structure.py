@@ -12,7 +12,7 @@ from typing import Any
 from attrs import evolve
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from .types import Value
+from ..types import Value
 
 STRUCTURAL = "structuralParameter"
 

@@ -13,20 +13,20 @@ from typing import Any, NamedTuple
 import fmpy
 from fmpy.model_description import ModelDescription, read_build_description
 
-from ..errors import FmuError
-from ..units import Definition
-from .attributes import resolve
+from ...errors import FmuError
+from ...units import Definition
+from ..attributes import resolve
+from ..files.binary import check_identifiers, find_library
+from ..fmi1.translate import as_fmi2, negated_names
+from ..kinds import interface_of, kinds_of, require_kind, usual_kind
+from ..tolerant.head import mend_head, mend_version, version_of
+from ..tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
+from ..tolerant.structure import mend_structure
+from ..tolerant.variables import mend_variables
+from ..tolerant.xml import safe_xml
 from .definitions import definitions_of
 from .details import Details, details_of, leave_to_fmpy
-from .files.binary import check_identifiers, find_library
-from .fmi1.translate import as_fmi2, negated_names
-from .kinds import interface_of, kinds_of, require_kind, usual_kind
 from .terminals import Terminal, terminals_of
-from .tolerant.head import mend_head, mend_version, version_of
-from .tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
-from .tolerant.structure import mend_structure
-from .tolerant.variables import mend_variables
-from .tolerant.xml import safe_xml
 
 SCHEMAS = {1: "fmi1/fmiModelDescription.xsd", 2: "fmi2/fmi2ModelDescription.xsd", 3: "fmi3/fmi3ModelDescription.xsd"}
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
-from ..loop.versions import good
-from .advance import EVENT, REACHED, after_step, note_event
-from .cells import (
+from ...loop.versions import good
+from ..advance import EVENT, REACHED, after_step, note_event
+from ..cells import (
     CELL,
     CURRENT,
     CV_ABSOLUTE,
@@ -52,10 +52,10 @@ from .cells import (
     VERSION,
     Z_NEW,
     X,
-)  # fmt: skip
-from .members import evaluate_here, fault, indicate, place
-from .memory import call, call_whole, half, number, put, put_whole, whole
-from .roots import EPSILON, first_changed, keep_indicators
+)
+from ..members import evaluate_here, fault, indicate, place
+from ..memory import call, call_whole, half, number, put, put_whole, whole
+from ..roots import EPSILON, first_changed, keep_indicators
 
 NORMAL, ONE_STEP = 1, 2
 STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27

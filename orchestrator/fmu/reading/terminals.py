@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..errors import FmuError
-from .tolerant.literals import place
-from .tolerant.rules import TERMINAL, TERMINALS_FILE, Notes
-from .tolerant.xml import safe_xml
+from ...errors import FmuError
+from ..tolerant.literals import place
+from ..tolerant.rules import TERMINAL, TERMINALS_FILE, Notes
+from ..tolerant.xml import safe_xml
 
 FILE, ROOT = "terminalsAndIcons.xml", "fmiTerminalsAndIcons"
 BY_NAME, BUS, SEQUENCE = "plug", "bus", "sequence"  # the matching rules of the standard

@@ -6,8 +6,8 @@ from math import isfinite
 
 from numba.extending import register_jitable
 
-from .cells import CELL
-from .memory import number, put
+from ..cells import CELL
+from ..memory import number, put
 
 
 @register_jitable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .fmu import Fmu
+from ..fmu import Fmu
 
 
 def derivatives_of(fmu: Fmu) -> list[tuple[Any, Any]]:

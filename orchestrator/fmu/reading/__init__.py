@@ -1,0 +1,1 @@
+"""What a model description is read into: variables and units, clocks, states, terminals."""

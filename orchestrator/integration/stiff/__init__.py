@@ -1,0 +1,1 @@
+"""CVODE of SUNDIALS, called by address."""
