@@ -41,7 +41,7 @@ from .cells import (
 )  # fmt: skip
 from .events import log
 from .members import completed, evaluate, fault, indicate
-from .memory import number, put, put_whole, whole
+from .memory import into_caller, number, put, put_whole, whole
 from .one_step import error_of, last_derivative, stiffness, trial
 from .roots import EPSILON, first_changed, keep_indicators, locate
 
@@ -69,7 +69,7 @@ def note_event(g: int, indicator: int) -> None:
     log(g, m, indicator - first)
 
 
-@register_jitable
+@into_caller
 def after_step(g: int) -> int:
     """What members say to an accepted step: OK, EVENT or a status."""
     said = completed(g)

@@ -67,7 +67,7 @@ def _address(function: Callable[..., int], kinds: str, digest: str) -> tuple[int
     named.__qualname__ = f"{function.__name__}_{digest}"
     signature = numba.int32(*(known[kind] for kind in kinds))
     normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
-    compiled: Any = CFunc(named, normal, {}, {"error_model": "numpy"})
+    compiled: Any = CFunc(named, normal, {}, {"error_model": "numpy", "forceinline": True})
     compiled._cache = CheckedCache(named)
     compiled.compile()
     return int(compiled.address), compiled

@@ -43,7 +43,7 @@ from .cells import (
     WHO,
     V,
 )  # fmt: skip
-from .memory import call, number, put, put_whole, whole
+from .memory import call, into_caller, number, put, put_whole, whole
 from .stiff.linear import factorize_and_solve
 
 MOST = 25  # iterations of Newton's method
@@ -83,7 +83,7 @@ def do_row(g: int, row: int) -> int:
     return RETRY if status == 2 else FAILED
 
 
-@register_jitable
+@into_caller
 def exchange(g: int) -> int:
     """All outputs that are sent between members, and the inputs that they go to, each behind what it needs."""
     return call(whole(g + EXCHANGE), g) if whole(g + ROW_COUNT) > 0 else OK

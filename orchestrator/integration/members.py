@@ -48,7 +48,7 @@ from .cells import (
     VERSION,
 )  # fmt: skip
 from .connections import exchange
-from .memory import call, half, number, put, put_whole, whole
+from .memory import call, half, into_caller, number, put, put_whole, whole
 
 DISCARD = 2
 
@@ -70,7 +70,7 @@ def refused(g: int, what: int, member: int, status: int) -> int:
     return RETRY if status == DISCARD else FAILED
 
 
-@register_jitable
+@into_caller
 def place(g: int, time: float, states: int) -> int:
     """Put all members at a time [s] and to states, and solve their connections."""
     count = whole(g + MEMBER_COUNT)
@@ -87,7 +87,7 @@ def place(g: int, time: float, states: int) -> int:
     return exchange(g)
 
 
-@register_jitable
+@into_caller
 def evaluate(g: int, time: float, states: int, derivatives: int) -> int:
     """The right-hand side: all members placed, their derivatives to an address; RETRY where one is not finite."""
     return call(whole(g + EVALUATE), g, time, states, derivatives)
@@ -98,7 +98,7 @@ def evaluate_all(g: int, time: float, states: int, derivatives: int) -> int:
     return evaluate_here(g, time, states, derivatives)
 
 
-@register_jitable
+@into_caller
 def evaluate_here(g: int, time: float, states: int, derivatives: int) -> int:
     """The same as a part of its caller."""
     status = place(g, time, states)
@@ -123,7 +123,7 @@ def evaluate_here(g: int, time: float, states: int, derivatives: int) -> int:
     return OK
 
 
-@register_jitable
+@into_caller
 def indicate(g: int, indicators: int) -> int:
     """The event indicators of all members where they are placed, to an address."""
     return call(whole(g + INDICATE), g, indicators) if whole(g + INDICATORS) > 0 else OK
@@ -143,7 +143,7 @@ def indicate_all(g: int, indicators: int) -> int:
     return OK
 
 
-@register_jitable
+@into_caller
 def completed(g: int) -> int:
     """Tell the members that want it that a step of the solver is accepted: a status, or -1 - m where member m asks for
     an event, or -1001 - m where it asks to end."""

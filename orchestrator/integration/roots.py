@@ -6,14 +6,14 @@ from numba.extending import register_jitable
 
 from .cells import CELL, INDICATORS, OK, TIME, Z_NEW, Z
 from .members import indicate
-from .memory import number, put, whole
+from .memory import into_caller, number, put, whole
 from .one_step import trial
 
 EPSILON = 2.220446049250313e-16
 MOST = 200  # steps of the search
 
 
-@register_jitable
+@into_caller
 def first_changed(g: int) -> int:
     """The first indicator that differs in sign between Z and Z_NEW; -1 if none does."""
     a, b = whole(g + Z), whole(g + Z_NEW)
@@ -23,7 +23,7 @@ def first_changed(g: int) -> int:
     return -1
 
 
-@register_jitable
+@into_caller
 def keep_indicators(g: int) -> None:
     """Z becomes what Z_NEW is."""
     a, b = whole(g + Z), whole(g + Z_NEW)

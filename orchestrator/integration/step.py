@@ -53,7 +53,7 @@ from .cells import (
 from .connections import exchange
 from .events import enter_events, log, read_nominals, read_states, settle
 from .members import fault, indicate, place
-from .memory import call, call_whole, number, put, put_byte, put_whole, whole
+from .memory import call, call_whole, into_caller, number, put, put_byte, put_whole, whole
 from .roots import EPSILON, first_changed
 from .stiff.cvode import advance_by_cvode
 
@@ -61,7 +61,7 @@ MOST_EVENTS = 1000  # in one step
 BACK = 1e-9  # of a step, by which its beginning may differ from where the group is
 
 
-@register_jitable
+@into_caller
 def take_step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
     """From `time` over `length` [s]: a status of FMI, and through addresses whether a member asks to end, and when."""
     put_byte(event, 0)
@@ -85,7 +85,7 @@ def take_step(g: int, time: float, length: float, final: int, event: int, ends: 
     return 0 if status == OK else 3
 
 
-@register_jitable
+@into_caller
 def begin(g: int, time: float, length: float) -> int:
     """Take in what was set since the last step; of a step that another member has begun, what is left is done."""
     at = number(g + TIME)
@@ -119,7 +119,7 @@ def begin(g: int, time: float, length: float) -> int:
     return OK
 
 
-@register_jitable
+@into_caller
 def watched_changed(g: int) -> bool:
     """Whether an input from outside is not what it was at the last step."""
     changed, watched, seen = False, whole(g + WATCHED), whole(g + SEEN)
@@ -131,7 +131,7 @@ def watched_changed(g: int) -> bool:
     return changed
 
 
-@register_jitable
+@into_caller
 def to_the_end(g: int, end: float) -> int:
     """From event to event until an instant; a time event on it is done."""
     events = 0

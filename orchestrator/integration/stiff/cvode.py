@@ -54,7 +54,7 @@ from ..cells import (
     X,
 )
 from ..members import evaluate_here, fault, indicate, place
-from ..memory import call, call_whole, half, number, put, put_whole, whole
+from ..memory import call, call_whole, half, into_caller, number, put, put_whole, whole
 from ..roots import EPSILON, first_changed, keep_indicators
 
 NORMAL, ONE_STEP = 1, 2
@@ -130,7 +130,7 @@ def begin_anew(g: int) -> int:
     return flag
 
 
-@register_jitable
+@into_caller
 def advance_by_cvode(g: int, target: float) -> int:
     """From TIME to an instant or to an event before it: REACHED, EVENT, or a status that is bad."""
     put_whole(g + CURRENT, 0)

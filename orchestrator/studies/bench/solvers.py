@@ -135,7 +135,7 @@ def solver_rows(folder: Path, quick: bool) -> Iterator[tuple[float, dict[str, An
     library = _library(folder) if is_there() else None
     small = _opened(folder, "oscillator", oscillator())
     rounds = 8 if quick else 40
-    yield 0.3, {"model": "oscillator, 2 states", **_beside(small, library, 5000, rounds, "step")}
+    yield 0.3, {"model": "oscillator, 2 states", **_beside(small, library, 1000, 5 * rounds, "step")}
     rod = _opened(folder, "chain", chain(CELLS), N=CELLS)
     yield 0.7, {"model": f"rod, {CELLS} states, band", **_beside(rod, library, 5, rounds, "evaluation")}
     if library is not None:
