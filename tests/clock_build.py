@@ -45,6 +45,7 @@ MODELS: dict[str, Variables] = {
     "square": [("y", 0, "output", 'variability="discrete"'), ("half", 1, "parameter", 'start="0.25"'),
                ("stuck", 2, "parameter", 'start="1e9"'),
                ("changes", WHOLE, "output", "")],
+    "trouble": [("updates", WHOLE, "output", ""), ("fault", WHOLE + 1, "parameter", 'start="0"')],
     "partitions": [
         ("fast", CLOCK, "input", 'intervalVariability="constant" intervalDecimal="0.01" priority="0"'),
         ("slow", CLOCK + 1, "input", 'intervalVariability="constant" intervalDecimal="0.033333333" priority="1" '

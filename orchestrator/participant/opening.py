@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from ..errors import FmuError
 from ..fmu.files.windows import require_co_simulation
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
@@ -102,13 +102,12 @@ def start(component: Component) -> Participant:
     wanted = component.logging, component.tolerance
     if component.fmu.own.windows:
         return Starting([component]).start(component)
-    apart = why_not_here(component)
-    if apart and component.in_events:
-        raise FmuError(
-            f"component {component.name}: its events need {component.fmu.path.name} in this process, which used it "
-            f"before, and {apart}; start another process"
-        )
-    if component.isolation == "process" or apart:
+    if component.isolation == "process" or why_not_here(component):
+        if component.in_events:
+            from .isolated.events import IsolatedEvents
+
+            limit = float(component.timeout)
+            return IsolatedEvents(component.fmu, component.name, limit, *wanted, component.clocks)
         from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted)
@@ -118,10 +117,17 @@ def start(component: Component) -> Participant:
         return MockInstance(component.fmu, component.name, component.tolerance)
     if not component.in_events:
         return load(component.fmu, component.name, *wanted)
+    return load_in_events(component.fmu, component.name, *wanted, component.clocks)
+
+
+def load_in_events(
+    fmu: Fmu, name: str, logging: Logging, tolerance: float | None, clocks: Mapping[str, Fraction]
+) -> LoadedInstance:
+    """An instance in this process that takes part in events; `clocks`: intervals that are chosen for it [s]."""
     from .here.clock_calls import ClockCalls
 
-    instance = load(component.fmu, component.name, *wanted) if component.scheduled else None
-    eventful = instance or _with_events(component.fmu, component.name, *wanted)
+    scheduled = fmu.kind == SCHEDULED_EXECUTION
+    eventful = (load if scheduled else _with_events)(fmu, name, logging, tolerance)
     assert isinstance(eventful, ClockCalls)
-    eventful.intervals = component.clocks
+    eventful.intervals = clocks
     return eventful

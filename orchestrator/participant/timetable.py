@@ -24,6 +24,11 @@ class Asked(Protocol):
     def set_interval(self, name: str, seconds: Fraction) -> None: ...
 
 
+def time_based(clocks: Iterable[ClockVariable]) -> dict[str, ClockVariable]:
+    """The clocks, by name, that tick by themselves at times that are told."""
+    return {clock.name: clock for clock in clocks if clock.time_based and clock.causality == "input"}
+
+
 class Timetable:
     """Of time-based clocks: a period where there is one, and the next tick; times in seconds.
 
@@ -32,7 +37,7 @@ class Timetable:
 
     def __init__(self, instance: Asked, clocks: Iterable[ClockVariable], chosen: Mapping[str, Fraction] | None = None):
         self.instance = instance
-        self.clocks = {clock.name: clock for clock in clocks if clock.time_based and clock.causality == "input"}
+        self.clocks = time_based(clocks)
         self.chosen = dict(chosen or {})
         self.periods: dict[str, Fraction] = {}
         self.next: dict[str, Fraction] = {}  # ticks that are known

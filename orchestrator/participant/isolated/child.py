@@ -16,7 +16,7 @@ from typing import Any
 
 from ...fmu.fmu import Fmu
 from ...processes import end_with, watch
-from ..base import CallError, State
+from ..base import AskedToEndError, CallError, State
 from ..here.loaded import LoadedInstance
 from ..lifecycle import ERROR
 from ..opening import load
@@ -34,6 +34,7 @@ from .channel import (
     texts_at,
     to_json,
 )
+from .child_events import EVENTS, at_event, eventful
 from .functions import Function, functions
 
 BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
@@ -78,6 +79,7 @@ class Served:
                 answer: dict[str, Any] = {"ok": self.by_name(*from_json(body))}
             except Exception as error:
                 answer = {"error": str(error), "status": getattr(error, "status", None)}
+                answer |= {"ends": True} if isinstance(error, AskedToEndError) else {}
             channel.send(letter, to_json(answer | self.news(asked=True)), number)
 
     def news(self, asked: bool) -> dict[str, Any]:
@@ -101,12 +103,17 @@ class Served:
     def by_name(self, what: str, *values: Any) -> Any:
         """A method of the instance."""
         if what == "start":
-            kind, *wanted = values
+            kind, clocks, *wanted = values
             fmu = Fmu.open(self.path).of_kind(kind)
             if fmu.digest != self.digest:
                 raise ValueError(f"{self.path.name} has changed since the system was read; start again")
-            self.instance, self.functions = load(fmu, self.name, *wanted), functions(fmu.version)
+            self.instance = (
+                load(fmu, self.name, *wanted) if clocks is None else eventful(fmu, self.name, clocks, *wanted)
+            )
+            self.functions = functions(fmu.version)
             return [self.instance.pointer, self.instance.missing]
+        if what in EVENTS:
+            return at_event(self.instance, what, *values)
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")
         return getattr(self.instance, what)(*values)

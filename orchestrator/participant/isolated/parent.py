@@ -19,7 +19,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.sharing import made_by_pythonfmu
 from ...fmu.types import Value
 from ...processes import how_ended
-from ..base import CallError, Participant, State
+from ..base import AskedToEndError, CallError, Participant, State
 from ..lifecycle import FATAL, PREFIX, STATE_FUNCTIONS
 from ..messages import Logging
 from .callbacks import Callbacks
@@ -28,6 +28,11 @@ from .child_process import ChildProcess, ProcessLostError
 
 # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
 STARTING = 120.0
+SHOWN = {  # what a call is in messages, where its name does not say it
+    "close": "terminate or free", "happen": "activate clocks", "activate": "activate clocks",
+    "ticking": "ask which clocks tick", "update": "update discrete states", "leave_event_mode": "enter step mode",
+    "run_next": "activate a partition", "known": "ask for its next event",
+}  # fmt: skip
 
 
 class IsolatedInstance(Participant):
@@ -49,11 +54,16 @@ class IsolatedInstance(Participant):
         self.shared = Shared(memory)
         self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
         try:
-            started = self._by_name("start", fmu.kind, logging, tolerance, limit=max(timeout, STARTING))
+            started = self._by_name("start", fmu.kind, self.clocks, logging, tolerance, limit=max(timeout, STARTING))
         except FmuError as error:
             self._end()
             raise FmuError(str(error)) from None
         self._pointer, self.missing = int(started[0]), tuple(started[1])
+
+    @property
+    def clocks(self) -> Mapping[str, str] | None:
+        """Intervals that are chosen for it [s], where its events are handled; see `events.IsolatedEvents`."""
+        return None
 
     @property
     def pointer(self) -> int:
@@ -118,7 +128,7 @@ class IsolatedInstance(Participant):
         return FATAL
 
     def _by_name(self, what: str, *arguments: Any, limit: float = 0.0) -> Any:
-        shown = {"close": "terminate or free"}.get(what, what.replace("_", " "))
+        shown = SHOWN.get(what, what.replace("_", " "))
         if self.dead:
             reason = self.fault or f"it is {self.state.value}"
             raise CallError(f"component {self.name}: cannot {shown}: {reason}{self.log_text()}")
@@ -128,7 +138,7 @@ class IsolatedInstance(Participant):
             raise CallError(f"component {self.name}: {self.fault} in the call `{shown}`{self.log_text()}") from None
         self._news(answer)
         if "error" in answer:
-            raise CallError(answer["error"], answer.get("status"))
+            raise (AskedToEndError if answer.get("ends") else CallError)(answer["error"], answer.get("status"))
         return answer["ok"]
 
     def configure(self, values: Mapping[str, Value]) -> None:

@@ -78,7 +78,6 @@ def test_clocks_that_cannot_tick_so_are_one_clear_error(
     ("of", "keys", "why"),
     [
         ({"event_mode": "off"}, {}, r'clock tick is activated in event mode, and event_mode = "off"'),
-        ({"isolation": "process"}, {}, r"clock tick is activated in event mode, and it runs in a process of its own"),
         ({}, {"algorithm": "adaptive"}, r"algorithm adaptive does not go along with events"),
         ({"clocks": {"tick": "10 ms"}}, {}, r"it is constant, its interval is not to be set"),
         ({"clocks": {"tack": "10 ms"}}, {}, r"has no such clock; did you mean 'tick'\?"),
@@ -94,8 +93,7 @@ def test_what_a_clocked_component_cannot_do_is_told_before_time_0(
 
 def test_an_event_mode_that_is_not_used_is_told(tmp_path: Path, fmus: Path) -> None:
     parts, wires = {"ball": ("ball", "10 ms"), "p": ("plant", "10 ms")}, ["ball.h -> p.u"]
-    for keys in ({"algorithm": "adaptive"}, {"of": {"ball": {"isolation": "process"}}}):
-        plan = plan_of(tmp_path, fmus, parts, wires, **keys)
-        assert plan.events is None and "ball: the event mode of ball.fmu is not used:" in explain(plan)
+    plan = plan_of(tmp_path, fmus, parts, wires, algorithm="adaptive")
+    assert plan.events is None and "ball: the event mode of ball.fmu is not used:" in explain(plan)
     plan = plan_of(tmp_path, fmus, parts, wires, of={"ball": {"event_mode": "off"}})
     assert plan.events is None and "not used" not in explain(plan)
