@@ -6,6 +6,7 @@ vary its step, otherwise when its step is done.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -31,14 +32,32 @@ class Events:
     watched: tuple[str, ...] = ()  # components at whose instants it is seen whether something has happened by them
 
 
+class Starts:
+    """Where in a cycle the steps of each of `count` components begin that an event can stop or end.
+
+    `end` [ticks]: where the cycle ends.
+    """
+
+    def __init__(self, rows: np.ndarray, count: int, end: int) -> None:
+        steps = np.flatnonzero(rows[:, 0] == STEP_ON)
+        own = [steps[rows[steps, 2] == component] for component in range(count)]
+        self._rows = [at.tolist() for at in own]
+        self._starts = [[*rows[at, 4].tolist(), end] for at in own]
+
+    def behind(self, row: int) -> list[int]:
+        """For each component where its first step begins that is not done before operation `row` [ticks]."""
+        return [starts[bisect_left(at, row)] for at, starts in zip(self._rows, self._starts, strict=True)]
+
+
 @dataclass(frozen=True)
 class EventRows:
     """Operations that are done at an event, beside those of a cycle.
 
     `bring`: a step of each component that is stopped, as from the start of the cycle; `after`: values along all held
-    connections among components that are at one instant, by which these are.
+    connections among components that are at one instant, by which these are; `starts`: where steps begin.
     """
 
+    starts: Starts
     bring: Mapping[str, np.ndarray] = field(default_factory=dict)
     after: Mapping[Known, np.ndarray] = field(default_factory=dict)
 
@@ -84,15 +103,6 @@ def _may_be_event(system: System, c: Connection) -> bool:
     target = system.components[c.target[0]]
     sampled = c.target[1] in target.at_events and not target.fmu.clocks_of(c.target[1]) and not target.scheduled
     return sampled and not ends_early(system.components[c.source[0]])
-
-
-def starts_behind(rows: np.ndarray, row: int, count: int, end: int) -> list[int]:
-    """For each component where in the cycle its first step begins that is not done before operation `row` [ticks]."""
-    steps = rows[row:][rows[row:, 0] == STEP_ON]
-    found = [end] * count
-    for component, start in steps[::-1, [2, 4]].tolist():
-        found[component] = start
-    return found
 
 
 def event_words(events: Events, clock: Clock) -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
-from ..happening.events import EventRows, Known, starts_behind
+from ..happening.events import EventRows, Known, Starts
 from .schedule import Schedule
 from .steps import Row
 
@@ -15,17 +15,19 @@ from .steps import Row
 def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:
     """What is done at the events of a cycle that was listed last."""
     events = schedule.design.events
+    starts = Starts(cycle, len(schedule.index), schedule.span)
     if events is None:
-        return EventRows()
+        return EventRows(starts)
     bring = {name: _table(schedule.advance(0, name, 0, part=True)) for name in events.stopped}
-    return EventRows(bring, {known: _table(_after(schedule, known)) for known in _together(schedule, cycle)})
+    together = _together(schedule, cycle, starts)
+    return EventRows(starts, bring, {known: _table(_after(schedule, known)) for known in together})
 
 
 def _table(rows: Iterator[Row]) -> np.ndarray:
     return np.array(list(rows), dtype=np.int64).reshape(-1, len(COLUMNS))
 
 
-def _together(schedule: Schedule, cycle: np.ndarray) -> list[Known]:
+def _together(schedule: Schedule, cycle: np.ndarray, starts: Starts) -> list[Known]:
     """All sets of components that can be at the instant of an event together, or behind it."""
     events, names = schedule.design.events, list(schedule.index)
     assert events is not None
@@ -35,9 +37,9 @@ def _together(schedule: Schedule, cycle: np.ndarray) -> list[Known]:
     for row in np.flatnonzero((cycle[:, 0] == STEP_ON) | (cycle[:, 0] == PAUSE)).tolist():
         if cycle[row, 0] == STEP_ON and names[cycle[row, 2]] not in events.sources:
             continue
-        starts = starts_behind(cycle, row, len(names), schedule.span)
-        for instant in {int(cycle[row, 1]), *starts}:
-            found[at_instant(starts, names, instant, events.stopped, schedule.early)] = None
+        behind = starts.behind(row)
+        for instant in {int(cycle[row, 1]), *behind}:
+            found[at_instant(behind, names, instant, events.stopped, schedule.early)] = None
     return list(found)
 
 

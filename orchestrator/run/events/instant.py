@@ -14,7 +14,7 @@ from ...loop.calls import EARLY_RETURN, EVENT_NEEDED, LAST_TIME
 from ...loop.operations import SAMPLE, SERIES, STEP_ON
 from ...loop.run import FOREVER
 from ...participant.base import Participant
-from ...plan.happening.events import EventRows, Known, starts_behind
+from ...plan.happening.events import EventRows, Known
 from ...plan.plan import Plan
 from ...plan.schedule.event_rows import at_instant
 from ..ends.failure import failed_at
@@ -32,9 +32,8 @@ class Place:
         self.rows = plan.operations(cycle)
         last = cycle >= plan.clock.cycles
         self.base = cycle * plan.cycle_ticks  # ticks from the start
-        span = plan.clock.rest if last else plan.clock.hyperperiod
-        self.starts = starts_behind(self.rows, operation, len(plan.system.components), span)
         self.event_rows: EventRows = plan.at_last_events if last else plan.at_events
+        self.starts = self.event_rows.starts.behind(operation)
 
     def time_of(self, tick: int) -> float:
         """An instant of the cycle [ticks] as the loop has it [s]."""
