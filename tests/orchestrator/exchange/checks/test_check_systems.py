@@ -9,8 +9,30 @@ from pathlib import Path
 import pytest
 from helpers import rovbrush
 from osp_files import simulator, structure, wire, write_osp
+from rovbrush.orchestrator.exchange.checks import systems
+from rovbrush.orchestrator.exchange.checks.chain import check_fmu
+from rovbrush.orchestrator.exchange.checks.rows import Report
 from rovbrush.orchestrator.exchange.checks.systems import check_file
 from ssp_files import CHAIN, GAINS, component, connection, connectors, document, system, write_ssp_file
+
+
+@pytest.fixture(autouse=True)
+def every_fmu_is_checked_once(monkeypatch: pytest.MonkeyPatch, known: dict[bytes, Report]) -> None:
+    """What a check says of an FMU does not depend on the file it stands in: the same bytes are not tried again."""
+
+    def remembered(path: Path) -> Report:
+        content = path.read_bytes()
+        if content not in known:
+            known[content] = check_fmu(path)
+        return known[content]
+
+    monkeypatch.setattr(systems, "check_fmu", remembered)
+
+
+@pytest.fixture(scope="module")
+def known() -> dict[bytes, Report]:
+    return {}
+
 
 ODD = system(component("a", "gain", connectors(q="input")) + component("b", "gain"), connection("a.y", "b.u"))
 
