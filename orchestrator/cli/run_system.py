@@ -69,10 +69,7 @@ def _run(
     plan: Plan, request: Request, out: Path, check: bool, older: Sequence[str], begin: Checkpoint | None = None,
     force: bool = False,
 ) -> None:  # fmt: skip
-    from ..loop.compiled import is_compiled
-
-    first = "" if is_compiled() else "; the first run compiles the loop, which takes about half a minute"
-    tell(f"loading the FMUs{first}")
+    tell(f"loading the FMUs{_first(plan)}")
     more = [_boundary(plan, component) for component in request.record_boundary]
     if request.csv:
         more.append((rate_names(plan), rate_files))
@@ -86,6 +83,17 @@ def _run(
         finished = carry_out(plan, out, request, older, begin, force, report, more)
     show(finished)
     require_good(finished, check)
+
+
+def _first(plan: Plan) -> str:
+    """What the first run of all has to do that others need not, and how long that takes."""
+    from ..integration.compiled import is_compiled as solver_is_compiled
+    from ..loop.compiled import is_compiled
+
+    missing = [] if is_compiled() else ["the loop"]
+    if plan.exchange and not solver_is_compiled():
+        missing.append("the solver of model exchange")
+    return f"; the first run compiles {' and '.join(missing)}, half a minute each at most" if missing else ""
 
 
 def _boundary(plan: Plan, component: str) -> More:

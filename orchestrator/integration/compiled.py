@@ -49,6 +49,23 @@ def _hash() -> str:
     return loop_hash(Path(steps.__file__))
 
 
+def is_compiled() -> bool:
+    """Whether little is left to compile: a step was, on this machine, or nothing is to be."""
+    if not numba_compiles():
+        return True
+    kept = [_named(FUNCTIONS[name][0], _hash()) for name in ("step", "step2")]  # by the version of the members
+    return any(any(Path(cache.cache_path).glob(f"*{named.__qualname__}*.nbi")) for named, cache in kept)
+
+
+def _named(function: Callable[..., int], digest: str) -> tuple[FunctionType, Any]:
+    """A function under the name by which it is kept, and where."""
+    from ..loop.compiled_files import CheckedCache
+
+    named = FunctionType(function.__code__, vars(sys.modules[function.__module__]))
+    named.__qualname__ = f"{function.__name__}_{digest}"
+    return named, CheckedCache(named)
+
+
 @cache
 def _address(function: Callable[..., int], kinds: str, digest: str) -> tuple[int, Any]:
     """The address, and what must live as long as it is used."""
@@ -60,14 +77,11 @@ def _address(function: Callable[..., int], kinds: str, digest: str) -> tuple[int
     from numba.core.ccallback import CFunc
     from numba.core.sigutils import normalize_signature
 
-    from ..loop.compiled_files import CheckedCache
-
     known = {"w": numba.int64, "d": numba.float64, "b": numba.uint8}
-    named = FunctionType(function.__code__, vars(sys.modules[function.__module__]))
-    named.__qualname__ = f"{function.__name__}_{digest}"
+    named, kept = _named(function, digest)
     signature = numba.int32(*(known[kind] for kind in kinds))
     normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
     compiled: Any = CFunc(named, normal, {}, {"error_model": "numpy", "forceinline": True})
-    compiled._cache = CheckedCache(named)
+    compiled._cache = kept
     compiled.compile()
     return int(compiled.address), compiled

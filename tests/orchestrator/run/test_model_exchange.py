@@ -10,8 +10,10 @@ from pathlib import Path
 import exchange_build
 import numpy as np
 import pytest
+from helpers import rovbrush
 from native_build import answers, needs_gcc
 from rovbrush.orchestrator import FmuError, InputError, RunError, load
+from rovbrush.orchestrator.integration.compiled import is_compiled
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
@@ -258,3 +260,20 @@ def test_one_that_cannot_be_loaded_beside_the_others_is_an_error(
     monkeypatch.setattr(opening, "why_not_here", lambda c: "it keeps static data" if c.name == "lag" else "")
     with pytest.raises(FmuError, match=r"component lag: lag.fmu was used in this process before"):
         load(path).run()
+
+
+def test_who_compiles_for_half_a_minute_is_told_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exchange_build.exchange(tmp_path, "ball")
+    run = ("run", tmp_path / "ball.fmu", "--stop", "10 ms", "--force", "--out", tmp_path / "out")
+    assert rovbrush(monkeypatch, *run) == 0
+    capsys.readouterr()
+    assert rovbrush(monkeypatch, *run) == 0  # in a second run nothing is left
+    assert "first run" not in capsys.readouterr().out
+    monkeypatch.setattr("rovbrush.orchestrator.integration.compiled._hash", lambda: "of other sources")
+    assert not is_compiled()
+    monkeypatch.undo()
+    monkeypatch.setattr("rovbrush.orchestrator.integration.compiled.is_compiled", lambda: False)
+    assert rovbrush(monkeypatch, *run) == 0
+    assert "the first run compiles the solver of model exchange" in capsys.readouterr().out
