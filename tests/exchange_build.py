@@ -68,9 +68,14 @@ MOODY = Model(
      Var("stepped", 2, kind="Integer", needs=[]), Var("rounds", 3, kind="Integer", needs=[])],
     indicators=1, completed=True,
 )  # fmt: skip
+FORCED = Model(
+    MODELS / "forced.c",
+    [Var("x", 0, start="0", needs=["x"]), Var("der(x)", 1, "local", state="x", needs=["x"]),
+     parameter("rate", 2, "1"), parameter("w", 3, "1")],
+)  # fmt: skip
 MODELS_BY_NAME = {
     "ball": BALL, "striker": STRIKER, "struck": STRUCK, "stick_slip": STICK_SLIP, "relay": RELAY, "lag": LAG,
-    "moody": MOODY, "oscillator": build.oscillator(),
+    "moody": MOODY, "forced": FORCED, "oscillator": build.oscillator(),
 }  # fmt: skip
 
 

@@ -15,8 +15,12 @@ def _cells(count: int) -> range:
 
 # The group. TIME and NEXT_EVENT [s], and whose that is; NEXT_STEP: the step that the error allows [s]; CURRENT: 1 if K1
 # is the right-hand side at TIME; IN_EVENTS: 1 while the members are in event mode; CHANGED: 1 if something was set
-# since the last step; RESTART: 1 if CVODE must begin anew.
-TIME, NEXT_EVENT, NEXT_WHO, NEXT_STEP, CURRENT, IN_EVENTS, METHOD, CHANGED, RESTART, _END = _cells(10)
+# since the last step; RESTART: 1 if CVODE must begin anew; LOST: 1 if it must only because its history is in no saved
+# state; ANEW: how often that was so, first at ANEW_AT [s]; STIFF: 1 if the group proved stiff, at SWITCHED [s].
+(
+    TIME, NEXT_EVENT, NEXT_WHO, NEXT_STEP, CURRENT, IN_EVENTS, METHOD, CHANGED, RESTART, LOST, ANEW, ANEW_AT, STIFF,
+    SWITCHED, _END,
+) = _cells(15)  # fmt: skip
 KEPT = _END // CELL
 
 # What is in the block ARRAYS: states, their derivatives, event indicators, outputs and inputs, inputs from outside.
@@ -25,14 +29,14 @@ KEPT = _END // CELL
     STATES, MEMBERS, MEMBER_COUNT, INDICATORS, VALUES,
     K2, STAGE, X_NEW, Z_NEW, V_OLD, ABSOLUTE, RELATIVE, NOMINAL,
     ROWS, ROW_COUNT, SOURCES, GAINS, OFFSETS, DISCRETE, DISCRETE_COUNT, WATCHED, WATCHED_COUNT,
-    STEP, LONGEST, RESTS_IN_EVENTS, RESTARTS, INFO, STIFF,
+    STEP, LONGEST, RESTS_IN_EVENTS, RESTARTS, INFO,
     LOG, LOG_SIZE, LOG_COUNT, FAULT, FAULT_MEMBER, FAULT_STATUS, FAULT_INDEX, FAULT_TIME,
-    STEPS, REJECTED, EVALUATIONS, EVENTS, SWITCHED, NO_STATE_BEFORE,
+    STEPS, REJECTED, EVALUATIONS, EVENTS, NO_STATE_BEFORE,
     CVODE, CV_STEP, CV_REINIT, CV_STOP_TIME, CV_ROOTS, CV_TOLERANCES, CV_STATES, CV_ABSOLUTE, CV_REACHED, CV_FOUND,
     CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT,
     OWN_SAVE, OWN_RESTORE, OWN_FORGET, OWN_INSTANCE, ENDED, SENT,
     MALLOC, FREE, EVALUATE, EXCHANGE, INDICATE, TRIAL, SETTLE, _LAST,
-) = (_END + cell for cell in _cells(81))  # fmt: skip
+) = (_END + cell for cell in _cells(79))  # fmt: skip
 TABLE = _LAST // CELL
 
 # A member, a row of MEMBERS: whose signatures its functions have (2 or 3), instance, addresses of its functions (0 for

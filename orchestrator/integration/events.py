@@ -31,6 +31,7 @@ from .cells import (
     LOG,
     LOG_COUNT,
     LOG_SIZE,
+    LOST,
     MEMBER,
     MEMBER_COUNT,
     MEMBERS,
@@ -185,6 +186,7 @@ def go_on(g: int) -> int:
     put_whole(g + CURRENT, 0)
     put_whole(g + CHANGED, 0)
     put_whole(g + RESTART, 1)
+    put_whole(g + LOST, 0)
     return OK
 
 

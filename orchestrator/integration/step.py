@@ -26,6 +26,7 @@ from .cells import (
     LOG,
     LOG_COUNT,
     LOG_SIZE,
+    LOST,
     MALLOC,
     METHOD,
     NEXT_EVENT,
@@ -91,7 +92,6 @@ def begin(g: int, time: float, length: float) -> int:
     at = number(g + TIME)
     if at < time - BACK * length or at > time + length * (1.0 + BACK):
         put_whole(g + CURRENT, 0)
-        put_whole(g + RESTART, 1)
         put_whole(g + CHANGED, 1)
         put(g + TIME, time)
     if number(g + NEXT_STEP) <= 0.0:
@@ -107,6 +107,7 @@ def begin(g: int, time: float, length: float) -> int:
     put_whole(g + CHANGED, 0)
     put_whole(g + CURRENT, 0)
     put_whole(g + RESTART, 1)
+    put_whole(g + LOST, 0)
     status = exchange(g)
     if status == OK:
         status = indicate(g, whole(g + Z_NEW))
@@ -189,9 +190,11 @@ def save(g: int, state: int) -> int:
         put_whole(at, 0)
         put_whole(state, at)
     status = call(whole(g + OWN_SAVE), whole(g + OWN_INSTANCE), at)
+    if whole(g + METHOD) == CVODES and whole(g + RESTART) == 0 and whole(g + RESTARTS) == 0:
+        put_whole(g + LOST, 1)
+    put_whole(g + RESTART, 1)  # whoever goes on from here later has no history of the solver
     copy(g, at + CELL, CELL * KEPT)
     copy(whole(g + ARRAYS), at + CELL + CELL * KEPT, whole(g + ARRAYS_SIZE))
-    put_whole(g + RESTART, 1)  # whoever goes on from here later has no history of the solver
     return status
 
 
@@ -199,8 +202,6 @@ def restore(g: int, state: int) -> int:
     """fmi2SetFMUstate of the first member and of the group."""
     copy(state + CELL, g, CELL * KEPT)
     copy(state + CELL + CELL * KEPT, whole(g + ARRAYS), whole(g + ARRAYS_SIZE))
-    put_whole(g + RESTART, 1)
-    put_whole(g + CHANGED, 1)  # inputs may not be what they were
     return call(whole(g + OWN_RESTORE), whole(g + OWN_INSTANCE), whole(state))
 
 

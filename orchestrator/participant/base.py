@@ -236,6 +236,19 @@ class Participant(ABC):
         """Who is behind the answer to its last step: itself, or another member of its group."""
         return self
 
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
+        """How its states are integrated, where it brings no solver and is in no group: see SolverSettings.
+        `goes_back`: its state is saved at every step, and may be restored."""
+        return
+
+    def notes(self) -> list[str]:
+        """What a run must tell of it."""
+        return []
+
+    def forgets(self) -> str:
+        """What a run that is taken up from its saved state does not go on with, in words."""
+        return ""
+
     def why_failed(self) -> str:
         """What went wrong in its last step, where that is known better than by its status."""
         return ""

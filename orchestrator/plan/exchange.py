@@ -30,6 +30,12 @@ def exchanged(system: System) -> tuple[str, ...]:
     )
 
 
+def apart(system: System) -> tuple[str, ...]:
+    """Those with a process, and so a group, of their own."""
+    kinds = {name for name, component in system.components.items() if component.fmu.kind == MODEL_EXCHANGE}
+    return tuple(name for name in system.components if name in kinds - {*exchanged(system)})
+
+
 def with_one_period(system: System) -> System:
     """The members step together: all take the largest period of which all theirs are multiples."""
     names = exchanged(system)
@@ -93,15 +99,27 @@ def settings_of(system: System) -> SolverSettings:
     return SolverSettings(s.method, s.tolerance, step, longest, min(s.max_order, MOST_ORDER), s.restart)
 
 
-def explained(system: System) -> list[str]:
-    """How each group is integrated, and why; nothing where there is none."""
+def explained(system: System, goes_back: bool) -> list[str]:
+    """How each group is integrated, and why; nothing where there is none. `goes_back`: states are saved at every step,
+    and may be restored."""
     together = exchanged(system)
-    alone = [(name,) for name, c in system.components.items() if c.fmu.kind == MODEL_EXCHANGE and name not in together]
     lines = []
-    for names in ([together] if together else []) + alone:
+    for names in ([together] if together else []) + [(name,) for name in apart(system)]:
         states = sum(len(state_names(system.components[name].fmu)) for name in names)
-        settings = settings_of(system) if names == together else SolverSettings()
-        chosen = choose(settings, states)
+        chosen = choose(settings_of(system), states)
         who = f"{', '.join(names)}: {'one group' if len(names) > 1 else 'for model exchange'}"
-        lines.append(f"{who}, {counted(states, 'state')}, integrated by {chosen.method} ({chosen.reason})")
+        anew = f"; {_anew(system, goes_back)}" if chosen.method == "cvode" else ""
+        lines.append(f"{who}, {counted(states, 'state')}, integrated by {chosen.method} ({chosen.reason}){anew}")
     return lines
+
+
+def _anew(system: System, goes_back: bool) -> str:
+    """Where CVODE begins anew, beside events and inputs that change: no saved state holds its history."""
+    if goes_back:
+        return "begun anew at every step, which may be taken back"
+    if system.solver.restart:
+        return "begun anew at every communication point"
+    return (
+        "begun anew where a checkpoint is written or the run is taken up, which is not as if it had never stopped bit "
+        "by bit (restart = true under [solver]: it is)"
+    )

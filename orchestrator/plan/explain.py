@@ -48,7 +48,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         lines += [f"  {note}" for note in system.components[name].notes]
     lines += [f"  {note}" for note in start_notes(system)]
     lines += [f"  {note}" for note in last_steps(plan)]
-    lines += [f"  {line}" for line in explained(plan.system)]
+    lines += [f"  {line}" for line in explained(plan.system, plan.algorithm.saves_states)]
     for name in plan.samplers:
         lines.append(f"  {name} samples: its step is done at its beginning, its outputs are in force from then on")
     for name in plan.leaders:

@@ -139,7 +139,9 @@ def _resume(session: Session, out: Path, request: Request) -> str:
     """How a run that was interrupted can go on; empty where that is no question."""
     if not session.failure or not session.resumable:
         return ""
-    return _kept(session, out, request) or f"go on with `rovbrush run --resume {out}`"
+    if why := _kept(session, out, request):
+        return why
+    return "\n".join([f"go on with `rovbrush run --resume {out}`", *session.forgotten])
 
 
 def _kept(session: Session, out: Path, request: Request) -> str:

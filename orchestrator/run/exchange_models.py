@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..participant.base import Participant
 from ..participant.model_exchange.group import Group
 from ..participant.model_exchange.instance import Member
 from ..participant.model_exchange.links import Link, LinkBlock
-from ..plan.exchange import links_of, settings_of
+from ..plan.exchange import apart, links_of, settings_of
 from ..plan.plan import Plan
 from ..system.model import Connection
 from .memory.memory import Memory
@@ -36,12 +38,21 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     outside = {key: slot for key, slot in plan.layout.inputs.items() if key[0] in numbers and key not in inside}
     variables = [plan.system.components[name].fmu.variables[variable] for name, variable in outside]
     sampled = any(variable.variability != "continuous" for variable in variables)
-    group = Group(members, blocks, settings_of(plan.system), rests_in_events=sampled)
     first = int(memory.z.ctypes.data)
-    group.watch([first + memory.z.itemsize * slot for slot in outside.values()])
+    watched = [first + memory.z.itemsize * slot for slot in outside.values()]
+    group = Group(members, blocks, settings_of(plan.system), rests_in_events=sampled, watched=watched)
+    group.goes_back = plan.algorithm.saves_states
     for member in members:
         member.join(group)
     return group
+
+
+def alone(plan: Plan, instances: dict[str, Participant], group: Group | None) -> list[Participant]:
+    """Those that have a process, and so a group, of their own; they are told how they are integrated."""
+    found = [instances[name] for name in (*apart(plan.system), *(plan.exchange if group is None else ()))]
+    for instance in found:
+        instance.solve_by(asdict(settings_of(plan.system)), plan.algorithm.saves_states)
+    return found
 
 
 def _link(plan: Plan, c: Connection, numbers: dict[str, int]) -> Link:

@@ -12,7 +12,8 @@ from ..files import plain
 from ..loop import cells
 from ..loop.compiled import compiled_run
 from ..loop.run import run
-from ..participant.base import AskedToEndError
+from ..participant.base import AskedToEndError, Participant
+from ..participant.model_exchange.group import Group
 from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
@@ -20,7 +21,7 @@ from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.events import Events
-from .exchange_models import bring_together
+from .exchange_models import alone, bring_together
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -70,6 +71,8 @@ class Session:
             try:
                 self.memory = Memory(plan)
                 self.group = bring_together(plan, self.instances, self.memory) if plan.exchange else None
+                self._solved: list[Group | Participant] = [*([self.group] if self.group else [])]
+                self._solved += alone(plan, self.instances, self.group)
                 self._started = initialize(plan, self.instances, self.memory)
                 self.participants.notes += self._started.notes
                 self.participants.look_around("in the initialization")
@@ -215,6 +218,11 @@ class Session:
             self.failure = why
 
     @property
+    def forgotten(self) -> list[str]:
+        """What a checkpoint that was written here does not hold, in words."""
+        return [words for one in self._solved if (words := one.forgets())]
+
+    @property
     def resumable(self) -> bool:
         """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
         return not self._closed and not self.ended and (not self.failure or self._interrupted)
@@ -250,7 +258,7 @@ class Session:
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
-        further = [*(self.group.notes() if self.group else []), *self.events.notes]
+        further = [*(note for one in self._solved for note in one.notes()), *self.events.notes]
         notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,

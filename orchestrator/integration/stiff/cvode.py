@@ -10,6 +10,8 @@ from numba.extending import register_jitable
 from ...loop.versions import good
 from ..advance import EVENT, REACHED, after_step, note_event
 from ..cells import (
+    ANEW,
+    ANEW_AT,
     CELL,
     CURRENT,
     CV_ABSOLUTE,
@@ -35,6 +37,7 @@ from ..cells import (
     FIRST_STATE,
     INDICATORS,
     INSTANCE,
+    LOST,
     MEMBER,
     MEMBER_COUNT,
     MEMBERS,
@@ -127,6 +130,11 @@ def begin_anew(g: int) -> int:
     if flag == 0:
         flag = call(whole(g + CV_TOLERANCES), whole(g + CVODE), number(g + RELATIVE), whole(g + CV_ABSOLUTE))
     put_whole(g + RESTART, 0)
+    if whole(g + LOST) != 0:
+        put_whole(g + LOST, 0)
+        if whole(g + ANEW) == 0:
+            put(g + ANEW_AT, number(g + TIME))
+        put_whole(g + ANEW, whole(g + ANEW) + 1)
     return flag
 
 

@@ -38,7 +38,8 @@ from .child_events import EVENTS, at_event, eventful
 from .functions import Function, functions
 
 BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
-           "restore", "forget", "serialize", "deserialize", "terminated", "reached", "look", "close")  # fmt: skip
+           "restore", "forget", "serialize", "deserialize", "terminated", "reached", "look", "solve_by",
+           "notes", "forgets", "why_failed", "close")  # fmt: skip
 
 LOOK = 0.1  # s between two looks at what the FMU may log
 

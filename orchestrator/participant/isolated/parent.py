@@ -186,6 +186,24 @@ class IsolatedInstance(Participant):
     def reached(self) -> float:
         return -math.inf if self.dead else float(self._by_name("reached"))
 
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
+        self._by_name("solve_by", dict(settings), goes_back)
+
+    def notes(self) -> list[str]:
+        return list(self._asked("notes") or ())
+
+    def forgets(self) -> str:
+        return str(self._asked("forgets") or "")
+
+    def why_failed(self) -> str:
+        return str(self._asked("why_failed") or "")
+
+    def _asked(self, what: str) -> Any:
+        """What it says of itself; None where it says nothing any more."""
+        with suppress(FmuError):
+            return None if self.dead else self._by_name(what)
+        return None
+
     def logged(self) -> list[str]:
         if not self.dead:
             with suppress(FmuError):  # the last count, and what was not yet passed on

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...errors import FmuError
+from ...errors import FmuError, counted
 from ...integration import cells
 from ...integration.bound import Bound
 from ...integration.choice import choose
@@ -34,6 +34,7 @@ from .words import why
 
 CELL = cells.CELL
 OWN = (cells.OWN_SAVE, cells.OWN_RESTORE, cells.OWN_FORGET)  # functions of the first member
+BITS = "restart = true under [solver] makes them so"  # of what is taken up at a checkpoint
 LOGGED = 4096  # events that are kept
 METHODS = {"dormand-prince": cells.DORMAND_PRINCE, "rk4": cells.RUNGE_KUTTA, "cvode": cells.CVODES}
 CODES = {code: name for name, code in METHODS.items()}
@@ -48,16 +49,17 @@ class Event(NamedTuple):
 
 
 class Group:
-    """`blocks`: the links between the members, each behind those that it needs. Raises FmuError if that cannot be."""
+    """`blocks`: the links between the members, each behind those that it needs. `watched`: addresses of the inputs from
+    outside; where one is not what it was, the solver begins anew. Raises FmuError if that cannot be."""
 
     def __init__(
         self, members: Sequence[LoadedInstance], blocks: Sequence[LinkBlock] = (),
-        settings: SolverSettings | None = None, rests_in_events: bool = False,
+        settings: SolverSettings | None = None, rests_in_events: bool = False, watched: Sequence[int] = (),
     ) -> None:  # fmt: skip
         self.members, self.blocks = list(members), list(blocks)
         self.settings = settings or SolverSettings()
-        self.begun = False
-        self._rests, self._watched = rests_in_events, np.zeros(0, dtype=np.int64)
+        self.begun, self.goes_back = False, False  # `goes_back`: its state is saved at every step, and may be restored
+        self._rests, self._watched = rests_in_events, np.array(watched, dtype=np.int64)
         self._table = np.zeros(cells.TABLE, dtype=np.int64)
         self._flags = np.zeros(STEP_FLAGS, dtype=np.uint8)
         self._cvode: Cvode | None = None
@@ -76,7 +78,8 @@ class Group:
         n, z, v = max(tables.states, 1), tables.indicators, len(tables.slots)
         tables.discrete = [link for block in self.blocks for link in block.links if not tables.solved(link)]
         discrete = tables.discrete_rows()
-        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.SENT: len(discrete)}
+        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.SENT: len(discrete),
+                 cells.SEEN: len(self._watched)}  # fmt: skip
         self._block = np.zeros(sum(sizes.values()) + 1)
         at = int(self._block.ctypes.data)
         put_whole(g + cells.ARRAYS, at)
@@ -109,6 +112,7 @@ class Group:
             (cells.MEMBER_COUNT, len(self.members)), (cells.INDICATORS, z), (cells.VALUES, v),
             (cells.ROWS, rows.ctypes.data), (cells.ROW_COUNT, len(rows)), (cells.DISCRETE_COUNT, len(discrete)),
             (cells.DISCRETE, discrete.ctypes.data),
+            (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(self._watched)),
             *((cell, LoadedInstance.address(first, function)) for cell, function in own.items()),
             (cells.OWN_INSTANCE, first.pointer),
             (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)), (cells.CHANGED, 1),
@@ -131,16 +135,6 @@ class Group:
         """Relative: stated, or the smallest of the members', or the usual one."""
         stated = [member.tolerance for member in self.members if member.tolerance is not None]
         return self.settings.tolerance or min(stated, default=TOLERANCE)
-
-    def watch(self, addresses: Sequence[int]) -> None:
-        """Cells of inputs from outside: where one is not what it was, the solver begins anew."""
-        self._watched = np.array(addresses, dtype=np.int64)
-        self._seen = np.zeros(max(len(addresses), 1), dtype=np.int64)
-        for cell, value in (
-            (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(addresses)),
-            (cells.SEEN, self._seen.ctypes.data),
-        ):  # fmt: skip
-            put_whole(self.pointer + cell, int(value))
 
     def begin(self, time: float = 0.0) -> None:
         """Behind initialization mode: the first event of all members. Raises FmuError if that fails."""
@@ -220,15 +214,32 @@ class Group:
         return why(self.pointer, [member.fmu.own for member in self.members])
 
     def notes(self) -> list[str]:
-        """What the run must tell of it: where it proved stiff."""
-        if not whole(self.pointer + cells.STIFF):
-            return []
+        """What the run must tell of it: where it proved stiff, and where CVODE lost its history."""
+        names, notes = ", ".join(member.name for member in self.members), []
+        if whole(self.pointer + cells.STIFF):
+            when = number(self.pointer + cells.SWITCHED)
+            notes.append(
+                f"{names}: steps were limited by stability at t = {when:.9g} s, CVODE goes on from there; "
+                'method = "cvode" under [solver] takes it from the start'
+            )
+        if (count := whole(self.pointer + cells.ANEW)) and not self.goes_back:
+            when = number(self.pointer + cells.ANEW_AT)
+            more = f" and at {counted(count - 1, 'later checkpoint')}" if count > 1 else ""
+            notes.append(
+                f"{names}: CVODE began anew at the checkpoint at t = {when:.9g} s{more}, as no state holds its "
+                f"history: results are those of a run without checkpoints within tolerance, not bit by bit; {BITS}"
+            )
+        return notes
+
+    def forgets(self) -> str:
+        """What a run that is taken up here does not go on with, in words; empty where it is as if never stopped."""
+        if self.goes_back or not whole(self.pointer + cells.LOST):
+            return ""
         names = ", ".join(member.name for member in self.members)
-        when = number(self.pointer + cells.SWITCHED)
-        return [
-            f"{names}: steps were limited by stability at t = {when:.9g} s, CVODE goes on from there; "
-            'method = "cvode" under [solver] takes it from the start'
-        ]
+        return (
+            f"{names}: CVODE has no history then; where no event or input begins it anew anyhow, results are equal "
+            f"within its tolerance, not bit by bit; {BITS}"
+        )
 
     def counts(self) -> Mapping[str, int]:
         """Steps of the solver, those that were rejected, evaluations of all right-hand sides, events."""

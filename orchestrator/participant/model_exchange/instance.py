@@ -9,7 +9,7 @@ from __future__ import annotations
 import ctypes
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -19,6 +19,7 @@ from fmpy import fmi2, fmi3
 from ...fmu.types import REALS
 from ...integration import cells
 from ...integration.memory import call, call_whole, put_whole, whole
+from ...integration.settings import SolverSettings
 from ..base import AskedToEndError, CallError, Participant
 from ..here.fmi2 import Fmi2Instance
 from ..here.fmi3 import LOGGER, Fmi3Instance
@@ -46,6 +47,7 @@ class Member(LoadedInstance):
     """
 
     group: Group | None = None  # of its system; made when it is first needed where there is none
+    settings, goes_back = SolverSettings(), False  # of a group of its own
 
     def join(self, group: Group) -> None:
         """Be a member of a group."""
@@ -54,7 +56,8 @@ class Member(LoadedInstance):
     @property
     def _own_group(self) -> Group:
         if self.group is None:
-            self.group = Group([self])
+            self.group = Group([self], (), self.settings)
+            self.group.goes_back = self.goes_back
         return self.group
 
     @property
@@ -120,6 +123,15 @@ class Member(LoadedInstance):
     def speaker(self) -> Participant:
         group = self.group
         return group.at_fault if group is not None and (group.failed or group.asks_to_end) else self
+
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
+        self.settings, self.goes_back = SolverSettings(**settings), goes_back
+
+    def notes(self) -> list[str]:
+        return self.group.notes() if self.group is not None else []
+
+    def forgets(self) -> str:
+        return self.group.forgets() if self.group is not None else ""
 
     def why_failed(self) -> str:
         return self.group.why() if self.group is not None and self.group.failed else ""
