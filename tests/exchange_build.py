@@ -68,6 +68,8 @@ MOODY = Model(
      Var("stepped", 2, kind="Integer", needs=[]), Var("rounds", 3, kind="Integer", needs=[])],
     indicators=1, completed=True,
 )  # fmt: skip
+REFUSES = Model(MODELS / "refuses.c", LAG.variables)
+PLAIN = Model(MODELS / "lag.c", LAG.variables, directional=False)
 FORCED = Model(
     MODELS / "forced.c",
     [Var("x", 0, start="0", needs=["x"]), Var("der(x)", 1, "local", state="x", needs=["x"]),
@@ -75,7 +77,7 @@ FORCED = Model(
 )  # fmt: skip
 MODELS_BY_NAME = {
     "ball": BALL, "striker": STRIKER, "struck": STRUCK, "stick_slip": STICK_SLIP, "relay": RELAY, "lag": LAG,
-    "moody": MOODY, "forced": FORCED, "oscillator": build.oscillator(),
+    "moody": MOODY, "forced": FORCED, "refuses": REFUSES, "plain_lag": PLAIN, "oscillator": build.oscillator(),
 }  # fmt: skip
 
 

@@ -143,18 +143,19 @@ def advance(g: int, target: float) -> int:
         if clipped:
             return REACHED
         count += 1
-        if count > CALM and fixed == 0.0 and whole(g + CVODE) != 0 and whole(g + METHOD) == DORMAND_PRINCE:
+        if count > CALM and fixed == 0.0 and whole(g + STIFF) == 0 and whole(g + METHOD) == DORMAND_PRINCE:
             if stiffness(g, h) > STIFF_LIMIT:
                 met, relieved = met + 1, 0
             else:
                 relieved += 1
                 met = 0 if relieved == RELIEVED else met
             if met == TOO_STIFF:
-                put_whole(g + METHOD, CVODES)
                 put_whole(g + STIFF, 1)
                 put(g + SWITCHED, number(g + TIME))
-                put_whole(g + RESTART, 1)
-                return SWITCH
+                if whole(g + CVODE) != 0:
+                    put_whole(g + METHOD, CVODES)
+                    put_whole(g + RESTART, 1)
+                    return SWITCH
 
 
 @register_jitable

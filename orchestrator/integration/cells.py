@@ -33,24 +33,26 @@ KEPT = _END // CELL
     LOG, LOG_SIZE, LOG_COUNT, FAULT, FAULT_MEMBER, FAULT_STATUS, FAULT_INDEX, FAULT_TIME,
     STEPS, REJECTED, EVALUATIONS, EVENTS, NO_STATE_BEFORE,
     CVODE, CV_STEP, CV_REINIT, CV_STOP_TIME, CV_ROOTS, CV_TOLERANCES, CV_STATES, CV_ABSOLUTE, CV_REACHED, CV_FOUND,
-    CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT,
+    CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT, V_SEEDS, DIRECTIONALS,
     OWN_SAVE, OWN_RESTORE, OWN_FORGET, OWN_INSTANCE, ENDED, SENT,
     MALLOC, FREE, EVALUATE, EXCHANGE, INDICATE, TRIAL, SETTLE, _LAST,
-) = (_END + cell for cell in _cells(79))  # fmt: skip
+) = (_END + cell for cell in _cells(81))  # fmt: skip
 TABLE = _LAST // CELL
 
 # A member, a row of MEMBERS: whose signatures its functions have (2 or 3), instance, addresses of its functions (0 for
-# one that need not be called), first state and indicator [bytes] and their numbers.
+# one that need not be called), first state and indicator [bytes] and their numbers; what its directional derivatives
+# are taken along, states and then connected inputs: value references and their number, seeds and their number, and
+# where in V_SEEDS those of the inputs are; value references of its derivatives and their number.
 (
     VERSION, INSTANCE, SET_TIME, SET_STATES, GET_DERIVATIVES, GET_INDICATORS, GET_STATES, GET_NOMINALS, COMPLETED,
     ENTER_EVENTS, ENTER_CONTINUOUS, UPDATE, FIRST_STATE, STATE_COUNT, FIRST_INDICATOR, INDICATOR_COUNT, DIRECTIONAL,
-    STATE_REFERENCES, DERIVATIVE_REFERENCES, MEMBER,
-) = _cells(20)  # fmt: skip
+    KNOWN, KNOWN_COUNT, KNOWN_SEEDS, KNOWN_SIZE, KNOWN_INPUTS, DERIVATIVES, DERIVATIVE_COUNT, MEMBER,
+) = _cells(25)  # fmt: skip
 
 # A row of ROWS, what is done with outputs and inputs in each evaluation: kind, member, function, value references and
 # their number, address of the values in V, their number. A LOOP: rows that belong to it, unknowns, their addresses and
 # the memory of its solver.
-KIND, WHO, FUNCTION, REFERENCES, COUNT, AT, SIZE, ROW = _cells(8)
+KIND, WHO, FUNCTION, REFERENCES, COUNT, AT, SIZE, STATE, ROW = _cells(9)
 TAKE, GIVE, GIVE_AS_IS, LOOP = range(4)
 
 # A row of DISCRETE: function that gets, member, reference, type there; function that sets, member, reference, type
@@ -64,8 +66,8 @@ DOUBLE, FLOAT, I8, U8, I16, U16, I32, U32, I64, U64, TRUTH8, TRUTH32, POINTER = 
 (
     NOTHING, IN_TIME, IN_STATES, IN_DERIVATIVES, IN_INDICATORS, IN_SET, IN_GET, IN_COMPLETED, IN_EVENT_MODE, IN_UPDATE,
     IN_CONTINUOUS, IN_GET_STATES, IN_NOMINALS, NOT_FINITE, TOO_SMALL, CHATTERS, UNSETTLED, LOOP_FAILS, SOLVER,
-    NO_MEMORY,
-) = range(20)  # fmt: skip
+    NO_MEMORY, IN_DIRECTIONAL,
+) = range(21)  # fmt: skip
 
 # Methods.
 DORMAND_PRINCE, RUNGE_KUTTA, CVODES = range(3)

@@ -16,7 +16,7 @@ from typing import Any
 from ..loop.compiled import loop_hash, numba_compiles
 from . import connections, events, members, one_step
 from . import step as steps
-from .stiff import cvode
+from .stiff import cvode, jacobian
 
 # What C passes: w a whole number or pointer, d a double, b a truth value.
 FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
@@ -33,7 +33,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
     "forget": (steps.forget, "ww"),
     "right_hand_side": (cvode.right_hand_side, "dwww"),
     "roots": (cvode.roots, "dwww"),
-    "jacobian": (cvode.jacobian, "dwwwwwww"),
+    "jacobian": (jacobian.jacobian, "dwwwwwww"),
 }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import gcd, lcm
@@ -13,6 +13,8 @@ from ..fmu.kinds import MODEL_EXCHANGE
 from ..fmu.reading.states import state_names
 from ..integration.choice import choose
 from ..integration.settings import SolverSettings
+from ..integration.stiff.libraries import is_there, why_missing
+from ..integration.stiff.offered import why_differences
 from ..system.model import Connection, System
 from .schedule.formulas import Choice
 from .start import Block, blocks_of
@@ -89,6 +91,12 @@ def links_of(system: System, choices: Mapping[Connection, Choice]) -> tuple[Bloc
     return (*blocks, *(Block((c,), False) for c in inside if at_events(system, c)))
 
 
+def check_solver(system: System) -> None:
+    """Raise InputError where CVODE is asked for, and is not on this machine."""
+    if system.solver.method == "cvode" and (exchanged(system) or apart(system)) and not is_there():
+        raise InputError(f'[solver] method = "cvode": {why_missing()}, or take "dormand-prince"')
+
+
 def settings_of(system: System) -> SolverSettings:
     """What the system says of the solver."""
     s = system.solver
@@ -108,9 +116,22 @@ def explained(system: System, goes_back: bool) -> list[str]:
         states = sum(len(state_names(system.components[name].fmu)) for name in names)
         chosen = choose(settings_of(system), states)
         who = f"{', '.join(names)}: {'one group' if len(names) > 1 else 'for model exchange'}"
-        anew = f"; {_anew(system, goes_back)}" if chosen.method == "cvode" else ""
-        lines.append(f"{who}, {counted(states, 'state')}, integrated by {chosen.method} ({chosen.reason}){anew}")
+        more = f"; {_jacobian(system, names)}; {_anew(system, goes_back)}" if chosen.method == "cvode" else ""
+        lines.append(f"{who}, {counted(states, 'state')}, integrated by {chosen.method} ({chosen.reason}){more}")
     return lines
+
+
+def _jacobian(system: System, names: Sequence[str]) -> str:
+    """What the Jacobian of a group is made of."""
+    numbers = {name: m for m, name in enumerate(names)}
+    fmus = [system.components[name].fmu for name in names]
+    inside = [c for c in system.connections if c.source[0] in numbers and c.target[0] in numbers]
+    sources = [c.source for c in inside if not at_events(system, c)]
+    why = why_differences(fmus, [(numbers[name], fmus[numbers[name]].own_name(output)) for name, output in sources])
+    if why is None:
+        through = " through all connections" if sources else ""
+        return f"Jacobian of directional derivatives{through}"
+    return f"Jacobian of differences, as {names[why[0]]} {why[1]}"
 
 
 def _anew(system: System, goes_back: bool) -> str:

@@ -12,7 +12,7 @@ from ..system.model import System
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
 from .design import Design
-from .exchange import continuous, with_one_period
+from .exchange import check_solver, continuous, with_one_period
 from .happening.clocks import with_event_mode
 from .happening.events import EventRows, events_of
 from .happening.scenario import check_scenario
@@ -73,6 +73,7 @@ def make_plan(system: System, brought: bool = False) -> Plan:
     system = with_event_mode(system, algorithm.takes_events)
     algorithm.check(system)
     check_scenario(system, algorithm)
+    check_solver(system)
     check_capabilities(system)
     clock = algorithm.clock(system)
     if not algorithm.steps_vary:

@@ -1,4 +1,4 @@
-"""CVODE between two instants, and what it calls: right-hand side, indicators, Jacobian.
+"""CVODE between two instants, and what it calls: right-hand side and indicators.
 
 It begins anew after every event, and wherever something was set from outside: its history is none then.
 """
@@ -7,18 +7,13 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
-from ...loop.versions import good
 from ..advance import EVENT, REACHED, after_step, note_event
 from ..cells import (
     ANEW,
     ANEW_AT,
-    CELL,
     CURRENT,
     CV_ABSOLUTE,
-    CV_BAND,
-    CV_COLUMN,
     CV_FOUND,
-    CV_LOWER,
     CV_ONE_STEP,
     CV_POINTER,
     CV_REACHED,
@@ -28,31 +23,18 @@ from ..cells import (
     CV_STEP,
     CV_STOP_TIME,
     CV_TOLERANCES,
-    CV_UPPER,
     CVODE,
-    DERIVATIVE_REFERENCES,
-    DIRECTIONAL,
     FAILED,
     FAULT,
-    FIRST_STATE,
     INDICATORS,
-    INSTANCE,
     LOST,
-    MEMBER,
-    MEMBER_COUNT,
-    MEMBERS,
     NOTHING,
     OK,
     RELATIVE,
     RESTART,
-    SEED_OUT,
-    SEEDS,
     SOLVER,
-    STATE_COUNT,
-    STATE_REFERENCES,
     STEPS,
     TIME,
-    VERSION,
     Z_NEW,
     X,
 )
@@ -78,49 +60,6 @@ def roots(time: float, states: int, values: int, g: int) -> int:
     if status == OK:
         status = indicate(g, values)
     return 0 if status == OK else -1
-
-
-def jacobian(time: float, states: int, now: int, matrix: int, g: int, a: int, b: int, c: int) -> int:
-    """CVLsJacFn, by directional derivatives of members that are not connected: dense, or the columns of a band whose
-    rows do not meet at once."""
-    status = place(g, time, call_whole(whole(g + CV_POINTER), states))
-    if status != OK:
-        return status if status < FAILED else -1
-    for m in range(whole(g + MEMBER_COUNT)):
-        row = whole(g + MEMBERS) + MEMBER * m
-        if whole(row + STATE_COUNT) > 0:
-            status = columns(g, row, matrix)
-            if not good(status):
-                return 1 if status == 2 else -1
-    return 0
-
-
-@register_jitable
-def columns(g: int, row: int, matrix: int) -> int:
-    """The columns of one member's states; a status of FMI."""
-    n, first = whole(row + STATE_COUNT), whole(row + FIRST_STATE) // CELL
-    lower, upper, seeds, out = whole(g + CV_LOWER), whole(g + CV_UPPER), whole(g + SEEDS), whole(g + SEED_OUT)
-    band = whole(g + CV_BAND) != 0
-    apart = min(lower + upper + 1, n) if band else n
-    for turn in range(apart):
-        for j in range(n):
-            put(seeds + CELL * j, 1.0 if j % apart == turn else 0.0)
-        known, unknown = whole(row + STATE_REFERENCES), whole(row + DERIVATIVE_REFERENCES)
-        if whole(row + VERSION) == 2:
-            status = call(whole(row + DIRECTIONAL), whole(row + INSTANCE), unknown, n, known, n, seeds, out)
-        else:
-            status = call(whole(row + DIRECTIONAL), whole(row + INSTANCE), unknown, n, known, n, seeds, n, out, n)
-        if not good(status):
-            return status
-        for j in range(turn, n, apart):
-            column = call_whole(whole(g + CV_COLUMN), matrix, first + j)
-            if band:  # the address of the element on the diagonal
-                for i in range(max(j - upper, 0), min(j + lower + 1, n)):
-                    put(column + CELL * (i - j), number(out + CELL * i))
-            else:
-                for i in range(n):
-                    put(column + CELL * (first + i), number(out + CELL * i))
-    return 0
 
 
 @register_jitable

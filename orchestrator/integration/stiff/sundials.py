@@ -1,14 +1,10 @@
-"""CVODE of SUNDIALS 7, as fmpy ships its libraries: made here by ctypes, called in steps by address.
-
-There is none for some platforms (ARM with Linux, for one): the one-step methods are left then.
-"""
+"""CVODE of SUNDIALS: made here by ctypes, called in steps by address."""
 
 from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping
 from contextlib import suppress
-from functools import cache
 from typing import Any
 
 from ..cells import (
@@ -37,28 +33,10 @@ from ..cells import (
 from ..compiled import address_of
 from ..memory import number, put_whole, whole
 from ..settings import SolverSettings
+from .libraries import libraries
 
 BDF = 2
 MOST_STEPS = 100_000  # between two returns
-LIBRARIES = (  # of fmpy.sundials.libraries, the core first: the others find it by its name once it is loaded
-    "sundials_core", "sundials_nvecserial", "sundials_sunmatrixdense", "sundials_sunlinsoldense", "sundials_cvode",
-)  # fmt: skip
-
-
-@cache
-def libraries() -> tuple[Any, ...]:
-    """The libraries of SUNDIALS; none where fmpy has none for this platform."""
-    try:
-        from fmpy.sundials import libraries as shipped
-
-        return tuple(getattr(shipped, name) for name in LIBRARIES)
-    except (ImportError, OSError, AttributeError):
-        return ()
-
-
-def is_there() -> bool:
-    """Whether CVODE can be used on this machine."""
-    return bool(libraries())
 
 
 def _function(name: str) -> Any:

@@ -17,24 +17,25 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...errors import FmuError, counted
+from ...errors import FmuError
 from ...integration import cells
 from ...integration.bound import Bound
 from ...integration.choice import choose
 from ...integration.compiled import address_of
 from ...integration.memory import call, number, put, put_whole, whole
 from ...integration.settings import TOLERANCE, SolverSettings
-from ...integration.stiff.sundials import Cvode, is_there
+from ...integration.stiff.libraries import is_there, why_missing
+from ...integration.stiff.offered import why_differences
+from ...integration.stiff.sundials import Cvode
 from ...loop.calls import STEP_FLAGS, do_step3
 from ..here.loaded import LoadedInstance
 from .links import LinkBlock
 from .pattern import bands_of
-from .tables import Tables, gives_directional, needs_completed
-from .words import why
+from .tables import Tables, needs_completed
+from .words import forgotten, notes, why
 
 CELL = cells.CELL
 OWN = (cells.OWN_SAVE, cells.OWN_RESTORE, cells.OWN_FORGET)  # functions of the first member
-BITS = "restart = true under [solver] makes them so"  # of what is taken up at a checkpoint
 LOGGED = 4096  # events that are kept
 METHODS = {"dormand-prince": cells.DORMAND_PRINCE, "rk4": cells.RUNGE_KUTTA, "cvode": cells.CVODES}
 CODES = {code: name for name, code in METHODS.items()}
@@ -91,10 +92,11 @@ class Group:
         rows = tables.link([block for block in self.blocks], whole(g + cells.V))
         work = {cells.K2: 6 * n, cells.STAGE: n, cells.X_NEW: n, cells.Z_NEW: 2 * z, cells.V_OLD: v, cells.NOMINAL: n,
                 cells.INFO: 8, cells.SEEDS: n, cells.SEED_OUT: n, cells.LOG: LOGGED * cells.ENTRY // CELL,
-                cells.SOURCES: v, cells.GAINS: v, cells.OFFSETS: v}  # fmt: skip
+                cells.SOURCES: v, cells.GAINS: v, cells.OFFSETS: v, cells.V_SEEDS: v}  # fmt: skip
         self._arrays = {cell: np.zeros(max(size, 1)) for cell, size in work.items()}
         for cell, array in self._arrays.items():
             put_whole(g + cell, array.ctypes.data)
+        tables.seed_rows(members, whole(g + cells.V_SEEDS))
         for block in self.blocks:
             for link in block.links:
                 if link.source in tables.slots and link.target in tables.slots and tables.solved(link):
@@ -164,11 +166,12 @@ class Group:
         """An integrator, to be used at once or should the group prove stiff. Raises FmuError if there is none."""
         if not is_there():
             if needed:
-                raise FmuError('there is no CVODE for this platform; take method = "dormand-prince" under [solver]')
+                raise FmuError(f'{why_missing()}, or take method = "dormand-prince" under [solver]')
             return
-        sources = {link.target: link.source for block in self.blocks for link in block.links}
-        self.bands = bands_of([member.fmu for member in self.members], sources)
-        self.exact = not sources and all(map(gives_directional, self.members))
+        links = [link for block in self.blocks for link in block.links if self.tables.solved(link)]
+        sources, fmus = {link.target: link.source for link in links}, [member.fmu for member in self.members]
+        self.bands = bands_of(fmus, sources)
+        self.exact = why_differences(fmus, sources.values()) is None
         put_whole(self.pointer + cells.RESTART, 1)
         self._cvode = Cvode(self.pointer, self.settings, self.bands, self.exact)
 
@@ -214,37 +217,18 @@ class Group:
         return why(self.pointer, [member.fmu.own for member in self.members])
 
     def notes(self) -> list[str]:
-        """What the run must tell of it: where it proved stiff, and where CVODE lost its history."""
-        names, notes = ", ".join(member.name for member in self.members), []
-        if whole(self.pointer + cells.STIFF):
-            when = number(self.pointer + cells.SWITCHED)
-            notes.append(
-                f"{names}: steps were limited by stability at t = {when:.9g} s, CVODE goes on from there; "
-                'method = "cvode" under [solver] takes it from the start'
-            )
-        if (count := whole(self.pointer + cells.ANEW)) and not self.goes_back:
-            when = number(self.pointer + cells.ANEW_AT)
-            more = f" and at {counted(count - 1, 'later checkpoint')}" if count > 1 else ""
-            notes.append(
-                f"{names}: CVODE began anew at the checkpoint at t = {when:.9g} s{more}, as no state holds its "
-                f"history: results are those of a run without checkpoints within tolerance, not bit by bit; {BITS}"
-            )
-        return notes
+        """What the run must tell of it."""
+        chosen = self.chosen if self.begun else None
+        return notes(self.pointer, [member.name for member in self.members], chosen, self.goes_back)
 
     def forgets(self) -> str:
         """What a run that is taken up here does not go on with, in words; empty where it is as if never stopped."""
-        if self.goes_back or not whole(self.pointer + cells.LOST):
-            return ""
-        names = ", ".join(member.name for member in self.members)
-        return (
-            f"{names}: CVODE has no history then; where no event or input begins it anew anyhow, results are equal "
-            f"within its tolerance, not bit by bit; {BITS}"
-        )
+        return "" if self.goes_back else forgotten(self.pointer, [member.name for member in self.members])
 
     def counts(self) -> Mapping[str, int]:
         """Steps of the solver, those that were rejected, evaluations of all right-hand sides, events."""
         names = {"steps": cells.STEPS, "rejected": cells.REJECTED, "evaluations": cells.EVALUATIONS,
-                 "events": cells.EVENTS}  # fmt: skip
+                 "events": cells.EVENTS, "directional derivatives": cells.DIRECTIONALS}  # fmt: skip
         return {name: whole(self.pointer + cell) for name, cell in names.items()}
 
     def events(self) -> list[Event]:

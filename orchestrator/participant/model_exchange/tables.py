@@ -11,6 +11,7 @@ from ...errors import FmuError
 from ...fmu.reading.states import derivative_names, state_names
 from ...fmu.types import function_type
 from ...integration import cells
+from ...integration.stiff.offered import offers_directional
 from ...loop.versions import signatures
 from ..here.loaded import LoadedInstance
 from .links import Link, LinkBlock
@@ -43,13 +44,6 @@ def needs_completed(member: LoadedInstance) -> bool:
     return bool(member.fmu.interface.needsCompletedIntegratorStep)
 
 
-def gives_directional(member: LoadedInstance) -> bool:
-    """Whether an FMU gives directional derivatives, of scalars."""
-    names = [*state_names(member.fmu), *derivative_names(member.fmu)]
-    whole = all(member.fmu.own.places[name].count == 1 for name in names)
-    return whole and bool(member.fmu.interface.providesDirectionalDerivative)
-
-
 @dataclass
 class Tables:
     """Rows of members, of what is exchanged in each evaluation, and of what is sent at events.
@@ -64,6 +58,8 @@ class Tables:
     slots: dict[tuple[int, str], int] = field(default_factory=dict)  # cells of V of outputs and inputs
     rows: list[list[int]] = field(default_factory=list)
     discrete: list[Link] = field(default_factory=list)
+    places: dict[tuple[int, str], int] = field(default_factory=dict)  # of the states, by member and name
+    given: dict[tuple[int, str], None] = field(default_factory=dict)  # inputs that are set in each evaluation
 
     def references(self, numbers: Iterable[int]) -> int:
         """The address of value references."""
@@ -73,11 +69,11 @@ class Tables:
     def member_rows(self) -> np.ndarray:
         """MEMBERS: instances, functions, first states and indicators."""
         table = np.zeros((len(self.members), cells.MEMBER // CELL), dtype=np.int64)
-        for row, member in zip(table, self.members, strict=True):
+        for m, (row, member) in enumerate(zip(table, self.members, strict=True)):
             fmu, later = member.fmu.own, member.fmu.version == 3
             states = state_names(fmu)
             skipped = {cells.COMPLETED} if not needs_completed(member) else set()
-            skipped |= {cells.DIRECTIONAL} if not gives_directional(member) else set()
+            skipped |= {cells.DIRECTIONAL} if not offers_directional(member.fmu) else set()
             for column, names in FUNCTIONS.items():
                 if column not in skipped:
                     row[column // CELL] = member.address(f"{member.prefix}{names[later]}")
@@ -86,13 +82,30 @@ class Tables:
             indicators = int(fmu.description.numberOfEventIndicators)
             row[cells.FIRST_INDICATOR // CELL] = CELL * self.indicators
             row[cells.INDICATOR_COUNT // CELL] = indicators
-            places = fmu.places
-            row[cells.STATE_REFERENCES // CELL] = self.references(places[name].reference for name in states)
-            named = derivative_names(fmu)
-            row[cells.DERIVATIVE_REFERENCES // CELL] = self.references(places[name].reference for name in named)
+            self.places |= {(m, name): self.states + k for k, name in enumerate(states)}
             self.states += len(states)
             self.indicators += indicators
         return table
+
+    def seed_rows(self, rows: np.ndarray, v_seeds: int) -> None:
+        """What directional derivatives are taken of and along, into MEMBERS; `v_seeds`: the address of V_SEEDS."""
+        for m, (row, member) in enumerate(zip(rows, self.members, strict=True)):
+            fmu = member.fmu.own
+            known = list(dict.fromkeys(fmu.places[name].reference for name in state_names(fmu)))
+            inputs = [fmu.places[first] for n, first in self.given if n == m]
+            slots = [
+                v_seeds + CELL * self.slots[m, name] for n, first in self.given if n == m for name in fmu.arrays[first]
+            ]
+            self.keep += [np.array(slots, dtype=np.int64), np.zeros(int(row[cells.STATE_COUNT // CELL]) + len(slots))]
+            known += [place.reference for place in inputs]
+            unknown = list(dict.fromkeys(fmu.places[name].reference for name in derivative_names(fmu)))
+            for column, value in (
+                (cells.KNOWN_INPUTS, self.keep[-2].ctypes.data), (cells.KNOWN_SEEDS, self.keep[-1].ctypes.data),
+                (cells.KNOWN_SIZE, self.keep[-1].size), (cells.KNOWN, self.references(known)),
+                (cells.KNOWN_COUNT, len(known)), (cells.DERIVATIVES, self.references(unknown)),
+                (cells.DERIVATIVE_COUNT, len(unknown)),
+            ):  # fmt: skip
+                row[column // CELL] = int(value)
 
     def slot(self, key: tuple[int, str]) -> int:
         """The cell of V of a variable; the elements of an array lie one behind the other."""
@@ -119,10 +132,10 @@ class Tables:
                 unknowns = [self.slot(key) for key in targets]
                 self.keep.append(v + CELL * np.array(unknowns, dtype=np.int64))
                 addresses, n = int(self.keep[-1].ctypes.data), len(unknowns)
-                self.keep.append(np.zeros(n * (n + 2)))
+                self.keep.append(np.zeros(n * (2 * n + 2)))  # Newton's method, and the matrix for seeds
                 memory = int(self.keep[-1].ctypes.data)
                 inside = [*self._moves(targets, cells.GIVE_AS_IS, v), *self._moves(sources, cells.TAKE, v)]
-                self.rows.append([cells.LOOP, targets[0][0], 0, addresses, len(inside), memory, n])
+                self.rows.append([cells.LOOP, targets[0][0], 0, addresses, len(inside), memory, n, -1])
                 self.rows += inside
             elif real:
                 self.rows += [*self._moves(sources, cells.TAKE, v), *self._moves(targets, cells.GIVE, v)]
@@ -152,9 +165,16 @@ class Tables:
             verb = "Get" if kind == cells.TAKE else "Set"
             named = function_type(fmu.version, fmu.variables[first].type)
             function = member.address(f"{member.prefix}{verb}{named}")
+            if kind != cells.TAKE:
+                self.given[m, first] = None
             references, at = self.references([fmu.places[first].reference]), v + CELL * self.slot((m, first))
-            found.append([kind, m, function, references, 1, at, fmu.places[first].count])
+            found.append([kind, m, function, references, 1, at, fmu.places[first].count, self._state_of(m, first)])
         return found
+
+    def _state_of(self, m: int, first: str) -> int:
+        """Which states of the group a variable is [bytes behind the first]; -1 where it is none."""
+        found = [self.places.get((m, name), -1) for name in self.members[m].fmu.own.arrays[first]]
+        return CELL * found[0] if found == list(range(found[0], found[0] + len(found))) and found[0] >= 0 else -1
 
     def discrete_rows(self) -> np.ndarray:
         """DISCRETE: what is sent at events."""

@@ -1,13 +1,16 @@
-"""What went wrong in a step of a group, in words."""
+"""What a group has to say in words: what went wrong in a step, and what a run must tell of it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...errors import counted
 from ...fmu.fmu import Fmu
 from ...fmu.reading.states import derivative_names
 from ...integration import cells
+from ...integration.choice import Chosen
 from ...integration.memory import number, whole
+from ...integration.stiff.libraries import is_there, why_missing
 from ..lifecycle import PREFIX, status_text
 from .tables import FUNCTIONS
 
@@ -16,6 +19,7 @@ CALLS = {
     cells.IN_INDICATORS: cells.GET_INDICATORS, cells.IN_COMPLETED: cells.COMPLETED,
     cells.IN_EVENT_MODE: cells.ENTER_EVENTS, cells.IN_UPDATE: cells.UPDATE, cells.IN_CONTINUOUS: cells.ENTER_CONTINUOUS,
     cells.IN_GET_STATES: cells.GET_STATES, cells.IN_NOMINALS: cells.GET_NOMINALS,
+    cells.IN_DIRECTIONAL: cells.DIRECTIONAL,
 }  # fmt: skip
 FLAGS = {  # of CVODE, that say something to its user
     -2: "the tolerance is too small for double precision",
@@ -24,6 +28,7 @@ FLAGS = {  # of CVODE, that say something to its user
     -8: "the right-hand side failed",
     -10: "the right-hand side failed again and again, however small the step",
 }
+BITS = "restart = true under [solver] makes them so"  # of what is taken up at a checkpoint
 
 
 def why(g: int, fmus: Sequence[Fmu]) -> str:
@@ -61,3 +66,38 @@ def why(g: int, fmus: Sequence[Fmu]) -> str:
 
 def _cause(index: int) -> str:
     return {cells.TIME_EVENT: "a time event", cells.STEP_EVENT: "a step event"}.get(index, "an input")
+
+
+def notes(g: int, members: Sequence[str], chosen: Chosen | None, goes_back: bool) -> list[str]:
+    """What a run must tell: a method that is not the best, where it proved stiff, and where CVODE lost its history."""
+    names, found = ", ".join(members), []
+    if chosen and chosen.instead:
+        found.append(f"{names}: integrated by {chosen.method}, {chosen.reason}")
+    if whole(g + cells.STIFF):
+        when = f"t = {number(g + cells.SWITCHED):.9g} s"
+        if is_there():
+            found.append(
+                f"{names}: steps were limited by stability at {when}, CVODE goes on from there; "
+                'method = "cvode" under [solver] takes it from the start'
+            )
+        else:
+            missing = "" if chosen and chosen.instead else f"; {why_missing()}"
+            found.append(f"{names}: steps are limited by stability since {when}, which makes them many{missing}")
+    if (count := whole(g + cells.ANEW)) and not goes_back:
+        when = f"t = {number(g + cells.ANEW_AT):.9g} s"
+        more = f" and at {counted(count - 1, 'later checkpoint')}" if count > 1 else ""
+        found.append(
+            f"{names}: CVODE began anew at the checkpoint at {when}{more}, as no state holds its history: results are "
+            f"within tolerance, but not bit by bit, those of a run without checkpoints; {BITS}"
+        )
+    return found
+
+
+def forgotten(g: int, members: Sequence[str]) -> str:
+    """What a run that is taken up here does not go on with; empty where it is as if never stopped."""
+    if not whole(g + cells.LOST):
+        return ""
+    return (
+        f"{', '.join(members)}: CVODE has no history then; where no event or input begins it anew anyhow, results are "
+        f"equal within its tolerance, not bit by bit; {BITS}"
+    )

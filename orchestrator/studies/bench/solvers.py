@@ -19,7 +19,8 @@ from ...fmu.kinds import MODEL_EXCHANGE
 from ...integration import cells
 from ...integration.memory import call, number, whole
 from ...integration.settings import Method, SolverSettings
-from ...integration.stiff.sundials import Cvode, address, is_there
+from ...integration.stiff.libraries import is_there
+from ...integration.stiff.sundials import Cvode, address
 from ...participant.model_exchange.group import Group
 from ...participant.model_exchange.instance import Fmi2Member
 from .exchange_fmu import Model, chain, exchange_fmu, oscillator

@@ -65,14 +65,6 @@ def test_a_rod_decays_as_its_lowest_mode_by_a_band(tmp_path: Path) -> None:
         assert group.members[0].get("y") == pytest.approx(middle * math.exp(-rate), abs=1e-6)
 
 
-def test_rods_that_are_connected_have_a_band_too(tmp_path: Path) -> None:
-    """The band is that of all states in a row, through outputs and inputs; a Jacobian by differences then."""
-    blocks = [LinkBlock((Link((0, "x"), (1, "push")),))]
-    with group_of(tmp_path, "lag", "lag", blocks=blocks, method="cvode") as group:
-        assert group.bands is None  # two states
-        assert not group.exact
-
-
 def test_a_chain_of_two_lags_is_its_closed_form(tmp_path: Path) -> None:
     for method in ("dormand-prince", "cvode"):
         blocks = [LinkBlock((Link((0, "x"), (1, "push"), 3.0, 1.0),))]
