@@ -17,7 +17,7 @@ from helpers import Measured
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.bench.hosts import HOSTS, HostRun, missing, run_host
+from rovbrush.orchestrator.studies.bench.peers.hosts import HOSTS, HostRun, missing, run_host
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 

@@ -14,8 +14,8 @@ from ...fmu.files.windows import how_to_install, wine
 from .against import against
 from .components import component_rows
 from .growth import growth_rows
-from .hosts import HOSTS, missing
-from .masters import measured, process_figures, rerun_figures
+from .peers.hosts import HOSTS, missing
+from .peers.masters import measured, process_figures, rerun_figures
 from .solvers import solver_rows
 from .streaming import long_runs
 from .systems import cases, native_folder

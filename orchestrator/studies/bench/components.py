@@ -9,7 +9,7 @@ from typing import Any
 
 from ...plan.plan import make_plan
 from ...system.model import System
-from .floor import floor_loop
+from .peers.floor import floor_loop
 from .systems import alone
 
 STEP = Fraction(1, 1000)  # s, of every call

@@ -15,7 +15,7 @@ from ...fmu.fmu import Fmu
 from ...plan.plan import make_plan
 from ...system.file.reader import load_system
 from .components import STEP
-from .masters import rovbrush_loop
+from .peers.masters import rovbrush_loop
 from .systems import alone
 
 REPEATS = 5

@@ -15,10 +15,10 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from ...clock import seconds_text
-from ...errors import InputError, RunError
-from ...system.model import System
-from ...system.ssp.write import write_ssp
+from ....clock import seconds_text
+from ....errors import InputError, RunError
+from ....system.model import System
+from ....system.ssp.write import write_ssp
 from . import host_loops
 from .host_loops import load_tbb
 

@@ -16,15 +16,15 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
-from ...plan.plan import Plan, make_plan
-from ...results.tables import require_complete
-from ...run.simulation import simulate
-from ...run.stepping import Stepping
-from ...system.model import System
+from ....errors import RunError
+from ....plan.plan import Plan, make_plan
+from ....results.tables import require_complete
+from ....run.simulation import simulate
+from ....run.stepping import Stepping
+from ....system.model import System
 from .floor import floor_loop
 from .hosts import run_host
-from .systems import Case
+from ..systems import Case
 
 REPEATS = 5
 ELSEWHERE = 3  # repetitions in another master, each in a process of its own

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ...clock import seconds_text
-from ...errors import InputError, RunError
-from ...fmu.files.unpacked import unpack
-from ...participant.here.fmi2 import Fmi2Instance
-from ...system.file.reader import load_system
-from ...system.model import System
+from ....clock import seconds_text
+from ....errors import InputError, RunError
+from ....fmu.files.unpacked import unpack
+from ....participant.here.fmi2 import Fmi2Instance
+from ....system.file.reader import load_system
+from ....system.model import System
 
 Output = tuple[str, str]
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ...loop.calls import do_step, exchange2
-from ...participant.here.fmi2 import Fmi2Instance
-from ...plan.plan import Plan
+from ....loop.calls import do_step, exchange2
+from ....participant.here.fmi2 import Fmi2Instance
+from ....plan.plan import Plan
 
 SET, GET, STEP, INSTANCE, IN_REFS, IN_COUNT, OUT_REFS, OUT_COUNT, VALUES = range(9)
 

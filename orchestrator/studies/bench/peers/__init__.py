@@ -1,0 +1,1 @@
+"""What steps our FMUs beside rovbrush: other masters, and loops of bare calls."""
