@@ -22,9 +22,9 @@ from ....results.tables import require_complete
 from ....run.simulation import simulate
 from ....run.stepping import Stepping
 from ....system.model import System
+from ..systems import Case
 from .floor import floor_loop
 from .hosts import run_host
-from ..systems import Case
 
 REPEATS = 5
 ELSEWHERE = 3  # repetitions in another master, each in a process of its own
