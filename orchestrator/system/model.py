@@ -22,7 +22,7 @@ from ..fmu.tolerant.rules import Note
 from ..fmu.types import Value
 from .event import Event
 from .inputs.series import Series
-from .schema.system import Loops, Solver
+from .schema.solving import Loops, Solver
 from .values import checked_values
 
 FORMATS = (1, 2)  # of system files; of one without `format` a run says what it holds that was extrapolated then

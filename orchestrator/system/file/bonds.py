@@ -12,8 +12,8 @@ from msgspec import structs
 from ...errors import nearest
 from ...toml_file import TomlFile
 from ..model import Bond, Component, Connection, Requirement
+from ..schema.bonds import BondTable, RequirementTable
 from ..schema.checked import checked
-from ..schema.system import BondTable, RequirementTable
 
 
 def bonds_of(

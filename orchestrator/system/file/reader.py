@@ -18,7 +18,8 @@ from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System
 from ..schema.checked import checked, checked_value
 from ..schema.report import Balance, Comparison, Figure, Window
-from ..schema.system import KEYS, Loops, Solver, SystemTable
+from ..schema.solving import Loops, Solver
+from ..schema.system import KEYS, SystemTable
 from ..schema.values import Value
 from ..values import checked_values
 from .bonds import bonds_of, requirement_of

@@ -11,12 +11,13 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from ...fmu.kinds import Kind
-from ...integration.settings import Method
+from .bonds import BondTable, RequirementTable
+from .event import EventTable
 from .report import Balance, Comparison, Figure, Window
-from .values import Count, FigureOfMerit, Instant, Number, Positive, Seed, Time, Value, Values
+from .solving import Loops, Solver
+from .values import FigureOfMerit, Instant, Number, Positive, Time, Value, Values
 
 TRANSFERS = ("hold", "linear", "quadratic", "interpolate", "mean")
-FAULTS = ("hold", "bias", "scale", "noise", "loss")
 CONNECTION = r"^\s*\w+\..+->\s*\w+\..+$"
 
 
@@ -89,122 +90,6 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             extra={"must": "a table, or the name of a file"},
         ),
     ] = {}
-
-
-class BondTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A power bond: two connections in opposite directions whose signals multiply to a power."""
-
-    effort: Annotated[str, Meta(description="the connected input that takes the effort, `component.input`")]
-    flow: Annotated[
-        str, Meta(description="the connected input that takes the flow, or an output of the effort's taker")
-    ]
-    name: Annotated[str | None, Meta(description="what results call it; else its effort")] = None
-    sign: Annotated[
-        Annotated[float, Meta(extra_json_schema={"enum": [1, -1]}, extra={"must": "1 or -1"})],
-        Meta(description="-1 where effort times flow is the power that goes the other way"),
-    ] = 1.0
-    impulse: Annotated[str | None, Meta(description="an output that counts the time integral of the effort")] = None
-    displacement: Annotated[str | None, Meta(description="an output that counts the time integral of the flow")] = None
-    limit: Annotated[
-        Annotated[float, Meta(ge=0, extra={"must": "a number of J, 0 or more"})] | None,
-        Meta(description="the energy [J] that the coupling may make or lose over the run"),
-    ] = None
-    limit_relative: Annotated[
-        Annotated[float, Meta(ge=0)] | None,
-        Meta(description="the same, of the energy that the bond carries"),
-    ] = None
-
-
-class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What an output must be at the start of a run."""
-
-    value: Annotated[str, Meta(description="the output, `component.output`")]
-    minimum: Annotated[float | None, Meta(description="its least value")] = None
-    maximum: Annotated[float | None, Meta(description="its largest value")] = None
-    message: Annotated[str, Meta(description="what to tell otherwise")] = "out of bounds at time 0"
-
-
-class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What happens in a run: at a time or when a signal crosses a value, inputs are set or a signal is broken.
-
-    It acts at the first instant of the component that it touches which is not before it; `rovbrush plan` shows when.
-    What is there at the start or before holds in the initialization too.
-    """
-
-    name: Annotated[
-        str | None, Meta(description="what the plan and the results call it; else `event 1`, by its place")
-    ] = None
-    at: Annotated[Instant | None, Meta(description="when it happens; this or `when`")] = None
-    when: Annotated[
-        str | None,
-        Meta(
-            description="the crossing at which it happens: `component.output > value` for a rising signal, `<` for a "
-            "falling one, `component.output` or `not component.output` for a Boolean; beyond the value from the start "
-            "is no crossing",
-            examples=["motor.i > 20 A", "vehicle.z_n < -3 m", "controller.alarm"],
-        ),
-    ] = None
-    after: Annotated[Time | None, Meta(description="how long behind the crossing it happens")] = None
-    repeat: Annotated[bool, Meta(description="at every crossing, not at the first alone")] = False
-    set: Annotated[
-        Values,
-        Meta(
-            description="new values of inputs that nothing drives and of tunable parameters, `component.variable`; a "
-            "list for an array"
-        ),
-    ] = {}
-    fault: Annotated[
-        Literal["hold", "bias", "scale", "noise", "loss"] | None,
-        Meta(
-            description="what becomes of a signal, in place of `set`: it stays as it is, `value` is added to it, it is "
-            "multiplied by `value`, Gaussian noise with the standard deviation `value` is added, or it is `value` (0)"
-        ),
-    ] = None
-    on: Annotated[
-        str | None,
-        Meta(description="the broken signal: an input that a connection drives, or an output for all that it drives"),
-    ] = None
-    value: Annotated[Value | None, Meta(description="of the fault, in the unit of the signal or with its own")] = None
-    seed: Annotated[Seed | None, Meta(description="of the noise; the same seed gives the same noise")] = None
-    until: Annotated[Instant | None, Meta(description="when the fault ends; else it stays")] = None
-    for_: Annotated[Time | None, Meta(description="how long the fault lasts, in place of `until`")] = field(
-        default=None, name="for"
-    )
-
-
-class Loops(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Loops of direct dependence, which are solved at every instant by Newton's method."""
-
-    tolerance: Annotated[
-        Positive, Meta(description="what an input may be off, relative to its size or its nominal value [1]")
-    ] = 1e-13
-    max_iterations: Annotated[Count, Meta(description="steps of Newton's method before the run fails [1]")] = 50
-
-
-class Solver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How the FMUs for Model Exchange are integrated, all of them together."""
-
-    method: Annotated[
-        Method | None,
-        Meta(
-            description="`dormand-prince` (steps by their error), `rk4` (fixed steps, for real time) or `cvode` (stiff "
-            "models); where nothing is stated the plan chooses, and says why"
-        ),
-    ] = None
-    tolerance: Annotated[
-        Positive | None,
-        Meta(description="relative tolerance; else the smallest that a component or its FMU states [1]"),
-    ] = None
-    step: Annotated[Time | None, Meta(description="of `rk4`; else the period")] = None
-    max_step: Annotated[Time | None, Meta(description="the largest step of the others; else there is no limit")] = None
-    max_order: Annotated[Count, Meta(description="of `cvode`, up to 5 [1]")] = 5
-    restart: Annotated[
-        bool,
-        Meta(
-            description="`cvode` begins anew at every communication point, not only where something was set or "
-            "happened: runs that were interrupted give the same bits"
-        ),
-    ] = False
 
 
 class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

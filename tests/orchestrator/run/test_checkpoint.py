@@ -24,7 +24,7 @@ from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.schema.system import Solver
+from rovbrush.orchestrator.system.schema.solving import Solver
 from test_session import ALGORITHMS, car
 
 
