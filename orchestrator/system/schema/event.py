@@ -8,8 +8,6 @@ from msgspec import Meta, Struct, field
 
 from .values import Instant, Seed, Time, Value, Values
 
-FAULTS = ("hold", "bias", "scale", "noise", "loss")
-
 
 class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What happens in a run: at a time or when a signal crosses a value, inputs are set or a signal is broken.
