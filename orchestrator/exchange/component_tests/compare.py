@@ -9,8 +9,8 @@ from ...errors import InputError, nearest
 from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
+from ...system.replace.fit import CALLED, can_be
 from ...system.replace.mapping import VariableMapping
-from ...system.replace.replacement import CALLED, can_be
 from .binding import WHOLES, Binding, bind
 from .opened import whole_variables
 from .suites import Declared, Suite

@@ -14,7 +14,7 @@ from fmpy.model_description import ModelVariable
 from ...errors import InputError
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS
-from ...system.replace.replacement import can_be
+from ...system.replace.fit import can_be
 from ...system.values import start_as_toml
 from ...units import conversion
 from .binding import elements_of

@@ -12,7 +12,7 @@ from ...participant.here.loaded import LoadedInstance
 from ...participant.port import Ports
 from ...system.replace.crossing import Crossing
 from ...system.replace.mapping import VariableMapping
-from ...system.replace.replacement import own_values
+from ...system.replace.own import own_values
 from .read import Recording
 from .values import cell_value, typed
 

@@ -9,8 +9,8 @@ from ...clock import seconds_text
 from ...errors import InputError, nearest
 from ...fmu.fmu import Fmu
 from ...system.replace.crossing import Crossing
+from ...system.replace.fit import crossing_between
 from ...system.replace.mapping import VariableMapping
-from ...system.replace.replacement import crossing_between
 from .read import Recording
 
 
