@@ -1,47 +1,34 @@
 """A kernel as one source text, and compiled by Numba.
 
-A kernel may be spread over files of its folder (`from .modes import tables`); `joined_source` makes one text of them.
-The compiled form lives in a per-user cache under the hash of that text (`kernel_cache.py`), wherever the FMU was
-unpacked: a second run starts at once, and code compiled from other text is never taken.
+A kernel may be spread over files (`from .modes import tables`); `lowering/` makes one text of them, in which records
+are named scalars and cells of arrays. The compiled form lives in a per-user cache under the hash of that text
+(`kernel_cache.py`), wherever the FMU was unpacked: a second run starts at once, and code compiled from other text is
+never taken.
 """
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import importlib.util
 import inspect
 import sys
-from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
 import numba
 
 from .kernel_cache import CheckedCache, stored
+from .lowered import Lowered, lowered
 
 
 def joined_source(kernel: ModuleType) -> str:
-    """The text of a kernel module with the sibling modules it imports from put before it, each once."""
-    done: list[Path] = []
-    parts: list[str] = []
+    """The text of a kernel, lowered, with the files it imports from put before it, each once."""
+    return lowered(kernel).text
 
-    def add(path: Path) -> None:
-        if path in done:
-            return
-        done.append(path)
-        text = path.read_text(encoding="utf-8")
-        lines = text.splitlines()
-        for node in ast.parse(text).body:
-            if isinstance(node, ast.ImportFrom) and (node.level or node.module == "__future__"):
-                if node.level:
-                    add(path.with_name(f"{node.module}.py"))
-                for number in range(node.lineno - 1, node.end_lineno or node.lineno):
-                    lines[number] = ""
-        parts.append("\n".join(lines))
 
-    add(Path(str(kernel.__file__)))
-    return "\n\n".join(parts) + "\n"
+def argument_names(kernel: ModuleType, function: str) -> list[str]:
+    """What a lowered entry point is called with, by name: `t`, `h`, `y` (all outputs), arrays and variables."""
+    return lowered(kernel).arguments[function]
 
 
 def precompile(function: Any, arguments: list[Any]) -> None:
@@ -60,7 +47,8 @@ def compiled(kernel: ModuleType) -> ModuleType:
     compile at their first call). Floating-point results are those of IEEE 754 in source order: no fast-math; a
     division by zero gives inf or nan, which the finiteness checks then report.
     """
-    text = joined_source(kernel)
+    source = lowered(kernel)
+    text = source.text
     name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(text.encode()).hexdigest()[:24]}"
     if name in sys.modules:
         return sys.modules[name]
@@ -72,7 +60,16 @@ def compiled(kernel: ModuleType) -> ModuleType:
     jit = numba.njit(error_model="numpy")
     for key, function in inspect.getmembers(module, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
-            dispatcher: Any = jit(function)
+            dispatcher: Any = jit(_shown_at_source(function, source))
             dispatcher._cache = CheckedCache(function)
             setattr(module, key, dispatcher)
     return module
+
+
+def _shown_at_source(function: FunctionType, source: Lowered) -> FunctionType:
+    """The same function, whose errors and tracebacks name the file and the lines that it was written in."""
+    path, line = source.place(function.__code__.co_firstlineno)
+    code = function.__code__.replace(co_filename=str(path), co_firstlineno=line)
+    shown = FunctionType(code, function.__globals__, function.__name__)
+    shown.__annotations__, shown.__module__ = function.__annotations__, function.__module__
+    return shown

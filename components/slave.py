@@ -8,7 +8,6 @@ by name. It holds no equations.
 from __future__ import annotations
 
 import ctypes
-import inspect
 import traceback
 from collections.abc import Callable
 from types import ModuleType
@@ -20,7 +19,7 @@ from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from .interface import Array, Variable, parameter_variables
-from .kernels import compiled, precompile
+from .kernels import argument_names, compiled, precompile
 from .model_description import model_description
 from .options import ROWS
 from .state import State, from_bytes, to_bytes
@@ -58,8 +57,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     @classmethod
     def started_by(cls) -> set[str]:
         """The inputs from which the initial state follows, and with it every output at time 0."""
-        stages = [getattr(cls.kernel, stage) for stage in ("setup", "initialize") if hasattr(cls.kernel, stage)]
-        return {a for stage in stages for a in inspect.signature(stage).parameters} & {v.name for v in cls.inputs}
+        stages = [stage for stage in ("setup", "initialize") if hasattr(cls.kernel, stage)]
+        return {a for stage in stages for a in argument_names(cls.kernel, stage)} & {v.name for v in cls.inputs}
 
     @classmethod
     def component_name(cls) -> str:
@@ -178,7 +177,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         declared = {v.name: v for v in self.variables()}
         arguments: list[Any] = []
         dynamic = []
-        for position, argument in enumerate(inspect.signature(getattr(self.kernel, name)).parameters):
+        for position, argument in enumerate(argument_names(self.kernel, name)):
             if argument in ("t", "h"):
                 arguments.append(float(self.cells[self.index[argument]]))
                 dynamic.append((position, self.index[argument]))

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element, indent, tostring
 import fmpy
 
 from ..archive import digest, documentation, write_archive
-from ..build import carried
+from ..build import carried, in_source
 from ..errors import BuildError
 from ..model_description import GUID_PLACEHOLDER, model_description
 from .compile import OPTIONS, PLATFORMS, compile_library
@@ -38,8 +38,11 @@ def build_one_native(component: Path, folder: Path, rows: int, platforms: tuple[
             raise BuildError(f"no platform '{name}'; there are {', '.join(PLATFORMS)}")
         PLATFORMS[name].compiler()
     with tempfile.TemporaryDirectory() as temporary:
-        _, declared = carried(component, Path(temporary), rows)
-        source = Tables(declared).source(kernel_in_c(declared.kernel))
+        package, declared = carried(component, Path(temporary), rows)
+        try:
+            source = Tables(declared).source(kernel_in_c(declared.kernel))
+        except BuildError as error:
+            raise BuildError(in_source(str(error), Path(temporary) / package, component)) from None
         return [_build(component, declared, source, folder, version, platforms) for version in LAYERS]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import textwrap
 from dataclasses import fields
@@ -10,6 +9,7 @@ from typing import Any
 
 from ..errors import BuildError
 from ..interface import Array, Variable, parameter_variables
+from ..kernels import argument_names
 from ..model_description import GUID_PLACEHOLDER
 
 KINDS = {"Real": "REAL", "Integer": "INTEGER", "Boolean": "BOOLEAN"}
@@ -115,7 +115,7 @@ class Tables:
         )
 
     def _call(self, stage: str) -> str:
-        names = inspect.signature(getattr(self.component.kernel, stage)).parameters
+        names = argument_names(self.component.kernel, stage)
         return _wrapped(f"    {stage}(", [self._argument(stage, name) for name in names], ");").rstrip("\n")
 
     def _argument(self, stage: str, name: str) -> str:

@@ -15,25 +15,31 @@ from pathlib import Path
 from types import ModuleType
 
 from ..errors import BuildError
-from ..kernels import joined_source
+from ..lowered import lowered
+from .comments import with_comments
 
 PYCCEL = "from pyccel.commands.console import pyccel; import sys; sys.exit(pyccel())"
 
 
 def kernel_in_c(kernel: ModuleType) -> str:
     """The C text of a kernel's functions. Raises BuildError where Pyccel is missing or refuses the kernel."""
+    source = lowered(kernel)
+    text, origin = with_comments(source)
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
-        (work / "kernel.py").write_text(joined_source(kernel), encoding="utf-8")
+        (work / "kernel.py").write_text(text, encoding="utf-8")
         command = [sys.executable, "-c", PYCCEL, "--language", "c", "--convert-only", "--output", folder, "kernel.py"]
         run = subprocess.run(command, cwd=work, capture_output=True, text=True, check=False)
         if "No module named 'pyccel'" in run.stderr:
             raise BuildError('native FMUs need Pyccel; install it with `pip install "rovbrush[native]"`')
         made = next(work.glob("__pyccel__*/kernel.c"), None)  # pytest-xdist gives the folder another name
         if run.returncode or made is None:
-            raise BuildError(
-                f"Pyccel cannot translate {kernel.__name__} (exit code {run.returncode}):\n{run.stdout}{run.stderr}"
+            said = re.sub(
+                r"kernel\.py \[(\d+)(?:,\d+)?\]",
+                lambda found: ":".join(map(str, source.place(origin[int(found[1]) - 1]))),
+                run.stdout + run.stderr,
             )
+            raise BuildError(f"Pyccel cannot translate {kernel.__name__} (exit code {run.returncode}):\n{said}")
         return plain_c(made.read_text(encoding="utf-8"))
 
 

@@ -6,6 +6,7 @@ Arguments are bound by name, as the FMU base class does it, from the component's
 from __future__ import annotations
 
 import atexit
+import dataclasses
 import importlib
 import inspect
 import shutil
@@ -17,8 +18,10 @@ from typing import Any
 
 import numpy as np
 from pyccel import epyccel
+from rovbrush.components.declare.record import cells_name, fields_of, over
 from rovbrush.components.interface import Variable, parameter_variables
-from rovbrush.components.kernels import compiled, joined_source
+from rovbrush.components.kernels import argument_names, compiled, joined_source
+from rovbrush.components.lowering.source import is_record
 from rovbrush.components.slave import ComponentSlave
 
 Range = tuple[float, float]  # an input's mean and amplitude
@@ -77,6 +80,7 @@ class Instance:
         self.values |= {v.name: _typed(v, v.start if v.size else v.start[0]) for v in declared.inputs}
         self.arrays = {a.name: np.zeros(a.shape_for(chosen)) for a in declared.arrays}
         self.values |= self.arrays
+        self.parameters = chosen
         self.values["y"] = np.zeros(sum(len(v.start) for v in declared.outputs))
         self.values |= {"t": 0.0, "h": 0.0}
         self.at: dict[str, slice] = {}
@@ -85,7 +89,7 @@ class Instance:
             self.at[v.name] = slice(first, first + len(v.start))
             first += len(v.start)
         self.signatures = {
-            f: tuple(inspect.signature(getattr(declared.kernel, f)).parameters)
+            f: argument_names(declared.kernel, f)
             for f in ("setup", "initialize", "outputs", "step")
             if hasattr(declared.kernel, f)
         }
@@ -97,8 +101,24 @@ class Instance:
             self.values[name] = _typed(declared[name], value)
 
     def call(self, function: str) -> None:
-        """Call an entry point with its arguments bound by name."""
-        getattr(self.functions, function)(*[self.values[argument] for argument in self.signatures[function]])
+        """Call an entry point with its arguments bound by name; plain Python gets records over the same arrays."""
+        called = getattr(self.functions, function)
+        if self.functions is self.declared.kernel:
+            called(*[self.of_record(p) for p in inspect.signature(called).parameters.values()])
+        else:
+            called(*[self.values[argument] for argument in self.signatures[function]])
+
+    def of_record(self, parameter: inspect.Parameter) -> Any:
+        """What plain Python takes as an argument."""
+        record = parameter.annotation
+        if not is_record(record):
+            return self.values[parameter.name]
+        if dataclasses.is_dataclass(record):
+            return self.parameters
+        fields = fields_of(record)
+        if all(f.role == "input" for f in fields.values()):
+            return record(*[self.values[name] for name in fields])
+        return over(record, self.values.get(cells_name(record)), self.arrays)
 
     def start(self) -> None:
         """setup, initialize and outputs, as far as the kernel has them."""

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 from numba import njit
-from rovbrush.components.kernels import compiled
+from rovbrush.components.kernels import argument_names, compiled
 from rovbrush.components.slave import ComponentSlave
 from rovbrush.orchestrator.system.model import Component, System
 from scipy.integrate import solve_ivp
@@ -60,8 +60,11 @@ class Part:
     def call(self, name: str, **changes: Any) -> None:
         """Call an entry point of the kernel."""
         self.values |= changes
-        arguments = inspect.signature(getattr(self.kernel, name)).parameters
-        getattr(self.functions, name)(*[self.values[argument] for argument in arguments])
+        getattr(self.functions, name)(*self.given(name))
+
+    def given(self, name: str, behind: int = 0) -> tuple[Any, ...]:
+        """The arguments of a function of the kernel, behind the first few."""
+        return tuple(self.values[argument] for argument in argument_names(self.kernel, name)[behind:])
 
     def __getitem__(self, output: str) -> float:
         return float(self.values["y"][self.outputs.index(output)])
@@ -77,8 +80,9 @@ def _truth(text: Any) -> bool:
 
 def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np.ndarray]:
     """The rates of the whole state as a compiled function of t, state, thruster commands and motor voltage."""
-    m, b, v = motor.constants(), brush.constants(), vehicle.constants()
-    motor_rates, gear_ratio = motor.functions.rates, motor.functions.gear_ratio
+    b, v = brush.constants(), vehicle.constants()
+    motor_rates, motor_parameters = motor.functions.rates, motor.given("rates", behind=6)
+    N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
     constants, free_acceleration, tip_force = (
         getattr(brush.functions, name) for name in ("constants", "free_acceleration", "tip_force")
     )
@@ -90,7 +94,6 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     @njit(error_model="numpy")  # not cached: Numba would not notice that a kernel changed
     def rates(t: float, state: np.ndarray, u_thruster: np.ndarray, V_in: float) -> np.ndarray:
         rate = np.zeros_like(state)
-        N_g = gear_ratio(m.gear_ratio_per_stage, m.gear_stages)
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
@@ -117,9 +120,7 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         rate[2], rate[3], rate[4], rate[5] = omega_b, F_x, F_z, T_brush
 
         # motor
-        motor_rate = motor_rates(
-            state[0], state[1], V_in, T_brush, False, N_g, m.R, m.L_a, m.K_t, m.K_e, m.B_m, m.J_m, m.J_b,
-            m.gear_efficiency, m.gear_speed_eps)  # fmt: skip
+        motor_rate = motor_rates(state[0], state[1], False, N_g, V_in, T_brush, *motor_parameters)
         rate[0], rate[1] = motor_rate[0], motor_rate[1]
 
         # vehicle, whose housing takes T_brush
@@ -181,7 +182,7 @@ class Monolithic:
         eta, eta_dot = (brush.values[name].ravel() for name in ("eta", "eta_dot"))
         self.x = ETA + eta.size + eta_dot.size
         self.state = np.concatenate([
-            motor.values["x"][:2], brush.values["total"][:4], eta, eta_dot, vehicle.values["x"],
+            motor.values["state"][:2], brush.values["total"][:4], eta, eta_dot, vehicle.values["x"],
             vehicle.values["thrust_state"],
         ])  # fmt: skip
         self.scale = np.ones(self.state.size)

@@ -1,0 +1,236 @@
+"""Records: the named values that a kernel reads and writes, `p.k_c`, `x.theta_b`, `y.F_z`.
+
+A record class declares its fields once, each with unit and description. Run as plain Python, a record is a small object
+over arrays; under Numba and in C the same text is lowered to named scalars and cells of arrays (`lowering/`).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, ClassVar, Literal, get_type_hints
+
+import numpy as np
+import numpy.typing as npt
+
+INF = float("inf")
+Vector = npt.NDArray[np.float64]  # one-dimensional
+Matrix = npt.NDArray[np.float64]  # two-dimensional
+Shape = int | tuple[int, ...]
+Role = Literal["input", "output", "calculatedParameter", "parameter", "value"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Field:
+    """One field of a record. `shape` 0 is a scalar; it may follow from the parameters.
+
+    `kind`: float, int, bool or a record.
+    """
+
+    role: Role
+    unit: str
+    description: str
+    shape: Shape | Callable[[Any], Shape] = 0
+    start: float = 0.0
+    minimum: float = -INF
+    maximum: float = INF
+    depends: tuple[str, ...] = ()
+    sampled: bool = False
+    columns: tuple[Any, ...] = ()
+    name: str = ""
+    kind: type[Any] = float
+
+    @property
+    def is_record(self) -> bool:
+        """Is the field a record of its own?"""
+        return hasattr(self.kind, "packed")
+
+    @property
+    def is_array(self) -> bool:
+        """Is the field an array?"""
+        return self.shape != 0
+
+    @property
+    def size(self) -> int:
+        """Number of cells; only for a shape that does not follow from parameters."""
+        assert not callable(self.shape)
+        return int(np.prod(self.shape)) if self.shape else 1
+
+
+def input_(
+    unit: str,
+    description: str,
+    start: float = 0.0,
+    size: int = 0,
+    minimum: float = -INF,
+    maximum: float = INF,
+    sampled: bool = False,
+) -> Any:
+    """An input; it keeps its value over a communication step. `sampled`: only its value at the samples counts."""
+    return Field("input", unit, description, size, start, minimum, maximum, sampled=sampled)
+
+
+def output(unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0, sampled: bool = False) -> Any:
+    """An output; `depends` names the inputs that act on it at once (direct feedthrough)."""
+    return Field("output", unit, description, size, depends=depends, sampled=sampled)
+
+
+def calculated(unit: str, description: str, size: int = 0) -> Any:
+    """A calculated parameter: follows from the parameters when initialization ends, constant from then on."""
+    return Field("calculatedParameter", unit, description, size)
+
+
+def value(
+    unit: str, description: str, shape: Shape | Callable[[Any], Shape] = 0, columns: tuple[Any, ...] = ()
+) -> Any:
+    """A value of a state, of scratch or of what a function returns; `shape` may follow from the parameters.
+
+    `columns` declares what the columns of an array mean; an FMU can be built with its first rows as outputs.
+    """
+    return Field("value", unit, description, shape, columns=columns)
+
+
+class Record:
+    """Base of all records. Scalars share one array of cells, in order; each array is one of its own."""
+
+    packed: ClassVar[bool] = False
+    _cells: Any
+
+    def __init__(self, *values: Any, **named: Any) -> None:
+        names = list(fields_of(type(self)))
+        given = [*zip(names, values, strict=False), *named.items()]
+        if [name for name, _ in given] != names:
+            raise TypeError(f"{type(self).__name__} is made of {', '.join(names)}, in this order")
+        for name, one in given:
+            object.__setattr__(self, name, one)
+
+    def __setattr__(self, name: str, one: Any) -> None:
+        if name not in fields_of(type(self)):
+            raise AttributeError(f"{type(self).__name__} has no field {name}")
+        object.__setattr__(self, name, one)
+
+
+class Packed(Record):
+    """A record of one array: its arrays, of fixed size, lie between the scalars. It can be passed as a `Vector`."""
+
+    packed = True
+
+    def __getitem__(self, k: int) -> float:
+        return float(self._cells[k])
+
+    def __setitem__(self, k: int, one: float) -> None:
+        self._cells[k] = one
+
+    def __len__(self) -> int:
+        return len(self._cells)
+
+
+_FIELDS: dict[type[Any], dict[str, Field]] = {}
+_VIEWS: dict[type[Any], type[Any]] = {}
+
+
+def fields_of(record: type[Any]) -> dict[str, Field]:
+    """The fields of a record class, or of a `Parameters` dataclass, by name."""
+    if record not in _FIELDS:
+        _FIELDS[record] = _fields(record)
+    return _FIELDS[record]
+
+
+def _fields(record: type[Any]) -> dict[str, Field]:
+    if dataclasses.is_dataclass(record):
+        return {f.name: _of_parameter(f) for f in dataclasses.fields(record)}
+    found: dict[str, Field] = {}
+    hints = get_type_hints(record)
+    for name, one in [item for base in reversed(record.__mro__) for item in vars(base).items()]:
+        if hasattr(one, "role"):
+            kind = hints[name] if hints[name] in (float, int, bool) or hasattr(hints[name], "packed") else float
+            found[name] = dataclasses.replace(one, name=name, kind=kind)
+    return found
+
+
+def _of_parameter(f: dataclasses.Field[Any]) -> Field:
+    default = f.default
+    known = {key: f.metadata[key] for key in ("unit", "description", "minimum", "maximum")}
+    kind = bool if isinstance(default, bool) else int if isinstance(default, int) else float
+    return Field("parameter", name=f.name, kind=kind, shape=len(default) if isinstance(default, tuple) else 0, **known)
+
+
+def cells_of(record: type[Any]) -> dict[str, int]:
+    """Where the fields that share the record's array of cells begin in it."""
+    places: dict[str, int] = {}
+    packed = getattr(record, "packed", False)  # parameters are not
+    at = 0
+    for name, field in fields_of(record).items():
+        if field.is_record or (field.is_array and not packed):
+            continue
+        places[name] = at
+        at += field.size
+    return places
+
+
+class _Ones:
+    """Parameters that are all 1."""
+
+    def __getattr__(self, name: str) -> int:
+        return 1
+
+
+def dimensions(field: Field) -> int:
+    """0 for a scalar, 1 or 2 for an array."""
+    shape = field.shape(_Ones()) if callable(field.shape) else field.shape
+    return len(shape) if isinstance(shape, tuple) else int(shape != 0)
+
+
+def cell_count(record: type[Any]) -> int:
+    """Length of the record's array of cells."""
+    fields = fields_of(record)
+    return sum(fields[name].size for name in cells_of(record))
+
+
+def storage(record: type[Record], name: str) -> Iterator[tuple[str, Shape | Callable[[Any], Shape], Field | None]]:
+    """The arrays that a record lies in: name, shape, and the field if it is one's own. `name`: that of the cells."""
+    if cells_of(record):
+        yield name, cell_count(record), None
+    for key, field in fields_of(record).items():
+        if field.is_record:
+            yield key, cell_count(field.kind), field
+        elif field.is_array and not record.packed:
+            yield key, field.shape, field
+
+
+def cells_name(record: type[Any]) -> str:
+    """The name of the array that a record's scalars share: `y` for outputs, else as the class."""
+    outputs = any(f.role in ("output", "calculatedParameter") for f in fields_of(record).values())
+    return "y" if outputs else record.__name__.lower()
+
+
+def over(record: type[Record], cells: Any, arrays: Mapping[str, Any]) -> Any:
+    """A record as an object over its cells and arrays, for plain Python."""
+    if record not in _VIEWS:
+        _VIEWS[record] = _view(record)
+    return _VIEWS[record](cells, arrays)
+
+
+def _view(record: type[Record]) -> type[Any]:
+    """A subclass of the record whose scalars are properties over the cells."""
+    fields, places = fields_of(record), cells_of(record)
+
+    def fill(self: Any, cells: Any, arrays: Mapping[str, Any]) -> None:
+        object.__setattr__(self, "_cells", cells)
+        for name, field in fields.items():
+            if field.is_record:
+                object.__setattr__(self, name, over(field.kind, arrays[name], {}))
+            elif field.is_array:
+                whole = arrays[name] if name not in places else cells[places[name] : places[name] + field.size]
+                object.__setattr__(self, name, whole.reshape(field.shape) if name in places else whole)
+
+    members: dict[str, Any] = {"__init__": fill, "__module__": record.__module__}
+    members |= {name: _cell(places[name]) for name in places if not fields[name].is_array}
+    return type(record.__name__, (record,), members)
+
+
+def _cell(k: int) -> property:
+    def put(self: Any, one: float) -> None:
+        self._cells[k] = one
+
+    return property(lambda self: float(self._cells[k]), put)
