@@ -54,5 +54,9 @@ def run_case(case: Case, folder: Path, fmus: Path, **of: Any) -> Run:
 def same(a: Run, b: Run) -> bool:
     """Whether two runs have the same bits in all rows and at all events."""
     rows = [[(row.time, row.number, row.what, row.cells.tobytes()) for row in run.events] for run in (a, b)]
-    tables = all(x.tobytes() == y.tobytes() for x, y in zip(a.tables, b.tables, strict=True))
-    return tables and rows[0] == rows[1] and bool(rows[0])
+    return same_tables(a, b) and rows[0] == rows[1] and bool(rows[0])
+
+
+def same_tables(a: Run, b: Run) -> bool:
+    """Whether two runs have the same bits in all rows."""
+    return all(x.tobytes() == y.tobytes() for x, y in zip(a.tables, b.tables, strict=True))

@@ -10,12 +10,15 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import clock_build
+import exchange_build
 import pytest
 from filelock import FileLock
 from native_build import NATIVE
 from rovbrush.orchestrator.fmu.files.windows import FOLDERS, runs_windows, wine
 from rovbrush.orchestrator.participant.windows.build import COMPILERS
 from rovbrush.orchestrator.studies.bench.native_fmu import HEADERS
+from rovbrush.orchestrator.studies.bench.native_fmu import SOURCES as SHARED
 
 LACKING = [] if runs_windows() else ["Linux on x86-64"]
 LACKING += [
@@ -53,7 +56,7 @@ def for_windows(
     third = b'fmiVersion="3' in entries["modelDescription.xml"]
     library = target.parent / f"{target.stem}_{platform}.dll"
     options = ["-Dpause()=usleep(1000)", *(f"-D{key}={value}" for key, value in (defines or {}).items())]  # no POSIX
-    command = [COMPILERS[platform], "-O2", "-shared", "-static-libgcc", "-s", f"-I{HEADERS}", *options]
+    command = [COMPILERS[platform], "-O2", "-shared", "-static-libgcc", "-s", f"-I{HEADERS}", f"-I{SHARED}", *options]
     subprocess.run([*command, *map(str, sources), "-o", str(library)], check=True, capture_output=True)
     with zipfile.ZipFile(target, "w") as archive:
         for name, content in entries.items():
@@ -68,3 +71,18 @@ def feedthrough_for_windows(native: Path, target: Path, platform: str = "win64",
     """`feedthrough2` or `feedthrough3`, which `native` is."""
     sources = [NATIVE / name for name in SOURCES[native.stem]]
     return for_windows(native, target, sources, platform=platform, keep=keep)
+
+
+def clocked_for_windows(folder: Path, target: Path) -> Path:
+    """Every FMU of `clock_build`, which are in `folder`, with a library for win64 only."""
+    for model in clock_build.MODELS:
+        sources = [clock_build.EVENTS / f"{model}.c", clock_build.EVENTS / "unused.c"]
+        defines = {"COUNTER": 1, "RESOLUTION": 60, "CALCULATED": 0}
+        for_windows(folder / f"{model}.fmu", target / f"{model}.fmu", sources, defines)
+    return target
+
+
+def exchange_for_windows(fmu: Path, folder: Path, version: int) -> Path:
+    """An FMU that `exchange_build` made, with a library for win64 only."""
+    defines = {"FMI": version, **({"STRIKER": 1} if fmu.stem == "striker" else {})}
+    return for_windows(fmu, folder / fmu.name, [exchange_build.MODELS_BY_NAME[fmu.stem].source], defines)

@@ -27,7 +27,7 @@ from .reading.details import Details
 from .reading.structure import resize, resized_variables
 from .reading.terminals import Terminal
 from .tolerant.rules import Note, Notes
-from .types import BINARY, REALS, TYPES, FmiType, Value
+from .types import REALS, TYPES, FmiType, Value
 from .variables import Elements, Place, elements_of
 
 SETTLED = 0.1  # s; a file that was written later could be written again without a later date
@@ -117,13 +117,6 @@ class Fmu(Capabilities):
         return platform_of(self.library)
 
     @cached_property
-    def _under_wine(self) -> bool:
-        try:
-            return bool(self.windows)
-        except FmuError:  # it has no library here, and can be read all the same
-            return False
-
-    @cached_property
     def _elements(self) -> Elements:
         """The scalars of every variable, by its own name."""
         return elements_of(self.path, self.description.modelVariables, self.texts)
@@ -192,9 +185,8 @@ class Fmu(Capabilities):
         return owners | {name: owners[of] for name, of in self.aliases.items()}
 
     def type_of(self, name: str) -> FmiType | None:
-        """The type of a scalar; None for one that cannot be exchanged (Clock, and Binary of a library for Windows)."""
-        kind = TYPES[self.version].get(self.variables[name].type)
-        return None if kind is not None and kind.code == BINARY and self._under_wine else kind
+        """The type of a scalar; None for one that is not exchanged (Clock)."""
+        return TYPES[self.version].get(self.variables[name].type)
 
     def unit(self, name: str) -> Unit | None:
         """The unit of a scalar, as this FMU means it; None where it has none."""

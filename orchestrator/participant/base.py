@@ -236,9 +236,9 @@ class Participant(ABC):
         """Who is behind the answer to its last step: itself, or another member of its group."""
         return self
 
-    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool, rests_in_events: bool = False) -> None:
         """How its states are integrated, where it brings no solver and is in no group: see SolverSettings.
-        `goes_back`: its state is saved at every step, and may be restored."""
+        `goes_back`: its state is saved at every step, and may be restored; `rests_in_events`: see Group."""
         return
 
     def notes(self) -> list[str]:

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from ..fmu.files.windows import require_co_simulation
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.mock import MockFmu
@@ -30,10 +29,9 @@ KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: F
 def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> LoadedInstance:
     """An instance in this process, or under wine where its library is for Windows. Raises FmuError if it refuses."""
     if fmu.own.windows:
-        from .windows.instance import KINDS as UNDER_WINE
+        from .windows.opening import windows_class
 
-        require_co_simulation(fmu.path, fmu.kind)
-        return UNDER_WINE[fmu.version](fmu, name, logging, tolerance)
+        return windows_class(fmu, False)(fmu, name, logging, tolerance)
     if fmu.kind == MODEL_EXCHANGE:
         from .model_exchange.instance import MEMBERS
 
@@ -84,10 +82,14 @@ class Starting:
         process = self._waiting.pop(component.name, None)
         if process is None:
             return start(component)
-        from .windows.instance import KINDS as UNDER_WINE
+        from .here.clock_calls import ClockCalls
+        from .windows.opening import windows_class
 
-        kind, limit = UNDER_WINE[component.fmu.version], float(component.timeout)
-        return kind(component.fmu, component.name, component.logging, component.tolerance, limit, process)
+        kind, limit = windows_class(component.fmu, component.in_events), float(component.timeout)
+        instance = kind(component.fmu, component.name, component.logging, component.tolerance, limit, process)
+        if isinstance(instance, ClockCalls):
+            instance.intervals = component.clocks
+        return instance
 
     def close(self) -> None:
         """End the processes that nobody took."""

@@ -24,11 +24,11 @@ MOST_ORDER = 5  # of CVODE's formulas
 
 
 def exchanged(system: System) -> tuple[str, ...]:
-    """The members of the group; one with a process of its own is a group by itself, there."""
+    """The members of the group; one with a process of its own is a group by itself, there, unless it is wine's."""
     return tuple(
         name
         for name, component in system.components.items()
-        if component.fmu.kind == MODEL_EXCHANGE and component.isolation != "process"
+        if component.fmu.kind == MODEL_EXCHANGE and (component.isolation != "process" or component.fmu.own.windows)
     )
 
 

@@ -6,7 +6,6 @@ import os
 from dataclasses import replace
 
 from ..errors import InputError
-from ..fmu.files.windows import require_co_simulation
 from ..fmu.sharing import imports_late, why_alone
 from ..system.model import Component, System
 
@@ -18,7 +17,6 @@ def with_processes(system: System) -> System:
     for name, component in system.components.items():
         fmu = component.fmu
         if fmu.own.windows:
-            require_co_simulation(fmu.path, fmu.kind)
             reason = f"its library is for {fmu.own.windows}, which wine runs"
             components[name] = apart(component, reason, system)
             continue

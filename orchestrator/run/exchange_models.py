@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import asdict
 
 from ..errors import FmuError
@@ -12,6 +13,7 @@ from ..participant.model_exchange.instance import Member
 from ..participant.model_exchange.links import Link, LinkBlock
 from ..plan.exchange import apart, links_of, settings_of
 from ..plan.plan import Plan
+from ..plan.schedule.layout import Key
 from ..system.model import Connection
 from .memory.memory import Memory
 
@@ -36,11 +38,9 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     ]
     inside = {c.target for c in plan.inside}
     outside = {key: slot for key, slot in plan.layout.inputs.items() if key[0] in numbers and key not in inside}
-    variables = [plan.system.components[name].fmu.variables[variable] for name, variable in outside]
-    sampled = any(variable.variability != "continuous" for variable in variables)
     first = int(memory.z.ctypes.data)
     watched = [first + memory.z.itemsize * slot for slot in outside.values()]
-    group = Group(members, blocks, settings_of(plan.system), rests_in_events=sampled, watched=watched)
+    group = Group(members, blocks, settings_of(plan.system), rests_in_events=_sampled(plan, outside), watched=watched)
     group.goes_back = plan.algorithm.saves_states
     for member in members:
         member.join(group)
@@ -51,8 +51,15 @@ def alone(plan: Plan, instances: dict[str, Participant], group: Group | None) ->
     """Those that have a process, and so a group, of their own; they are told how they are integrated."""
     found = [instances[name] for name in (*apart(plan.system), *(plan.exchange if group is None else ()))]
     for instance in found:
-        instance.solve_by(asdict(settings_of(plan.system)), plan.algorithm.saves_states)
+        sampled = _sampled(plan, [key for key in plan.layout.inputs if key[0] == instance.name])
+        instance.solve_by(asdict(settings_of(plan.system)), plan.algorithm.saves_states, sampled)
     return found
+
+
+def _sampled(plan: Plan, inputs: Iterable[Key]) -> bool:
+    """Whether any of these inputs can be set in event mode only."""
+    components = plan.system.components
+    return any(components[name].fmu.variables[variable].variability != "continuous" for name, variable in inputs)
 
 
 def _link(plan: Plan, c: Connection, numbers: dict[str, int]) -> Link:

@@ -44,7 +44,7 @@ def info(
     tell(f"  {'capabilities':<13} {', '.join(flags) or 'none'}")
     if read.notes:
         tell(f"  {'standard':<13} broken in {counted(len(read.notes), 'point')}: `rovbrush check {fmu}` lists them")
-    if not why and read.windows and read.kind == "co-simulation":
+    if not why and read.windows:
         tell(f"  {'run here':<13} by wine, in a process of its own ({read.windows})")
     if why:
         tell(f"  {'not run here':<13} {why}")

@@ -34,15 +34,6 @@ def platform_of(library: Path) -> str:
     return next((name for name, folders in FOLDERS.items() if library.parent.name in folders), "win64")
 
 
-def require_co_simulation(path: Path, kind: str) -> None:
-    """Raise FmuError for an FMU for Windows that is taken for another kind (`Fmu.kind`)."""
-    if kind != "co-simulation":
-        raise FmuError(
-            f"FMU {path} has a library for Windows only and is taken for {kind.replace('-', ' ')}, which is not run "
-            f"under wine; ask for a library of this platform, or for co-simulation"
-        )
-
-
 def wine(platform: str) -> str | None:
     """The program that runs win64 or win32; None where there is none."""
     usual = () if platform == "win32" and os.path.exists(ONLY_64) else ("wine",)

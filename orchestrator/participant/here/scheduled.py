@@ -37,15 +37,20 @@ class ScheduledInstance(ClockCalls):
     kind = FMU3Scheduled
     between = State.ACTIVATING
 
-    def _create(self) -> Any:
-        slave, self.waiting = self.slave, []
+    def begin_partitions(self) -> None:
+        """Before there is an instance: nothing has run yet."""
+        self.waiting = []
         self._ran: dict[str, Fraction] = {}  # s, when each partition ran last
-        self._row = Row(id(self), self.log.logging == "all")
         own = self.fmu.own.clocks.values()
         self._outputs = [clock.name for clock in own if clock.causality == "output"]
         self._countdowns = [clock.name for clock in own if clock.variability == "countdown"]
         self._told: Told = Told([], {})
         self._raised: Exception | None = None
+
+    def _create(self) -> Any:
+        slave = self.slave
+        self.begin_partitions()
+        self._row = Row(id(self), self.log.logging == "all")
         logger = fmi3.fmi3LogMessageCallback(filtered(3, address_of(LOGGER)))
         update = fmi3.fmi3ClockUpdateCallback(partial(_clocks_changed, ref(self)))
         lock, unlock = fmi3.fmi3LockPreemptionCallback(_nothing), fmi3.fmi3UnlockPreemptionCallback(_nothing)

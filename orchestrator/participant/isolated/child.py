@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ...fmu.fmu import Fmu
+from ...fmu.kinds import MODEL_EXCHANGE
 from ...processes import end_with, watch
 from ..base import AskedToEndError, CallError, State
 from ..here.loaded import LoadedInstance
@@ -35,6 +36,7 @@ from .channel import (
     to_json,
 )
 from .child_events import EVENTS, at_event, eventful
+from .child_exchange import Inputs
 from .functions import Function, functions
 
 BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
@@ -66,6 +68,7 @@ class Served:
         self.functions: list[Function] = []
         self.loaded: dict[int, Any] = {}
         self.told: State | None = None  # the state that the master knows
+        self.inputs = Inputs(shared)
 
     def answer(self, channel: Channel) -> None:
         """Messages as they come."""
@@ -141,6 +144,8 @@ class Served:
         else:
             if function.text and kind == "set":
                 put_pointers(at, self.shared.text_addresses(values))
+            if kind == "set" and instance.fmu.kind == MODEL_EXCHANGE:
+                self.inputs.look(instance, function, references, values)
             sizes = [values] if version == 3 else []
             status = native(pointer, self.shared.references, references, at, *sizes)
             if function.text and kind == "get" and status in (0, 1) and not self.shared.put_texts(texts_at(at, values)):

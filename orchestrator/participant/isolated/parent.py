@@ -186,8 +186,8 @@ class IsolatedInstance(Participant):
     def reached(self) -> float:
         return -math.inf if self.dead else float(self._by_name("reached"))
 
-    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
-        self._by_name("solve_by", dict(settings), goes_back)
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool, rests_in_events: bool = False) -> None:
+        self._by_name("solve_by", dict(settings), goes_back, rests_in_events)
 
     def notes(self) -> list[str]:
         return list(self._asked("notes") or ())

@@ -47,7 +47,7 @@ class Member(LoadedInstance):
     """
 
     group: Group | None = None  # of its system; made when it is first needed where there is none
-    settings, goes_back = SolverSettings(), False  # of a group of its own
+    settings, goes_back, rests_in_events = SolverSettings(), False, False  # of a group of its own
 
     def join(self, group: Group) -> None:
         """Be a member of a group."""
@@ -56,7 +56,7 @@ class Member(LoadedInstance):
     @property
     def _own_group(self) -> Group:
         if self.group is None:
-            self.group = Group([self], (), self.settings)
+            self.group = Group([self], (), self.settings, self.rests_in_events)
             self.group.goes_back = self.goes_back
         return self.group
 
@@ -124,8 +124,9 @@ class Member(LoadedInstance):
         group = self.group
         return group.at_fault if group is not None and (group.failed or group.asks_to_end) else self
 
-    def solve_by(self, settings: Mapping[str, Any], goes_back: bool) -> None:
+    def solve_by(self, settings: Mapping[str, Any], goes_back: bool, rests_in_events: bool = False) -> None:
         self.settings, self.goes_back = SolverSettings(**settings), goes_back
+        self.rests_in_events = rests_in_events
 
     def notes(self) -> list[str]:
         return self.group.notes() if self.group is not None else []

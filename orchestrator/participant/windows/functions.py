@@ -36,6 +36,22 @@ class Shape(IntEnum):
     INSTANTIATE1 = 22
     INSTANTIATE2 = 23
     INSTANTIATE3 = 24
+    SET_BINARY = 25
+    GET_BINARY = 26
+    PAIRS = 27
+    TRIPLES = 28
+    UPDATE = 29
+    ACTIVATE = 30
+    INSTANTIATE_SCHEDULED = 31
+    TIME = 32
+    VECTOR = 33
+    COMPLETED2 = 34
+    COMPLETED3 = 35
+    EVENT_INFO = 36
+    COUNT = 37
+    DIRECTIONAL2 = 38
+    DIRECTIONAL3 = 39
+    INSTANTIATE_MODEL = 40
 
 
 class Called(NamedTuple):
@@ -52,6 +68,13 @@ _DESERIALIZE, _STATUS = "int(uintptr_t, uintptr_t, size_t, uintptr_t)", "int(uin
 _STATUSES = (("Status", Shape.STATUS_NUMBER), ("RealStatus", Shape.STATUS_NUMBER),
              ("IntegerStatus", Shape.STATUS_NUMBER), ("BooleanStatus", Shape.STATUS_NUMBER),
              ("StringStatus", Shape.STATUS_TEXT))  # fmt: skip
+_TIME, _VECTOR = "int(uintptr_t, double)", "int(uintptr_t, uintptr_t, size_t)"
+_POINTERS = ["int(uintptr_t, uintptr_t, size_t" + ", uintptr_t" * count + ")" for count in range(4)]
+_CLOCKS = (("Clock", Shape.SET_GET, 1), ("IntervalDecimal", Shape.PAIRS, 2), ("IntervalFraction", Shape.TRIPLES, 3),
+           ("ShiftDecimal", Shape.SET_GET, 1), ("ShiftFraction", Shape.PAIRS, 2))  # fmt: skip
+_SET_CLOCKS = (("Clock", Shape.SET_GET, 1), ("IntervalDecimal", Shape.SET_GET, 1),
+               ("IntervalFraction", Shape.PAIRS, 2), ("ShiftDecimal", Shape.SET_GET, 1),
+               ("ShiftFraction", Shape.PAIRS, 2))  # fmt: skip
 _BY_NAME: dict[int, tuple[Called, ...]] = {
     1: (
         Called("fmiGetVersion", Shape.TEXT, "uintptr_t(void)"),
@@ -76,6 +99,15 @@ _BY_NAME: dict[int, tuple[Called, ...]] = {
         Called("fmi2SerializedFMUstateSize", Shape.STATE_SIZE, _SIZE),
         Called("fmi2SerializeFMUstate", Shape.SERIALIZE, _SERIALIZE),
         Called("fmi2DeSerializeFMUstate", Shape.DESERIALIZE, _DESERIALIZE),
+        *(Called(f"fmi2{name}", Shape.PLAIN, _ALONE) for name in ("EnterEventMode", "EnterContinuousTimeMode")),
+        *(Called(f"fmi2{name}", Shape.VECTOR, _VECTOR) for name in
+          ("SetContinuousStates", "GetContinuousStates", "GetDerivatives", "GetEventIndicators",
+           "GetNominalsOfContinuousStates")),
+        Called("fmi2SetTime", Shape.TIME, _TIME),
+        Called("fmi2NewDiscreteStates", Shape.EVENT_INFO, "int(uintptr_t, uintptr_t)"),
+        Called("fmi2CompletedIntegratorStep", Shape.COMPLETED2, "int(uintptr_t, int, uintptr_t, uintptr_t)"),
+        Called("fmi2GetDirectionalDerivative", Shape.DIRECTIONAL2,
+               "int(uintptr_t, uintptr_t, size_t, uintptr_t, size_t, uintptr_t, uintptr_t)"),
     ),
     3: (
         Called("fmi3GetVersion", Shape.TEXT, "uintptr_t(void)"),
@@ -90,9 +122,24 @@ _BY_NAME: dict[int, tuple[Called, ...]] = {
         Called("fmi3SerializedFMUStateSize", Shape.STATE_SIZE, _SIZE),
         Called("fmi3SerializeFMUState", Shape.SERIALIZE, _SERIALIZE),
         Called("fmi3DeserializeFMUState", Shape.DESERIALIZE, _DESERIALIZE),
+        Called("fmi3InstantiateScheduledExecution", Shape.INSTANTIATE_SCHEDULED),
+        Called("fmi3InstantiateModelExchange", Shape.INSTANTIATE_MODEL),
+        *(Called(f"fmi3Get{name}", shape, _POINTERS[count]) for name, shape, count in _CLOCKS),
+        *(Called(f"fmi3Set{name}", shape, _POINTERS[count]) for name, shape, count in _SET_CLOCKS),
+        Called("fmi3UpdateDiscreteStates", Shape.UPDATE, "int(uintptr_t" + ", uintptr_t" * 6 + ")"),
+        Called("fmi3ActivateModelPartition", Shape.ACTIVATE, "int(uintptr_t, uint32_t, double)"),
+        Called("fmi3EnterContinuousTimeMode", Shape.PLAIN, _ALONE),
+        *(Called(f"fmi3{name}", Shape.VECTOR, _VECTOR) for name in
+          ("SetContinuousStates", "GetContinuousStates", "GetContinuousStateDerivatives", "GetEventIndicators",
+           "GetNominalsOfContinuousStates")),
+        *(Called(f"fmi3GetNumberOf{name}", Shape.COUNT, "int(uintptr_t, uintptr_t)")
+          for name in ("ContinuousStates", "EventIndicators")),
+        Called("fmi3SetTime", Shape.TIME, _TIME),
+        Called("fmi3CompletedIntegratorStep", Shape.COMPLETED3, "int(uintptr_t, _Bool, uintptr_t, uintptr_t)"),
+        Called("fmi3GetDirectionalDerivative", Shape.DIRECTIONAL3,
+               "int(uintptr_t, uintptr_t, size_t, uintptr_t, size_t, uintptr_t, size_t, uintptr_t, size_t)"),
     ),
 }  # fmt: skip
-INSTANTIATE = {1: "fmiInstantiateSlave", 2: "fmi2Instantiate", 3: "fmi3InstantiateCoSimulation"}
 
 
 def called(version: int) -> list[Called]:
@@ -106,6 +153,8 @@ def called(version: int) -> list[Called]:
     for function in of_the_loop(version):
         if function.kind in kinds:
             shape = kinds[function.kind]
+        elif function.binary:
+            shape = Shape.SET_BINARY if function.kind == "set" else Shape.GET_BINARY
         elif function.text:
             plain = Shape.SET_TEXT if function.kind == "set" else Shape.GET_TEXT
             shape = Shape(plain + sized)

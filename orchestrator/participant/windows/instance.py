@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
 from functools import cache
 from pathlib import PureWindowsPath
 from typing import Any
@@ -20,12 +20,12 @@ from ..isolated.callbacks import Callbacks
 from ..isolated.child_process import ProcessLostError
 from ..lifecycle import FATAL
 from ..messages import Logging
-from .library import DO, WindowsLibrary
+from .library import WindowsLibrary
+from .memory import DO
 from .process import ServerProcess, windows_path
 
 TIMEOUT = 60.0  # s of a call, where nobody says
 ALL = (1 << 31) - 1  # messages that pass
-SLAVES: Mapping[int, Any] = {1: FMU1Instance, 2: FMU2Instance, 3: FMU3Instance}
 
 
 class WindowsInstance(LoadedInstance):
@@ -43,6 +43,10 @@ class WindowsInstance(LoadedInstance):
         self.page = self.process.memory.page
         super().__init__(fmu, name, logging, tolerance)
 
+    instantiates = ""  # the function that makes an instance
+    choice = 0  # what that is told: see `library.WindowsLibrary.instantiate`
+    slave_kind: Any  # fmpy's class, which binds the functions
+
     def instantiate(self) -> None:
         fmu, everything = self.fmu.own, self.log.logging == "all"
         self.page.lowest, self.page.allowance = (0, ALL) if everything else (1, AT_FIRST)
@@ -50,9 +54,11 @@ class WindowsInstance(LoadedInstance):
         identifier = str(fmu.interface.modelIdentifier)
         self.remote = WindowsLibrary(fmu.version, identifier, self.process, self._ask, callbacks)
         try:
-            self.remote.load(fmu.library, _names(fmu.version), self.timeout)
+            self.remote.load(fmu.library, _names(self.slave_kind), self.timeout)
             self.slave = self._slave(identifier)
-            self.slave.component = self.remote.instantiate(self._texts(), self.asked_for_all)
+            self.slave.component = self.remote.instantiate(
+                self.instantiates, self._texts(), self.asked_for_all, self.choice
+            )
             if not self.slave.component:
                 raise FmuError(self.fault or "it gave no instance")
         except NotLoadedError as error:
@@ -68,8 +74,7 @@ class WindowsInstance(LoadedInstance):
 
     def _slave(self, identifier: str) -> Any:
         """fmpy's, which would load a library of this process."""
-        kind = SLAVES[self.fmu.version]
-        slave = kind.__new__(kind)
+        slave = self.slave_kind.__new__(self.slave_kind)
         slave.guid, slave.modelIdentifier = self.fmu.description.guid, identifier
         slave.unzipDirectory, slave.instanceName = str(self.fmu.folder), self.name
         slave.fmiCallLogger, slave.requireFunctions, slave.callbacks = None, True, None
@@ -160,20 +165,23 @@ class WindowsInstance(LoadedInstance):
 class Windows1Instance(WindowsInstance, Fmi1Instance):
     """Of FMI 1.0."""
 
+    instantiates, slave_kind = "fmiInstantiateSlave", FMU1Instance
+
 
 class Windows2Instance(WindowsInstance, Fmi2Instance):
     """Of FMI 2.0."""
+
+    instantiates, choice, slave_kind = "fmi2Instantiate", 1, FMU2Instance
 
 
 class Windows3Instance(WindowsInstance, Fmi3Instance):
     """Of FMI 3.0."""
 
-
-KINDS: Mapping[int, type[WindowsInstance]] = {1: Windows1Instance, 2: Windows2Instance, 3: Windows3Instance}
+    instantiates, slave_kind = "fmi3InstantiateCoSimulation", FMU3Instance
 
 
 @cache
-def _names(version: int) -> list[str]:
+def _names(kind: Any) -> list[str]:
     """The functions that fmpy looks for, as the standard calls them."""
-    found = [name for name in dir(SLAVES[version]) if name.startswith(f"fmi{version}")]
+    found = [name for name in dir(kind) if re.match(r"fmi\d", name)]
     return [name.replace("fmi1", "fmi", 1) for name in found]

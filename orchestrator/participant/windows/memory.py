@@ -13,6 +13,8 @@ CALL_AT, WORDS_AT = 48, 96  # bytes into the page
 WHOLE = SIZE + PAGE + MESSAGES
 FUNCTIONS = 256
 
+DO, LOAD, FROM_SERVER, TO_SERVER, RESUME = range(5)  # `enum Operation` of the server
+
 U32, I32, U64 = ctypes.c_uint32, ctypes.c_int32, ctypes.c_uint64
 
 
@@ -33,10 +35,11 @@ class Page(ctypes.Structure):
     refused: int
     words: ctypes.Array[ctypes.c_uint64]
     result: int
+    inside: int
     _fields_ = (
         ("asked", U32), ("answered", U32), ("server_sleeps", U32), ("master_sleeps", U32), ("operation", U32),
         ("status", I32), ("written", U32), ("kept_back", U32), ("allowance", I32), ("lowest", I32), ("crash", U32),
-        ("refused", U32), ("call", ctypes.c_char * 48), ("words", U64 * 8), ("result", U64),
+        ("refused", U32), ("call", ctypes.c_char * 48), ("words", U64 * 8), ("result", U64), ("inside", U64),
     )  # fmt: skip
 
 

@@ -50,8 +50,6 @@ def _decided(system: System, component: Component, able: bool) -> Component:
         why = "it offers none (hasEventMode = false)"
     elif component.event_mode == "off":
         why = 'event_mode = "off"'
-    elif fmu.own.windows:
-        why = "its library is for Windows and runs under wine, where there is none"
     elif not able:
         why = f"algorithm {system.algorithm} does not go along with events; jacobi and gauss-seidel do"
     if why and needed:

@@ -6,17 +6,21 @@ import os
 from fractions import Fraction
 from pathlib import Path
 
+import exchange_build
 import pytest
 from clock_build import built, clocked
-from clock_cases import CASES, SCHEDULED, run_case, same
+from clock_cases import CASES, SCHEDULED, run_case, same, same_tables
 from helpers import plan_of, run_of
-from native_build import FAULTS3, feedthrough3, needs_gcc
+from native_build import FAULTS3, answers, feedthrough3, needs_gcc
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.base import AskedToEndError
 from rovbrush.orchestrator.participant.here.event_mode import EventModeInstance
 from rovbrush.orchestrator.participant.isolated.events import IsolatedEvents
 from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
+from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
 
@@ -105,3 +109,40 @@ def test_an_isolated_fmu_that_asks_to_end_is_one_that_does_so_here(tmp_path: Pat
                 instance.step(0.1 * k, 0.1)
     finally:
         instance.close()
+
+
+EXCHANGE = {
+    "alone": ("ball", ""),
+    "driven": ("lag", 'connections = ["mass.x -> m.push", "m.x -> mass.F"]\n'),
+}
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("method", ["dormand-prince", "cvode", "rk4"])
+@pytest.mark.parametrize("name", EXCHANGE)
+def test_an_isolated_fmu_of_model_exchange_is_integrated_as_the_system_says(
+    name: str, method: str, version: int, tmp_path: Path
+) -> None:
+    model, wires = EXCHANGE[name]
+    exchange_build.exchange(tmp_path, model, version)
+    answers(tmp_path / "mass.fmu", "mass")
+    text = f'format = 2\nstop_time = "1 s"\n{wires}[solver]\ntolerance = 1e-9\nmethod = "{method}"\n'
+    text += f'[components.m]\nfmu = "{model}.fmu"\nperiod = "10 ms"\n'
+    text += '[components.mass]\nfmu = "mass.fmu"\nperiod = "10 ms"\nparameters = { x0 = 1.0 }\n'
+    runs = []
+    for key in ("", 'isolation = "process"\n'):
+        (tmp_path / "system.toml").write_text(text.replace("[components.m]\n", f"[components.m]\n{key}"))
+        plan = make_plan(load_system(str(tmp_path / "system.toml"), tmp_path))
+        assert f"integrated by {method} (stated in the system file)" in explain(plan)
+        runs.append(simulate(plan))
+    assert not runs[0].failure and not runs[1].failure and same_tables(*runs)
+
+
+def test_why_an_isolated_fmu_of_model_exchange_failed_is_told_as_here(tmp_path: Path) -> None:
+    exchange_build.exchange(tmp_path, "moody")
+    said = []
+    for key in ("", 'isolation = "process"\n'):
+        text = f'format = 2\nstop_time = "1 s"\n[components.m]\nfmu = "moody.fmu"\nperiod = "10 ms"\n{key}'
+        (tmp_path / "system.toml").write_text(f"{text}parameters = {{ fault = 1 }}\n")
+        said.append(simulate(make_plan(load_system(str(tmp_path / "system.toml"), tmp_path))).failure)
+    assert said[0] == said[1] and "derivative der(x) is not finite" in said[0]

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef void (*Function)(void);
-
 static HMODULE library;
 static Function functions[FUNCTIONS];
 static unsigned char shapes[FUNCTIONS];
@@ -109,7 +107,7 @@ static int exchange_texts(Function f, enum Shape shape, const uint32_t *referenc
     return status;
 }
 
-static double real(uint64_t word)
+double real(uint64_t word)
 {
     double found;
     memcpy(&found, &word, 8);
@@ -124,10 +122,14 @@ static void *instantiate(Function f, enum Shape shape)
     if (shape == INSTANTIATE3)
         return ((void *(*)(const char *, const char *, const char *, bool, bool, bool, bool, const uint32_t *, size_t,
                            void *, void *, void *))f)(
-            name, token, place, false, logs, false, false, NULL, 0, NULL, (void *)logger3, NULL);
+            name, token, place, false, logs, shared->words[1], shared->words[1], NULL, 0, NULL, (void *)logger3, NULL);
+    if (shape == INSTANTIATE_SCHEDULED)
+        return instantiate_scheduled(f);
+    if (shape == INSTANTIATE_MODEL)
+        return instantiate_model(f);
     if (shape == INSTANTIATE2)
         return ((void *(*)(const char *, int, const char *, const char *, const Callbacks *, int, int))f)(
-            name, 1, token, place, &callbacks, 0, logs);
+            name, (int)shared->words[1], token, place, &callbacks, 0, logs);
     /* FMI 1.0 takes its callbacks by value, without the environment. */
     struct { void *logger, *allocate, *release, *finished; } by_value = {
         (void *)logger, (void *)calloc, (void *)free, NULL};
@@ -244,9 +246,16 @@ void call(void)
     case STATE_OUT: case STATE_IN: case STATE_SIZE: case SERIALIZE: case DESERIALIZE:
         shared->status = state_call(f, shape);
         break;
-    case INSTANTIATE1: case INSTANTIATE2: case INSTANTIATE3:
+    case INSTANTIATE1: case INSTANTIATE2: case INSTANTIATE3: case INSTANTIATE_SCHEDULED: case INSTANTIATE_MODEL:
         instance = instantiate(f, shape);
         shared->result = (uintptr_t)instance;
+        break;
+    case SET_BINARY: case GET_BINARY: case PAIRS: case TRIPLES: case UPDATE: case ACTIVATE:
+        shared->status = event_call(f, shape);
+        break;
+    case TIME: case VECTOR: case COMPLETED2: case COMPLETED3: case EVENT_INFO: case COUNT: case DIRECTIONAL2:
+    case DIRECTIONAL3:
+        shared->status = exchange_call(f, shape);
         break;
     default:
         shared->status = number_of(f, shape);

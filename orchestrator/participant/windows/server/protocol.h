@@ -13,7 +13,7 @@
 enum { AREA = 1 << 20, MESSAGES = 1 << 18, FUNCTIONS = 256 };
 
 /* What a request is. */
-enum Operation { CALL, LOAD, CHUNK_FROM_SERVER, CHUNK_TO_SERVER };
+enum Operation { CALL, LOAD, CHUNK_FROM_SERVER, CHUNK_TO_SERVER, RESUME };
 
 /* By their arguments behind the instance, the functions of FMI 1.0, 2.0 and 3.0 that are called here. */
 enum Shape {
@@ -36,7 +36,21 @@ enum Shape {
     STATUS_NUMBER,   /* kind, where the number goes */
     STATUS_TEXT,     /* kind, where the text goes */
     TEXT,            /* no instance either; the answer is a text */
-    INSTANTIATE1, INSTANTIATE2, INSTANTIATE3
+    INSTANTIATE1, INSTANTIATE2, INSTANTIATE3,
+    /* of events: events.c; arrays lie in the values, 8 bytes an element, one behind the other */
+    SET_BINARY, GET_BINARY,   /* references, their number, sizes, where the bytes are, number of values */
+    PAIRS, TRIPLES,  /* references, their number, two or three arrays */
+    UPDATE,          /* where five flags and a time go */
+    ACTIVATE,        /* a reference, a time */
+    INSTANTIATE_SCHEDULED,
+    /* of Model Exchange: exchange.c */
+    TIME,            /* a time */
+    VECTOR,          /* an array, its length */
+    COMPLETED2, COMPLETED3, /* a flag, where two go */
+    EVENT_INFO,      /* where an fmi2EventInfo goes */
+    COUNT,           /* where a number goes */
+    DIRECTIONAL2, DIRECTIONAL3, /* references, their number, of unknowns and of knowns; seeds, where the answer goes */
+    INSTANTIATE_MODEL
 };
 
 /* As `channel.CALL`: of set, get and step; a state goes through the first eight bytes of the values. */
@@ -64,12 +78,15 @@ struct Shared {
     struct Call call;
     uint64_t words[8];       /* other arguments; doubles by their bits */
     uint64_t result;         /* a pointer or a size */
-    unsigned char page[4096 - 12 * 4 - sizeof(struct Call) - 9 * 8];
+    uint64_t inside;         /* whether a function waits for the master in the middle of a call, until RESUME */
+    unsigned char page[4096 - 12 * 4 - sizeof(struct Call) - 10 * 8];
     char messages[MESSAGES]; /* for each its status (4 bytes), category and text, both ended by 0 */
 };
 
 extern struct Shared *shared;
 extern void *instance;
+
+typedef void (*Function)(void);
 
 /* Load the library whose path is the first text; the others are the names of functions, by number. */
 void load(void);
@@ -78,8 +95,19 @@ void call(void);
 /* A part of a serialized state: words[0] is where it begins, words[1] its length, words[2] the length of all. */
 void chunk(enum Operation operation);
 
+/* Those kinds that are not of calls.c: the FMU's status. */
+int event_call(Function f, enum Shape shape);
+int exchange_call(Function f, enum Shape shape);
+/* An instance for scheduled execution, and one for Model Exchange of FMI 3.0, of the texts that lie in `texts`. */
+void *instantiate_scheduled(Function f);
+void *instantiate_model(Function f);
+/* Let the master make calls in the middle of one, until it has had enough. */
+void let_master_call(void);
+
 /* The next of the texts that lie in `texts` one behind the other, from `*at` on. */
 const char *next_text(size_t *at);
+/* A number of `words` as a double. */
+double real(uint64_t word);
 /* A message to the master. */
 void say(int status, const char *category, const char *text);
 /* Loggers: FMI 1.0 and 2.0, FMI 3.0. */

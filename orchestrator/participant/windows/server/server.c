@@ -13,6 +13,7 @@ struct Shared *shared;
 void *instance;
 static HANDLE input, output;
 static LONGLONG looking, longest; /* in ticks of the clock */
+static uint32_t number = 1;       /* of the request that is to be done next, or is being done */
 
 static LONG WINAPI crashed(EXCEPTION_POINTERS *what)
 {
@@ -23,7 +24,7 @@ static LONG WINAPI crashed(EXCEPTION_POINTERS *what)
 
 /* Wait for the request with a number. It is looked for as long as that pays: longer where the last one came in time,
  * not so long where it did not, because the processor is wanted or the master is busy. */
-static void wait_for(uint32_t number)
+static void wait_for_request(void)
 {
     LARGE_INTEGER now, begin;
     char byte;
@@ -52,7 +53,7 @@ static void wait_for(uint32_t number)
     looking = 2 * looking < longest ? 2 * looking : longest;
 }
 
-static void answer(uint32_t number)
+static void answer(void)
 {
     DWORD went;
     MemoryBarrier();
@@ -60,6 +61,33 @@ static void answer(uint32_t number)
     MemoryBarrier();
     if (shared->master_sleeps)
         WriteFile(output, "", 1, &went, NULL);
+}
+
+static void serve(void)
+{
+    switch (shared->operation) {
+    case CALL:
+        call();
+        break;
+    case LOAD:
+        load();
+        break;
+    default:
+        chunk(shared->operation);
+    }
+}
+
+void let_master_call(void)
+{
+    shared->inside = 1;
+    for (answer();; answer()) {
+        number++;
+        wait_for_request();
+        if (shared->operation == RESUME)
+            break; /* the call that it was in the middle of is its answer */
+        serve();
+    }
+    shared->inside = 0;
 }
 
 /* A standard handle that stays open when the C library closes its own. */
@@ -97,18 +125,9 @@ int main(int count, char **arguments)
     SetUnhandledExceptionFilter(crashed);
     QueryPerformanceFrequency(&frequency);
     looking = longest = frequency.QuadPart * LOOKING / 1000000;
-    for (uint32_t number = 1;; number++) {
-        wait_for(number);
-        switch (shared->operation) {
-        case CALL:
-            call();
-            break;
-        case LOAD:
-            load();
-            break;
-        default:
-            chunk(shared->operation);
-        }
-        answer(number);
+    for (;; number++) {
+        wait_for_request();
+        serve();
+        answer();
     }
 }
