@@ -57,6 +57,11 @@ MODELS: dict[str, Variables] = {
         ("at_burst", 4, "output", 'clocks="202"'), ("n_fast", WHOLE, "output", 'clocks="200"'),
         ("n_slow", WHOLE + 1, "output", 'clocks="201"'), ("n_burst", WHOLE + 2, "output", 'clocks="202"'),
     ],
+    "witness": [
+        ("at", 0, "output", 'variability="discrete"'), ("u", 1, "input", ""),
+        ("u_then", 2, "output", 'variability="discrete"'), ("w", 3, "output", ""), ("n", WHOLE, "input", ""),
+        ("changes", WHOLE + 1, "output", ""),
+    ],
     "plant": [("x", 0, "output", ""), ("u", 1, "input", ""), ("x0", 2, "parameter", 'start="0"')],
 }  # fmt: skip
 UNEVENTFUL = ("plant",)

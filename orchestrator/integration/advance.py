@@ -39,11 +39,11 @@ from .cells import (
     Z_NEW,
     X,
 )  # fmt: skip
-from .events import log
+from .events.roots import EPSILON, first_changed, keep_indicators, locate
+from .events.rounds import log
 from .members import completed, evaluate, fault, indicate
 from .memory import into_caller, number, put, put_whole, whole
 from .one_step import error_of, last_derivative, stiffness, trial
-from .roots import EPSILON, first_changed, keep_indicators, locate
 
 REACHED, EVENT, SWITCH, BAD = range(10, 14)  # how an advance ended; BAD: below it stands a status
 SAFE, GROWTH, SHRINK, EASY = 0.9, 5.0, 0.2, 1e-4  # of the step; an error that is too small to be looked at

@@ -29,15 +29,19 @@ KEPT = _END // CELL
     STATES, MEMBERS, MEMBER_COUNT, INDICATORS, VALUES,
     K2, STAGE, X_NEW, Z_NEW, V_OLD, ABSOLUTE, RELATIVE, NOMINAL,
     ROWS, ROW_COUNT, SOURCES, GAINS, OFFSETS, DISCRETE, DISCRETE_COUNT, WATCHED, WATCHED_COUNT,
-    STEP, LONGEST, RESTS_IN_EVENTS, RESTARTS, INFO,
+    STEP, LONGEST, RESTS_IN_EVENTS, RESTARTS, INFO, ENDS_EARLY, PENDING, WINDOW, IN_WINDOW, MOVED, ASKED,
     LOG, LOG_SIZE, LOG_COUNT, FAULT, FAULT_MEMBER, FAULT_STATUS, FAULT_INDEX, FAULT_TIME,
     STEPS, REJECTED, EVALUATIONS, EVENTS, NO_STATE_BEFORE,
     CVODE, CV_STEP, CV_REINIT, CV_STOP_TIME, CV_ROOTS, CV_TOLERANCES, CV_STATES, CV_ABSOLUTE, CV_REACHED, CV_FOUND,
     CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT, V_SEEDS, DIRECTIONALS,
     OWN_SAVE, OWN_RESTORE, OWN_FORGET, OWN_INSTANCE, ENDED, SENT,
     MALLOC, FREE, EVALUATE, EXCHANGE, INDICATE, TRIAL, SETTLE, _LAST,
-) = (_END + cell for cell in _cells(81))  # fmt: skip
+) = (_END + cell for cell in _cells(87))  # fmt: skip
 TABLE = _LAST // CELL
+
+# ENDS_EARLY: 1 if a step ends at an event, which is PENDING then until whoever steps the group has handled it. WINDOW
+# [s], IN_WINDOW: the end of the step that parts of a step lead to, and the events before it. MOVED: bits of what
+# members say of their states in the rounds of an event, see `events`; ASKED: the last that asked for another round.
 
 # A member, a row of MEMBERS: whose signatures its functions have (2 or 3), instance, addresses of its functions (0 for
 # one that need not be called), first state and indicator [bytes] and their numbers; what its directional derivatives
@@ -76,5 +80,6 @@ DORMAND_PRINCE, RUNGE_KUTTA, CVODES = range(3)
 TIME_EVENT, STEP_EVENT, INPUT_EVENT = -1, -2, -3
 ENTRY = 24  # bytes of the log: time, member, indicator
 
-# What functions of the group answer: done; it may go with a smaller step; it does not go; a member asks to end.
-OK, RETRY, FAILED, ENDING = range(4)
+# What functions of the group answer: done; it may go with a smaller step; it does not go; a member asks to end; a step
+# ends at an event.
+OK, RETRY, FAILED, ENDING, STOPPED = range(5)

@@ -14,8 +14,9 @@ from types import FunctionType
 from typing import Any
 
 from ..loop.compiled import loop_hash, numba_compiles
-from . import connections, events, members, one_step
+from . import connections, members, one_step, saved
 from . import step as steps
+from .events import rounds
 from .stiff import cvode, jacobian
 
 # What C passes: w a whole number or pointer, d a double, b a truth value.
@@ -24,13 +25,16 @@ FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
     "exchange": (connections.exchange_all, "w"),
     "indicate": (members.indicate_all, "ww"),
     "trial": (one_step.try_step, "wdd"),
-    "settle": (events.settle_all, "w"),
+    "settle": (rounds.settle_all, "w"),
+    "enter": (rounds.enter, "w"),
+    "round": (rounds.go_round, "w"),
+    "leave": (rounds.leave, "w"),
     "step": (steps.step, "wddwwwww"),
     "step2": (steps.step2, "wddw"),
     "begin": (steps.start, "w"),
-    "save": (steps.save, "ww"),
-    "restore": (steps.restore, "ww"),
-    "forget": (steps.forget, "ww"),
+    "save": (saved.save, "ww"),
+    "restore": (saved.restore, "ww"),
+    "forget": (saved.forget, "ww"),
     "right_hand_side": (cvode.right_hand_side, "dwww"),
     "roots": (cvode.roots, "dwww"),
     "jacobian": (jacobian.jacobian, "dwwwwwww"),

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
+from ..loop.calls import byte_at
 from .advance import EVENT, REACHED, SWITCH, advance, note_event
 from .cells import (
-    ARRAYS,
-    ARRAYS_SIZE,
     CELL,
     CHANGED,
     CHATTERS,
@@ -15,19 +14,18 @@ from .cells import (
     CVODES,
     ENDED,
     ENDING,
+    ENDS_EARLY,
     ENTRY,
     EVENTS,
     FAILED,
     FAULT,
-    FREE,
     IN_EVENTS,
+    IN_WINDOW,
     INFO,
-    KEPT,
     LOG,
     LOG_COUNT,
     LOG_SIZE,
     LOST,
-    MALLOC,
     METHOD,
     NEXT_EVENT,
     NEXT_STEP,
@@ -35,27 +33,27 @@ from .cells import (
     NO_STATE_BEFORE,
     NOTHING,
     OK,
-    OWN_FORGET,
-    OWN_INSTANCE,
-    OWN_RESTORE,
-    OWN_SAVE,
+    PENDING,
     RESTART,
     RESTARTS,
     RESTS_IN_EVENTS,
     RETRY,
     SEEN,
+    STOPPED,
     TIME,
     TIME_EVENT,
     WATCHED,
     WATCHED_COUNT,
+    WINDOW,
     Z_NEW,
     X,
 )  # fmt: skip
 from .connections import exchange
-from .events import enter_events, log, read_nominals, read_states, settle
+from .events.leaving import read_nominals, read_states
+from .events.roots import first_changed
+from .events.rounds import CLOSE, enter_events, log, settle, settle_here
 from .members import fault, indicate, place
-from .memory import call, call_whole, into_caller, number, put, put_byte, put_whole, whole
-from .roots import EPSILON, first_changed
+from .memory import into_caller, number, put, put_byte, put_whole, whole
 from .stiff.cvode import advance_by_cvode
 
 MOST_EVENTS = 1000  # in one step
@@ -64,7 +62,8 @@ BACK = 1e-9  # of a step, by which its beginning may differ from where the group
 
 @into_caller
 def take_step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
-    """From `time` over `length` [s]: a status of FMI, and through addresses whether a member asks to end, and when."""
+    """From `time` over `length` [s]: a status of FMI, and through addresses whether an event is to be handled,
+    whether a member asks to end, whether either is before the end, and when."""
     put_byte(event, 0)
     put_byte(ends, 0)
     put_byte(early, 0)
@@ -78,6 +77,10 @@ def take_step(g: int, time: float, length: float, final: int, event: int, ends: 
     if status == OK and whole(g + RESTS_IN_EVENTS) != 0:
         status = enter_events(g)
     put(last, number(g + TIME))
+    if status == STOPPED:
+        put_byte(event, 1)
+        put_byte(early, 1 if number(g + TIME) < end else 0)
+        return 0
     if status == ENDING:
         put_byte(ends, 1)
         put_whole(g + ENDED, 1)
@@ -90,6 +93,8 @@ def take_step(g: int, time: float, length: float, final: int, event: int, ends: 
 def begin(g: int, time: float, length: float) -> int:
     """Take in what was set since the last step; of a step that another member has begun, what is left is done."""
     at = number(g + TIME)
+    if whole(g + PENDING) != 0:  # nothing is done but to come to its instant
+        return OK if at >= time + length else STOPPED
     if at < time - BACK * length or at > time + length * (1.0 + BACK):
         put_whole(g + CURRENT, 0)
         put_whole(g + CHANGED, 1)
@@ -100,8 +105,11 @@ def begin(g: int, time: float, length: float) -> int:
         put_whole(g + CHANGED, 1)
     if whole(g + RESTARTS) != 0:
         put_whole(g + RESTART, 1)
+    if whole(g + ENDS_EARLY) == 0 or time + length > number(g + WINDOW):
+        put(g + WINDOW, time + length)
+        put_whole(g + IN_WINDOW, 0)
     if whole(g + IN_EVENTS) != 0:
-        return settle(g)
+        return happens(g)
     if whole(g + CHANGED) == 0:
         return OK
     put_whole(g + CHANGED, 0)
@@ -116,8 +124,17 @@ def begin(g: int, time: float, length: float) -> int:
     crossed = first_changed(g)
     if crossed >= 0:
         note_event(g, crossed)
-        return settle(g)
+        return happens(g)
     return OK
+
+
+@register_jitable
+def happens(g: int) -> int:
+    """An event at TIME: it is handled, or the step ends there."""
+    if whole(g + ENDS_EARLY) == 0:
+        return settle(g)
+    put_whole(g + PENDING, 1)
+    return STOPPED
 
 
 @into_caller
@@ -134,38 +151,42 @@ def watched_changed(g: int) -> bool:
 
 @into_caller
 def to_the_end(g: int, end: float) -> int:
-    """From event to event until an instant; a time event on it is done."""
-    events = 0
-    while True:
-        time = number(g + TIME)
+    """From event to event until an instant; a time event on it is done, or left to whoever handles events."""
+    close = CLOSE * abs(end)
+    while number(g + TIME) < end:
         due = number(g + NEXT_EVENT)
-        close = 4.0 * EPSILON * abs(end)
         target = min(end, due) if due < end - close else end
         how = REACHED
-        if target > time:
+        if target > number(g + TIME):
             how = advance_by_cvode(g, target) if whole(g + METHOD) == CVODES else advance(g, target)
         if how < REACHED:
             return FAILED if how == RETRY else how
         if how == SWITCH:
             continue
-        time = number(g + TIME)
-        if how == REACHED and due <= time + close:
-            if due > time and place(g, due, whole(g + X)) != OK:  # by rounding
+        if how == REACHED and due <= number(g + TIME) + close and not (target == end and whole(g + ENDS_EARLY) != 0):
+            if due > number(g + TIME) and place(g, due, whole(g + X)) != OK:  # by rounding
                 return FAILED
             log(g, whole(g + NEXT_WHO), TIME_EVENT)
             how = EVENT
         if how == EVENT:
-            events += 1
-            put_whole(g + EVENTS, whole(g + EVENTS) + 1)
-            if events > MOST_EVENTS:
-                entry = whole(g + LOG) + ENTRY * ((whole(g + LOG_COUNT) - 1) % whole(g + LOG_SIZE))
-                fault(g, CHATTERS, whole(entry + CELL), 0, whole(entry + 2 * CELL))
-                return FAILED
-            status = settle(g)
+            status = one_more(g)
+            if status == OK:
+                status = happens(g)
             if status != OK:
                 return status
-        if number(g + TIME) >= end:
-            return OK
+    return OK
+
+
+@register_jitable
+def one_more(g: int) -> int:
+    """Count an event; too many before the end of a step are chattering."""
+    put_whole(g + EVENTS, whole(g + EVENTS) + 1)
+    put_whole(g + IN_WINDOW, whole(g + IN_WINDOW) + 1)
+    if whole(g + IN_WINDOW) <= MOST_EVENTS:
+        return OK
+    entry = whole(g + LOG) + ENTRY * ((whole(g + LOG_COUNT) - 1) % whole(g + LOG_SIZE))
+    fault(g, CHATTERS, whole(entry + CELL), 0, whole(entry + 2 * CELL))
+    return FAILED
 
 
 def step(g: int, time: float, length: float, final: int, event: int, ends: int, early: int, last: int) -> int:
@@ -174,54 +195,12 @@ def step(g: int, time: float, length: float, final: int, event: int, ends: int, 
 
 
 def step2(g: int, time: float, length: float, final: int) -> int:
-    """fmi2DoStep of the group: it discards the step in which a member asks to end, and ENDED says so."""
+    """fmi2DoStep of the group: it discards the step in which a member asks to end, and ENDED says so, or in which an
+    event is to be handled, which is PENDING then."""
     flags = whole(g + INFO)
     status = take_step(g, time, length, final, flags, flags + 1, flags + 2, flags + CELL)
-    return 2 if status == 0 and whole(g + ENDED) != 0 else status
-
-
-def save(g: int, state: int) -> int:
-    """fmi2GetFMUstate of the first member, and what the group keeps beside its members: in memory of its own."""
-    at = whole(state)
-    if at == 0:
-        at = call_whole(whole(g + MALLOC), CELL + CELL * KEPT + whole(g + ARRAYS_SIZE))
-        if at == 0:
-            return 3
-        put_whole(at, 0)
-        put_whole(state, at)
-    status = call(whole(g + OWN_SAVE), whole(g + OWN_INSTANCE), at)
-    if whole(g + METHOD) == CVODES and whole(g + RESTART) == 0 and whole(g + RESTARTS) == 0:
-        put_whole(g + LOST, 1)
-    put_whole(g + RESTART, 1)  # whoever goes on from here later has no history of the solver
-    copy(g, at + CELL, CELL * KEPT)
-    copy(whole(g + ARRAYS), at + CELL + CELL * KEPT, whole(g + ARRAYS_SIZE))
-    return status
-
-
-def restore(g: int, state: int) -> int:
-    """fmi2SetFMUstate of the first member and of the group."""
-    copy(state + CELL, g, CELL * KEPT)
-    copy(state + CELL + CELL * KEPT, whole(g + ARRAYS), whole(g + ARRAYS_SIZE))
-    return call(whole(g + OWN_RESTORE), whole(g + OWN_INSTANCE), whole(state))
-
-
-def forget(g: int, state: int) -> int:
-    """fmi2FreeFMUstate of both."""
-    at = whole(state)
-    if at == 0:
-        return 0
-    status = 0
-    if whole(at) != 0:
-        status = call(whole(g + OWN_FORGET), whole(g + OWN_INSTANCE), at)
-    call(whole(g + FREE), at)
-    put_whole(state, 0)
-    return status
-
-
-@register_jitable
-def copy(source: int, target: int, size: int) -> None:
-    for j in range(0, size, CELL):
-        put_whole(target + j, whole(source + j))
+    discarded = whole(g + ENDED) != 0 or byte_at(flags) != 0
+    return 2 if status == 0 and discarded else status
 
 
 def start(g: int) -> int:
@@ -229,7 +208,9 @@ def start(g: int) -> int:
     put_whole(g + FAULT, NOTHING)
     put_whole(g + IN_EVENTS, 1)
     status = read_nominals(g)
-    if status == OK:
+    if status == OK and whole(g + ENDS_EARLY) != 0:
+        status = settle_here(g)  # and all members stay in event mode
+    elif status == OK:
         status = settle(g)
     if status == OK:
         status = read_states(g)

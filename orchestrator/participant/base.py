@@ -41,6 +41,7 @@ class Participant(ABC):
     """
 
     prefix: str  # of its functions: see lifecycle.PREFIX
+    active: frozenset[str] = frozenset()  # clocks that tick in the present round of an event
     state_functions: tuple[str, str, str]  # names of those that save, restore and forget a state; empty in FMI 1.0
 
     def __init__(self, fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> None:
@@ -122,6 +123,11 @@ class Participant(ABC):
     @property
     def events(self) -> Any:
         """Itself where it has events of its own: see `run.events.handler.EventMode`; None where it has none."""
+        return None
+
+    def stopped(self) -> tuple[float, str] | None:
+        """Where its last step ended [s] because of an event that is to be handled, and why; None where that was not so,
+        or where what the step has written says it (FMI 3.0 for co-simulation)."""
         return None
 
     @abstractmethod

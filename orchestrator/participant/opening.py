@@ -105,7 +105,7 @@ def start(component: Component) -> Participant:
     if component.fmu.own.windows:
         return Starting([component]).start(component)
     if component.isolation == "process" or why_not_here(component):
-        if component.in_events:
+        if component.in_events and component.fmu.kind != MODEL_EXCHANGE:
             from .isolated.events import IsolatedEvents
 
             limit = float(component.timeout)
@@ -117,7 +117,7 @@ def start(component: Component) -> Participant:
         from .mock_instance import MockInstance
 
         return MockInstance(component.fmu, component.name, component.tolerance)
-    if not component.in_events:
+    if not component.in_events or component.fmu.kind == MODEL_EXCHANGE:
         return load(component.fmu, component.name, *wanted)
     return load_in_events(component.fmu, component.name, *wanted, component.clocks)
 

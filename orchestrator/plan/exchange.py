@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import gcd, lcm
+
+from fmpy.model_description import ModelVariable
 
 from ..clock import duration, seconds_text
 from ..errors import InputError, counted
@@ -15,6 +17,7 @@ from ..integration.choice import choose
 from ..integration.settings import SolverSettings
 from ..integration.stiff.libraries import is_there, why_missing
 from ..integration.stiff.offered import why_differences
+from ..system.event import set_inputs
 from ..system.model import Connection, System
 from .schedule.formulas import Choice
 from .start import Block, blocks_of
@@ -53,6 +56,24 @@ def with_one_period(system: System) -> System:
             note = f"{name} is stepped every {seconds_text(common)}, with the other FMUs for Model Exchange"
             components[name] = replace(component, period=common, notes=(*component.notes, note))
     return replace(system, components=components)
+
+
+def has_events(system: System) -> bool:
+    """Whether anything can happen inside the group, by what its FMUs say of themselves and what they are given."""
+    given = {c.target for c in system.connections} | set(set_inputs(system.events))
+    given |= {(name, variable) for name, component in system.components.items() for variable in component.series}
+    for name in exchanged(system):
+        component = system.components[name]
+        fmu = component.fmu
+        if fmu.description.numberOfEventIndicators or fmu.interface.needsCompletedIntegratorStep:
+            return component.event_mode != "off"
+        if any(v.variability == "discrete" and _may_change(name, v, given) for v in fmu.variables.values()):
+            return component.event_mode != "off"
+    return False
+
+
+def _may_change(name: str, variable: ModelVariable, given: Collection[tuple[str, str]]) -> bool:
+    return (name, variable.name) in given if variable.causality == "input" else variable.causality != "parameter"
 
 
 def continuous(system: System, c: Connection) -> Choice | None:

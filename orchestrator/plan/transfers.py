@@ -18,7 +18,7 @@ def held_by_type(system: System, c: Connection) -> Choice | None:
                 f"connection {c.label}: {'.'.join(c.target)} is set at events only, so '{c.transfer}' has no meaning; "
                 f"take 'hold' {c.where}"
             )
-        clocks = system.components[c.target[0]].fmu.clocks_of(c.target[1])
+        clocks = system.components[c.target[0]].clocks_of(c.target[1])
         when = f"at the ticks of {' and '.join(clocks)}" if clocks else "at the events of its component"
         return Choice("hold", f"sampled {when}")
     return None if system.is_real(c) else _held(system, c)

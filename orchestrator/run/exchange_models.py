@@ -38,9 +38,11 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     ]
     inside = {c.target for c in plan.inside}
     outside = {key: slot for key, slot in plan.layout.inputs.items() if key[0] in numbers and key not in inside}
+    early = plan.system.components[names[0]].in_events  # otherwise events are handled inside its steps
     first = int(memory.z.ctypes.data)
     watched = [first + memory.z.itemsize * slot for slot in outside.values()]
-    group = Group(members, blocks, settings_of(plan.system), rests_in_events=_sampled(plan, outside), watched=watched)
+    rests = _sampled(plan, outside) and not early
+    group = Group(members, blocks, settings_of(plan.system), rests_in_events=rests, watched=watched, ends_early=early)
     group.goes_back = plan.algorithm.saves_states
     for member in members:
         member.join(group)

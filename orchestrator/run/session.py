@@ -242,7 +242,15 @@ class Session:
         range; RunError if the session has ended.
         """
         self._require_alive()
-        self._access.set(name, value)
+        component, later = self._access.set(name, value)
+        if later and self.tick < self.plan.clock.stop:
+            try:
+                self.events.set_by_hand(component, later, self.at)
+            except AskedToEndError as error:
+                self.ended, self._over = str(error), True
+            except RovbrushError as error:
+                self.failure = str(error)
+                raise
         self.set_by_hand.pop(name, None)  # the order in which they are set again is that of the last times
         self.set_by_hand[name] = plain(value.tolist() if hasattr(value, "tolist") else value)
 

@@ -160,6 +160,7 @@ class Stepping(Session):
             component, _, variable = self.plan.system.full_name(name).partition(".")
             key = component, variable
             kept = key in self.plan.layout.inputs  # its cell is what counts: events change it too
+            kept |= variable in self.plan.system.components[component].at_events
             self._writers[name] = _leave if kept else writer_of(self.instances[component], variable)
 
     def names(self, patterns: Iterable[str]) -> list[str]:

@@ -16,7 +16,7 @@ from ..errors import InputError, nearest
 from ..fmu.attributes import parse_value
 from ..fmu.conversions import Conversion, conversion_of
 from ..fmu.fmu import Fmu
-from ..fmu.kinds import SCHEDULED_EXECUTION
+from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.reading.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import Value
@@ -64,16 +64,22 @@ class Component:
 
     @cached_property
     def at_events(self) -> frozenset[str]:
-        """The variables that are exchanged in event mode only: clocked ones, and inputs that are discrete."""
+        """The variables that are exchanged in event mode only: clocked ones, inputs that are discrete, and tunable
+        parameters."""
         if not self.in_events:
             return frozenset()
         return frozenset(
             name
-            for name in self.fmu.names("input", "output")
+            for name in self.fmu.names("input", "output", "parameter")
             if self.scheduled
-            or self.fmu.clocks_of(name)
+            or self.clocks_of(name)
             or (self.fmu.variables[name].causality == "input" and self.fmu.variables[name].variability != "continuous")
+            or (self.fmu.variables[name].causality == "parameter" and self.fmu.variables[name].variability == "tunable")
         )
+
+    def clocks_of(self, name: str) -> tuple[str, ...]:
+        """The clocks at whose ticks alone a scalar is exchanged in a run; those of Model Exchange do not tick."""
+        return () if self.fmu.kind == MODEL_EXCHANGE else self.fmu.clocks_of(name)
 
     def with_value(self, name: str, value: Value) -> Component:
         """A copy with one scalar parameter or input set."""

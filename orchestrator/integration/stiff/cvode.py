@@ -38,9 +38,9 @@ from ..cells import (
     Z_NEW,
     X,
 )
+from ..events.roots import EPSILON, first_changed, keep_indicators
 from ..members import evaluate_here, fault, indicate, place
 from ..memory import call, call_whole, half, into_caller, number, put, put_whole, whole
-from ..roots import EPSILON, first_changed, keep_indicators
 
 NORMAL, ONE_STEP = 1, 2
 STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27

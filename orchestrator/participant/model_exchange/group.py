@@ -28,7 +28,9 @@ from ...integration.stiff.libraries import is_there, why_missing
 from ...integration.stiff.offered import why_differences
 from ...integration.stiff.sundials import Cvode
 from ...loop.calls import STEP_FLAGS, do_step3
+from ..base import AskedToEndError
 from ..here.loaded import LoadedInstance
+from ..lifecycle import DISCARD
 from .links import LinkBlock
 from .pattern import bands_of
 from .tables import Tables, needs_completed
@@ -56,20 +58,17 @@ class Group:
     def __init__(
         self, members: Sequence[LoadedInstance], blocks: Sequence[LinkBlock] = (),
         settings: SolverSettings | None = None, rests_in_events: bool = False, watched: Sequence[int] = (),
+        ends_early: bool = False,
     ) -> None:  # fmt: skip
         self.members, self.blocks = list(members), list(blocks)
         self.settings = settings or SolverSettings()
         self.begun, self.goes_back = False, False  # `goes_back`: its state is saved at every step, and may be restored
-        self._rests, self._watched = rests_in_events, np.array(watched, dtype=np.int64)
+        self._rests, self.ends_early, self._watched = rests_in_events, ends_early, np.array(watched, dtype=np.int64)
         self._table = np.zeros(cells.TABLE, dtype=np.int64)
+        self.pointer = int(self._table.ctypes.data)  # what its functions take first
         self._flags = np.zeros(STEP_FLAGS, dtype=np.uint8)
         self._cvode: Cvode | None = None
         self._lay_out()
-
-    @property
-    def pointer(self) -> int:
-        """What its functions take first."""
-        return int(self._table.ctypes.data)
 
     def _lay_out(self) -> None:
         tables = self.tables = Tables(self.members)
@@ -117,7 +116,8 @@ class Group:
             (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(self._watched)),
             *((cell, LoadedInstance.address(first, function)) for cell, function in own.items()),
             (cells.OWN_INSTANCE, first.pointer),
-            (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)), (cells.CHANGED, 1),
+            (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)),
+            (cells.ENDS_EARLY, int(self.ends_early)), (cells.CHANGED, 1),
             (cells.MALLOC, ctypes.cast(ctypes.pythonapi.PyMem_RawMalloc, ctypes.c_void_p).value),
             (cells.FREE, ctypes.cast(ctypes.pythonapi.PyMem_RawFree, ctypes.c_void_p).value),
             *((cell, address_of(name)) for name, cell in (
@@ -142,6 +142,7 @@ class Group:
         """Behind initialization mode: the first event of all members. Raises FmuError if that fails."""
         g, settings = self.pointer, self.settings
         put(g + cells.TIME, time)
+        put(g + cells.WINDOW, time)
         put(g + cells.NEXT_EVENT, 1e300)
         put(g + cells.RELATIVE, self.tolerance)
         put(g + cells.LONGEST, settings.max_step or 1e300)
@@ -154,8 +155,7 @@ class Group:
         if status == 2:
             who = self.members[whole(g + cells.FAULT_MEMBER)]
             raise FmuError(f"component {who.name} asks to end the simulation at its start{who.log_text()}")
-        if status:
-            raise FmuError(f"component {self.failed_name}: {self.why()}{self.at_fault.reasons()}")
+        self._require(status)
         self.begun = True
         if self.chosen.method == "cvode":
             self.make_cvode()
@@ -231,11 +231,11 @@ class Group:
                  "events": cells.EVENTS, "directional derivatives": cells.DIRECTIONALS}  # fmt: skip
         return {name: whole(self.pointer + cell) for name, cell in names.items()}
 
-    def events(self) -> list[Event]:
+    def events(self, most: int = LOGGED) -> list[Event]:
         """The last events inside steps, in their order."""
         count, log = whole(self.pointer + cells.LOG_COUNT), self._arrays[cells.LOG]
         found = []
-        for k in range(max(count - LOGGED, 0), count):
+        for k in range(max(count - most, 0), count):
             time, member, indicator = log[3 * (k % LOGGED) : 3 * (k % LOGGED) + 3]
             bits = np.array([member, indicator]).view(np.int64)
             found.append(Event(float(time), self.members[int(bits[0])].name, int(bits[1])))
@@ -247,13 +247,47 @@ class Group:
 
     def enter_events(self) -> None:
         """Put all members into event mode, where anything may be set; the next step begins with the event."""
-        if whole(self.pointer + cells.IN_EVENTS):
-            return
-        for member in self.members:
-            function = member.address(f"{member.prefix}EnterEventMode")
-            if status := call(function, member.pointer):
-                raise FmuError(f"component {member.name}: cannot enter event mode (status {status}){member.reasons()}")
-        put_whole(self.pointer + cells.IN_EVENTS, 1)
+        if not whole(self.pointer + cells.IN_EVENTS):
+            self._require(call(address_of("enter"), self.pointer))
+
+    def go_round(self) -> bool:
+        """One round of an event, in event mode; whether another one is needed. Raises FmuError, AskedToEndError."""
+        again = call(address_of("round"), self.pointer)
+        if again == -1 - cells.ENDING:
+            who = self.at_fault.name
+            raise AskedToEndError(f"component {who} asked to end the simulation at t = {self.time:.9g} s", DISCARD)
+        self._require(max(-1 - again, 0))
+        return again > 0
+
+    def leave_events(self) -> None:
+        """Nothing more happens at this instant."""
+        self._require(call(address_of("leave"), self.pointer))
+
+    def _require(self, status: int) -> None:
+        if status:
+            raise FmuError(f"component {self.failed_name}: {self.why()}{self.at_fault.reasons()}")
+
+    @property
+    def pending(self) -> bool:
+        """Whether its last step ended at an event, which is to be handled."""
+        return whole(self.pointer + cells.PENDING) != 0
+
+    @property
+    def next_event(self) -> float:
+        """The time event that members have announced [s]; very large where there is none."""
+        return number(self.pointer + cells.NEXT_EVENT)
+
+    @property
+    def next_member(self) -> str:
+        """Whose that is."""
+        return self.members[whole(self.pointer + cells.NEXT_WHO)].name
+
+    def why_stopped(self) -> str:
+        """Why its last step ended at an event, in words."""
+        last = next(iter(self.events(1)), None)
+        if last is None or last.time != self.time:
+            return f"{self.members[0].name} is in event mode, as something was set"
+        return f"{last.member} has {'a time event' if last.indicator == cells.TIME_EVENT else 'an event'}"
 
     def step(self, time: float, length: float, final: bool = False) -> bool:
         """Go from `time` over `length` [s]; whether a member asks to end. `failed` and `why` tell what went wrong."""

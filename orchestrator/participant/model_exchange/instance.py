@@ -137,6 +137,18 @@ class Member(LoadedInstance):
     def why_failed(self) -> str:
         return self.group.why() if self.group is not None and self.group.failed else ""
 
+    @property
+    def events(self) -> Any:
+        if self.group is None or not self.group.ends_early or not self._first:
+            return None
+        from .events import GroupEvents
+
+        return GroupEvents(self.group)
+
+    def stopped(self) -> tuple[float, str] | None:
+        group = self.group
+        return (group.time, group.why_stopped()) if group is not None and group.pending else None
+
     def terminated(self) -> bool:
         return self.group is not None and self.group.asks_to_end
 

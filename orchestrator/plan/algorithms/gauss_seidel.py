@@ -22,7 +22,7 @@ class GaussSeidel(Algorithm):
 
 
 class GaussSeidelSchedule(Schedule):
-    """Every input is formed where its component steps."""
+    """Every input is formed where its component steps; of one that goes ahead of others where its step begins."""
 
     def formed_at_beginning(self, c: Connection) -> bool:
-        return False
+        return self.goes_ahead(c.target[0])

@@ -8,9 +8,10 @@ from fractions import Fraction
 
 from ...clock import seconds_text
 from ...errors import InputError
-from ...fmu.kinds import CO_SIMULATION
+from ...fmu.kinds import CO_SIMULATION, MODEL_EXCHANGE
 from ...fmu.reading.clocks import ClockVariable, require_clocks
 from ...system.model import Component, Connection, System
+from ..exchange import exchanged, has_events
 
 SHOWN = 12  # ticks of a clock that the plan lists
 
@@ -22,18 +23,15 @@ def with_event_mode(system: System, able: bool) -> System:
     Raises InputError or FmuError for clocks that cannot be run so.
     """
     components = {name: _decided(system, component, able) for name, component in system.components.items()}
+    if able and has_events(system):
+        components |= {name: replace(components[name], in_events=True) for name in exchanged(system)}
     for component in components.values():
         if component.scheduled and not any(c.causality == "input" for c in component.fmu.clocks.values()):
             raise InputError(
                 f"component {component.name}: {component.fmu.path.name} has no input clock that would activate a "
                 f"partition, so nothing of it would ever run ({system.path.name})"
             )
-        if tables := component.series.keys() & component.at_events:
-            raise InputError(
-                f"component {component.name}: {min(tables)} follows a table, and is set at events only; connect it "
-                f"with an FMU that gives these values, or give it one value ({system.path.name})"
-            )
-        if component.in_events:
+        if component.in_events and component.fmu.kind != MODEL_EXCHANGE:
             require_clocks(f"component {component.name}: {component.fmu.path.name}", component.fmu.clocks)
     for connection in system.clock_connections:
         components |= _driven(components, connection)

@@ -7,7 +7,7 @@ vary its step, otherwise when its step is done.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,6 +16,7 @@ from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import STEP_ON
 from ...system.model import Component, Connection, System
+from ..exchange import exchanged
 from ..schedule.formulas import Choice
 
 Known = frozenset[str]
@@ -30,6 +31,8 @@ class Events:
     stopped: tuple[str, ...]
     late: Mapping[str, str]
     watched: tuple[str, ...] = ()  # components at whose instants it is seen whether something has happened by them
+    ahead: tuple[str, ...] = ()  # sources that come first to the instants of faster ones, by parts of their steps
+    passed: Mapping[str, str] = field(default_factory=dict)  # sources that others pass, and which and why
 
 
 class Starts:
@@ -94,20 +97,64 @@ def events_of(
             late[name] = f"{means[name]} is the mean over its whole step"
     watched = {c.source[0] for c in system.connections if _may_be_event(system, c)}
     watched |= {c.target[0] for c in system.clock_connections if c.target[0] in late}
+    watched |= {name for name, c in system.components.items() if name in late and c.series.keys() & c.at_events}
     stopped = tuple(name for name in system.components if name not in late)
-    return Events(sources, stopped, late, tuple(name for name in system.components if name in watched))
+    ahead, passed = _first(system, sources, stopped, means)
+    return Events(sources, stopped, late, tuple(n for n in system.components if n in watched), ahead, passed)
+
+
+def _first(
+    system: System, sources: Collection[str], stopped: Collection[str], means: Mapping[str, str]
+) -> tuple[tuple[str, ...], dict[str, str]]:
+    """The sources that are to come first to the instants of others, and those that cannot: others pass them."""
+    together, ahead, passed = exchanged(system), list[str](), dict[str, str]()
+    for name in sources:
+        members = together if name in together else (name,)
+        component = system.components[name]
+        faster = [
+            other
+            for other in stopped
+            if other not in members
+            and (system.components[other].period / component.period).denominator != 1
+            and not _reached(system, members).isdisjoint({other})
+        ]
+        if not faster or component.scheduled or name not in stopped:
+            continue
+        averaged = [f"{member}.{means[member]}" for member in members if member in means]
+        if averaged:
+            passed[name] = f"{', '.join(faster)}, as {averaged[0]} is the mean over its whole step"
+        else:
+            ahead.append(name)
+    return tuple(ahead), passed
+
+
+def _reached(system: System, names: Collection[str]) -> set[str]:
+    """Components to which signals or clocks of some lead, near and far."""
+    found, waiting = set[str](), list(names)
+    connections = (*system.connections, *system.clock_connections)
+    while waiting:
+        name = waiting.pop()
+        new = {c.target[0] for c in connections if c.source[0] == name} - found
+        found |= new
+        waiting += new
+    return found
 
 
 def _may_be_event(system: System, c: Connection) -> bool:
     """Whether a new value at an instant of its source is an event of the target: a discrete input without a clock."""
     target = system.components[c.target[0]]
-    sampled = c.target[1] in target.at_events and not target.fmu.clocks_of(c.target[1]) and not target.scheduled
+    sampled = c.target[1] in target.at_events and not target.clocks_of(c.target[1]) and not target.scheduled
     return sampled and not ends_early(system.components[c.source[0]])
 
 
 def event_words(events: Events, clock: Clock) -> list[str]:
     """Who has events and how late they act, for the plan."""
     lines = [f"{name} may end a step at an event" for name in events.sources]
+    if events.ahead:
+        lines.append(f"first to the instants of others, by parts of its steps: {', '.join(events.ahead)}")
+    lines += [
+        f"{name} is passed by {why}; these see its events at their next instants" for name, why in events.passed.items()
+    ]
     if events.stopped:
         lines.append(f"brought to the instant of an event: {', '.join(events.stopped)}")
     for name, why in events.late.items():

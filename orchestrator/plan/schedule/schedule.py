@@ -100,6 +100,7 @@ class Schedule(Steps):
         due = [name for name in self.due(tick) if name not in self.early]
         done: set[str] = set()
         self.settling.begin()
+        yield from self._ahead(tick, due)
         together = [name for name in due if name in self.design.exchange]
         for name in due:
             members = together if together and name == together[-1] else [] if name in together else [name]
@@ -109,6 +110,17 @@ class Schedule(Steps):
                 yield from self.advance(tick, member, self.begin_of(member, tick - 1), prepared=True)
                 self.settling.stepped(member)
                 done.add(member)
+
+    def _ahead(self, tick: int, due: list[str]) -> Iterator[Row]:
+        """Parts of steps of components that have events, to an instant of others, who can be stopped so far."""
+        events = self.design.events
+        if events is None or not any(name in events.stopped and name not in events.ahead for name in due):
+            return
+        starts = {name: self.begin_of(name, tick - 1) for name in self.design.order if name in events.ahead}
+        for name, start in starts.items():
+            yield from self.prepare(tick, name, start)
+        for name, start in starts.items():
+            yield from self.advance(tick, name, start, part=True, prepared=True, until=tick)
 
     def record(self, tick: int) -> Iterator[Row]:
         """The energies of the bonds and the tables of this instant."""
@@ -162,6 +174,10 @@ class Schedule(Steps):
     def formed_at_beginning(self, c: Connection) -> bool:
         """Whether an input is formed at the beginning of the step, not at its end."""
         return self.design.choices[c].transfer != "mean"
+
+    def goes_ahead(self, name: str) -> bool:
+        """Whether a component comes first to the instants of others."""
+        return self.design.events is not None and name in self.design.events.ahead
 
     def _seen_early(self, source: str, tick: int) -> int:
         """The last sample of a source, as known while steps begin at `tick`."""

@@ -70,10 +70,13 @@ class Steps:
             for side in bond.sides:
                 self.sides.setdefault(side.component, []).append(side)
 
-    def advance(self, tick: int, name: str, start: int, part: bool = False, prepared: bool = False) -> Iterator[Row]:
+    def advance(
+        self, tick: int, name: str, start: int, part: bool = False, prepared: bool = False, until: int = 0
+    ) -> Iterator[Row]:
         """Set inputs, step from `start` over one period, or to the end of the span, get outputs.
 
-        `part`: only as far as the instant of an event; `prepared`: its inputs are set."""
+        `part`: only as far as the instant of an event, or `until` an instant of others [ticks]; `prepared`: its inputs
+        are set."""
         component, layout = self.index[name], self.layout
         if not prepared:
             yield from self.prepare(tick, name, start)
@@ -91,7 +94,8 @@ class Steps:
             rows = []
         step = STEP_ON if self.design.events else STEP
         if not self.system.components[name].scheduled:  # its partitions are activated by their clocks
-            yield (step, tick, component, self.length(name, start), start, 0, 0, 0)
+            length = until - start if until else self.length(name, start)
+            yield (step, tick, component, length, start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
             yield from self._get(tick, name, AT_ITS_END)
@@ -146,7 +150,10 @@ class Steps:
 
     def _series(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """The inputs that follow tables, for the step from `start`."""
-        for variable, series in self.system.components[name].series.items():
+        component = self.system.components[name]
+        for variable, series in component.series.items():
+            if variable in component.at_events:
+                continue  # a row is an event
             code, length = (SAMPLE, 0) if series.sampled else (SERIES, self.length(name, start))
             b, k = self.layout.inputs[name, variable], self.constants.table(series)
             yield (code, tick, self.index[name], 0, b, start, length, k)

@@ -28,6 +28,7 @@ import numpy as np
 
 from ...errors import InputError, RunError
 from ...files import reason
+from ...fmu.kinds import MODEL_EXCHANGE
 from ...loop.cells import NOW
 from ...participant.base import Participant
 from ...plan.plan import Plan
@@ -46,7 +47,11 @@ def unserializable(plan: Plan) -> str:
         if not component.fmu.can_serialize_state
     ]
     if plan.events:
-        names += [f"component {name}: when its next event is due is not kept" for name in plan.events.sources]
+        names += [
+            f"component {name}: when its next event is due is not kept"
+            for name in plan.events.sources
+            if plan.system.components[name].fmu.kind != MODEL_EXCHANGE
+        ]
     return "; ".join(names)
 
 

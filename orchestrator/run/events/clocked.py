@@ -30,16 +30,19 @@ class Member:
         component = plan.system.components[self.name]
         self.scheduled, fmu = component.scheduled, component.fmu
         layout = plan.layout
-        apart = component.at_events
+        apart = component.at_events - {c.target[1] for c in plan.inside if c.target[0] == self.name}
+        clocked = {v: frozenset(component.clocks_of(v)) for v in component.at_events}
         self.given, self.taken = (
             {v: slot for (name, v), slot in table.items() if name == self.name and v in apart}
             for table in (layout.inputs, layout.outputs)
         )
-        self.inputs = {v: frozenset(fmu.clocks_of(v)) for v in self.given}
-        self.outputs = {v: frozenset(fmu.clocks_of(v)) for v in self.taken}
+        self.clocks = clocked
+        self.inputs = {v: clocked[v] for v in self.given}
+        self.outputs = {v: clocked[v] for v in self.taken}
         self.drivers = {v: plan.system.drivers.get((self.name, v)) for v in self.inputs}
         clocks = dict.fromkeys(fmu.own.clocks.values())
         self.output_clocks = [c.name for c in clocks if c.causality == "output"] if not self.scheduled else []
+        self.by_hand: dict[str, Value] = {}  # inputs without cells that are still to be set
         self.sent: dict[str, Value] = {v: memory.value((self.name, v), self.given[v]) for v in self.inputs}
 
     def form_inputs(self) -> None:
@@ -47,6 +50,12 @@ class Member:
         for variable, driver in self.drivers.items():
             if driver is not None:
                 self.memory.put((self.name, variable), self.given[variable], self._received(driver))
+
+    def _now(self, variable: str) -> Value:
+        """What an input is sent now, or was given otherwise."""
+        driver = self.drivers[variable]
+        slot = self.given[variable]
+        return self.memory.value((self.name, variable), slot) if driver is None else self._received(driver)
 
     def _received(self, c: Connection) -> Value:
         value = self.memory.value(c.source, self.plan.layout.outputs[c.source])
@@ -64,6 +73,8 @@ class Member:
             value = self.memory.value((self.name, variable), self.given[variable])
             if value != self.sent[variable]:
                 changed[variable] = self.sent[variable] = value
+        for variable in [v for v in self.by_hand if not self.clocks[v] or not self.clocks[v].isdisjoint(active)]:
+            changed[variable] = self.by_hand.pop(variable)
         if changed:
             self.instance.set_all(changed)
         return bool(changed)
@@ -86,8 +97,7 @@ class Member:
     def waits_for_change(self) -> bool:
         """Whether a discrete input without a clock has another value than it was given."""
         return any(
-            not clocks and driver is not None and self._received(driver) != self.sent[variable]
-            for (variable, clocks), driver in zip(self.inputs.items(), self.drivers.values(), strict=True)
+            not clocks and self._now(variable) != self.sent[variable] for variable, clocks in self.inputs.items()
         )
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import RovbrushError
+from ...fmu.types import Value
 from ...loop import cells
 from ...participant.base import Participant
 from ...plan.plan import Plan
@@ -59,6 +60,11 @@ class Events:
         self.control[cells.ENDS_AT] = tick
         if self.handler:
             self.handler.end_at(tick)
+
+    def set_by_hand(self, component: str, values: Mapping[str, Value], at: Position) -> None:
+        """Set inputs of a component that are set at events only: now, or when their clocks tick. Raises RunError."""
+        if self.handler is not None:
+            self.handler.set_by_hand(component, values, at.cycle)
 
     def handled(self, code: int, at: Position) -> bool:
         """Whether the loop came back for an event, which is handled then; `at` is where it goes on.

@@ -15,6 +15,7 @@ from typing import Protocol
 import numpy as np
 
 from ...errors import RunError
+from ...fmu.types import Value
 from ...loop import cells
 from ...loop.operations import STEP_ON
 from ...participant.base import Participant
@@ -24,6 +25,7 @@ from ...results.tables import AT_START, EventRow
 from ..memory.memory import Memory
 from ..memory.moments import Moments
 from .clocked import Clocked
+from .followed import FollowedTables
 from .instant import Instant, Place, RunRows, exactly
 
 MOST_ROUNDS = 1000  # of one instant
@@ -60,6 +62,20 @@ class Happenings(Protocol):
         """Do what is due at an instant [s]; in words, empty if nothing is."""
 
 
+class ByHand:
+    """What was set between two steps, as `Happenings`: it is an event at once."""
+
+    def __init__(self) -> None:
+        self.words: list[str] = []
+
+    def next_instant(self) -> Fraction | None:
+        return None
+
+    def happen(self, now: Fraction) -> str:
+        said, self.words = "; ".join(self.words), []
+        return said
+
+
 class EventHandler:
     """`modes`: the participants that have event mode, by name; `others`: what else happens."""
 
@@ -70,7 +86,8 @@ class EventHandler:
         self.plan, self.instances, self.memory, self.moments, self.control = plan, instances, memory, moments, control
         self.instant = Instant(plan, instances, memory, moments, control, components, run)
         self.modes: dict[str, EventMode] = {n: mode for n, i in instances.items() if (mode := i.events) is not None}
-        self.others = others
+        self.by_hand = ByHand()
+        self.others = [*others, FollowedTables(plan, memory), self.by_hand]
         self.clocked = Clocked(plan, instances, memory)
         self.rows: list[EventRow] = []
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
@@ -99,6 +116,22 @@ class EventHandler:
         else:
             self.control[cells.ENDS_AT] = min(self.ends_at, clock.start + math.ceil(ticks) - 1)
 
+    def set_by_hand(self, component: str, values: Mapping[str, Value], cycle: int) -> None:
+        """Set inputs that are set at events only: at an event now, before a cycle, or when their clocks tick.
+
+        Raises RunError, AskedToEndError."""
+        member, done = self.clocked.members[component], list[str]()
+        for variable, value in values.items():
+            if variable not in member.given:  # otherwise its cell has the value
+                member.by_hand[variable] = value
+            if not member.clocks[variable]:
+                done.append(f"{component}.{variable} is set")
+        if done:
+            self.by_hand.words += done
+            place = Place(self.plan, cycle, 0)
+            self._go_round(place, self.plan.clock.seconds(self.plan.clock.start + place.base), "")
+            self.plan_next()
+
     def paused(self, code: int) -> int | None:
         """Handle why the loop came back; the operation with which it goes on in its cycle, None if that was no event.
 
@@ -126,7 +159,7 @@ class EventHandler:
             time, happened = stopped
             self._require_progress(time, self.instant.names[k])
             if happened:
-                self._go_round(place, Fraction(time), f"{self.instant.names[k]} has an event")
+                self._go_round(place, Fraction(time), happened)
         else:
             return None
         self.plan_next()
@@ -136,12 +169,21 @@ class EventHandler:
         time, known = float(now), place.known(float(now))
         assert self.plan.events is not None
         for name in self.plan.order:
-            if name in self.plan.events.stopped:
-                while not self.instant.bring(name, place, time):
-                    at = float(self.moments.reached[self.instant.names.index(name)])
-                    self._require_progress(at, name)
-                    self._rounds(place, frozenset((name,)), Fraction(at), f"{name} has an event", alone=True)
+            while name in self.plan.events.stopped and (found := self.instant.bring(name, place, time)) is not None:
+                at, happened = found
+                self._require_progress(at, name)
+                if happened:
+                    self._before(place, name, at, happened)
         self._rounds(place, known, now, cause)
+
+    def _before(self, place: Place, name: str, at: float, cause: str) -> None:
+        """An event of a component on its way to another instant: of all that can be stopped, if none is behind it."""
+        assert self.plan.events is not None
+        if all(self.instant.at(other, place) <= at for other in self.plan.events.stopped):
+            self._go_round(place, Fraction(at), cause)
+        else:
+            together = self.plan.exchange if name in self.plan.exchange else (name,)
+            self._rounds(place, frozenset(together), Fraction(at), cause, alone=True)
 
     def _rounds(self, place: Place, known: Known, now: Fraction, cause: str, alone: bool = False) -> None:
         """Values and discrete states until nothing changes; `alone`: a component that others cannot meet there."""
@@ -150,11 +192,11 @@ class EventHandler:
         pass_on = _nothing if alone else partial(self.instant.values, place, known, time)
         if cause:  # a step ended here: what is true behind it
             pass_on()
-        self._row(time, 0, cause)
+        first = number = self.rows[-1].number + 1 if self.rows and self.rows[-1].time == time else 0
+        self._row(time, first, cause)
         for mode in modes:
             mode.enter_event_mode()
         done = [] if alone else [words for other in self.others if (words := other.happen(now))]
-        number = 0
         for _ in range(MOST_ROUNDS):
             done += [words for mode in modes if (words := mode.happen(now))]
             changed = pass_on()

@@ -11,7 +11,7 @@ import numpy as np
 from ...errors import RunError
 from ...loop import cells, versions
 from ...loop.calls import EARLY_RETURN, EVENT_NEEDED, LAST_TIME
-from ...loop.operations import SAMPLE, SERIES, STEP_ON
+from ...loop.operations import FAULT, SAMPLE, SERIES, STEP_ON
 from ...loop.run import FOREVER
 from ...participant.base import Participant
 from ...plan.happening.events import EventRows, Known
@@ -57,45 +57,60 @@ class Instant:
         self.plan, self.instances, self.memory, self.moments = plan, instances, memory, moments
         self.control, self.components, self._run = control, components, run
         self.names = list(plan.system.components)
+        self._faults = bool(plan.layout.faults)
 
-    def bring(self, name: str, place: Place, time: float) -> bool:
-        """Bring a component that can be stopped to an instant [s], if it is not there; False if an event of its own
-        stopped it before. Raises RunError if it cannot be brought there."""
+    def at(self, name: str, place: Place) -> float:
+        """How far a component has come [s], within its step or behind it."""
         k = self.names.index(name)
-        start = place.starts[k]
-        if max(place.time_of(start), float(self.moments.reached[k])) >= time:
-            return True
-        self.moments.latest = time
-        code = self._do(place.event_rows.bring[name], place, start)
-        self.moments.latest = FOREVER
-        if code == cells.BAD_STATUS and self.stopped_early(k, time) is not None:
-            return False
-        self._require(code, time)
-        return True
+        return max(place.time_of(place.starts[k]), float(self.moments.reached[k]))
 
-    def stopped_early(self, component: int, end: float) -> tuple[float, bool] | None:
-        """How far a step to `end` [s] went that an event ended, and whether something happened there; None where that
-        was not why it ended. The component is there then."""
-        status = int(self.control[cells.STATUS])
-        if status not in (versions.EARLY, versions.EVENT):
+    def bring(self, name: str, place: Place, time: float) -> tuple[float, str] | None:
+        """Bring a component that can be stopped to an instant [s], if it is not there; where an event of its own
+        stopped it before, when, and what happened there in words. Raises RunError if it cannot be brought there."""
+        if self.at(name, place) >= time:
             return None
-        flags = int(self.components[component, cells.FLAGS])
-        early = ctypes.c_ubyte.from_address(flags + EARLY_RETURN).value
-        reached = min(ctypes.c_double.from_address(flags + LAST_TIME).value, end) if early else end
-        self.moments.reached[component] = reached
-        return reached, bool(ctypes.c_ubyte.from_address(flags + EVENT_NEEDED).value)
+        k = self.names.index(name)
+        self.moments.latest = time
+        code = self._do(place.event_rows.bring[name], place, place.starts[k])
+        self.moments.latest = FOREVER
+        found = self.stopped_early(k, time) if code == cells.BAD_STATUS else None
+        if found is None:
+            self._require(code, time)
+        return found
+
+    def stopped_early(self, component: int, end: float) -> tuple[float, str] | None:
+        """How far a step to `end` [s] went that an event ended, and what happened there in words, if anything did;
+        None where that was not why it ended. The component is there then."""
+        name, status = self.names[component], int(self.control[cells.STATUS])
+        found = self.instances[name].stopped()
+        if found is None and status in (versions.EARLY, versions.EVENT):
+            flags = int(self.components[component, cells.FLAGS])
+            early = ctypes.c_ubyte.from_address(flags + EARLY_RETURN).value
+            reached = ctypes.c_double.from_address(flags + LAST_TIME).value if early else end
+            event = ctypes.c_ubyte.from_address(flags + EVENT_NEEDED).value
+            found = reached, f"{name} has an event" if event else ""
+        if found is None:
+            return None
+        self.moments.reached[component] = reached = min(found[0], end)
+        return reached, found[1]
 
     def values(self, place: Place, known: Known, time: float) -> bool:
         """Values along the held connections among those at an instant; whether any has changed."""
         before = self.memory.whole.copy()
-        self._require(self._do(place.event_rows.after[known], place, 0), time)
+        self._require(self._do(place.event_rows.after[known], place), time)
         return not np.array_equal(before, self.memory.whole)
 
-    def _do(self, rows: np.ndarray, place: Place, start: int) -> int:
-        """Do operations that are listed as from the start of a cycle for a step that begins at `start`."""
-        self._rows = rows.copy()
-        self._rows[self._rows[:, 0] == STEP_ON, 4] += start
-        self._rows[(self._rows[:, 0] == SERIES) | (self._rows[:, 0] == SAMPLE), 5] += start
+    def _do(self, rows: np.ndarray, place: Place, start: int = 0) -> int:
+        """Do operations that are listed as from the start of a cycle for a step that begins at `start`; noise is that
+        of the present step of its component."""
+        self._rows = rows
+        if start:
+            self._rows = rows = rows.copy()
+            rows[rows[:, 0] == STEP_ON, 4] += start
+            rows[(rows[:, 0] == SERIES) | (rows[:, 0] == SAMPLE), 5] += start
+        elif self._faults and len(broken := np.flatnonzero(rows[:, 0] == FAULT)):
+            self._rows = rows = rows.copy()
+            rows[broken, 5] += np.array(place.starts, dtype=np.int64)[rows[broken, 2]]
         return self._run(self._rows, place.cycle)
 
     def _require(self, code: int, time: float) -> None:

@@ -50,19 +50,14 @@ class Access:
         value: Value = self.instances[component].get(variable)
         return value
 
-    def set(self, name: str, value: object) -> None:
-        """Set an input that nothing drives."""
+    def set(self, name: str, value: object) -> tuple[str, dict[str, Value]]:
+        """Set an input that nothing drives; the component, and the values that are left to be set at an event of it."""
         component, _, variable = self.plan.system.full_name(name).partition(".")
         instance = self._instance("set", name, component)
         plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
         values = checked_values(self.plan.system.components[component], variable, plain, "set")
         apart = self.plan.system.components[component].at_events
         for scalar in values:
-            if scalar in apart:
-                raise InputError(
-                    f"set {name}: {component}.{scalar} is set at events only, by its clock or in event mode; "
-                    f"connect it with what gives its values"
-                )
             if not follows_tables(instance.fmu.variables[scalar]):
                 raise InputError(
                     f"set {name}: a parameter is set before the run; only inputs and tunable parameters can be set "
@@ -80,4 +75,6 @@ class Access:
             if (component, scalar) in self.plan.layout.inputs:  # of an array other elements are driven
                 slot = self.plan.layout.inputs[component, scalar]
                 self.memory.put((component, scalar), slot, scalar_value)
-        instance.set_all(values)
+        later = {scalar: scalar_value for scalar, scalar_value in values.items() if scalar in apart}
+        instance.set_all({scalar: scalar_value for scalar, scalar_value in values.items() if scalar not in apart})
+        return component, later

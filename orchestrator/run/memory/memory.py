@@ -67,7 +67,7 @@ class Memory:
         blocks: list[list[int]] = []
         raw = 0
         final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
-        internal = {c.target for c in self.plan.inside if at_events(self.plan.system, c)}
+        internal = self._internal()
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
             do_step = 0 if self.plan.system.components[name].scheduled else instance.address(f"{instance.prefix}DoStep")
@@ -93,6 +93,15 @@ class Memory:
             block[3] += base if block[6] != IN_PLACE else self.z.ctypes.data
         typed = (self.whole, self.raw, self.raw.view(np.float32), self.texts.pool, self.texts.index)
         return np.array(components, dtype=np.int64), np.array(blocks, dtype=np.int64).reshape(-1, 10), typed
+
+    def _internal(self) -> set[Key]:
+        """Inputs that FMUs for Model Exchange give each other: the loop sets none but those in arrays whose other
+        elements come from outside."""
+        inside = {c.target for c in self.plan.inside}
+        arrays = {name: component.fmu.arrays for name, component in self.plan.system.components.items()}
+        sampled = {c.target for c in self.plan.inside if at_events(self.plan.system, c)}
+        whole = {key for key in inside if inside.issuperset((key[0], e) for e in arrays[key[0]][key[1]])}
+        return sampled | whole
 
     def _together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
         """What one call can exchange: of one type, in cells one behind the other."""

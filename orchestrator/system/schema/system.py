@@ -75,7 +75,10 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     ] = "stated"
     event_mode: Annotated[
         Literal["offered", "off"],
-        Meta(description='"off": the event mode of an FMI 3.0 FMU is not used, also where it offers one'),
+        Meta(
+            description='"off": the event mode of an FMI 3.0 FMU is not used, also where it offers one; of Model '
+            "Exchange: events of the group are handled inside its steps"
+        ),
     ] = "offered"
     clocks: Annotated[
         dict[str, Time], Meta(description="intervals of clocks that are to be set, by the name of the clock")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numba.extending import register_jitable
 
-from ..loop.calls import byte_at
-from ..loop.versions import exchange as set_or_get
-from ..loop.versions import good
-from .cells import (
+from ...loop.calls import byte_at
+from ...loop.versions import exchange as set_or_get
+from ...loop.versions import good
+from ..cells import (
     CELL,
     DISCRETE,
     DISCRETE_COUNT,
@@ -44,8 +44,8 @@ from .cells import (
     U32,
     VERSION,
 )  # fmt: skip
-from .members import refused
-from .memory import half, number, put, put_byte, put_whole, whole
+from ..members import refused
+from ..memory import half, number, put, put_byte, put_whole, whole
 
 
 @register_jitable

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
-from .cells import CELL, INDICATORS, OK, TIME, Z_NEW, Z
-from .members import indicate
-from .memory import into_caller, number, put, whole
-from .one_step import trial
+from ..cells import CELL, INDICATORS, OK, TIME, Z_NEW, Z
+from ..members import indicate
+from ..memory import into_caller, number, put, whole
+from ..one_step import trial
 
 EPSILON = 2.220446049250313e-16
 MOST = 200  # steps of the search
