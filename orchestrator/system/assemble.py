@@ -10,6 +10,7 @@ from pathlib import Path
 from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
+from .file.events.numbers import is_of_event, with_event_numbers
 from .file.events.read import events_again
 from .file.reader import load_system
 from .file.recorded import select_recorded
@@ -50,7 +51,9 @@ def assemble(
         changes = replace(changes, periods=tuple(p for p in changes.periods if p[0] not in ("", alone)))
     outside = tuple(map(Path, changes.outside))
     loaded = load_system(name, fmus, step, stop, outside, start, values, complete=False)
-    system = apply_changes(loaded, changes).with_values(values or {}, "--set")
+    own = {name: value for name, value in (values or {}).items() if not is_of_event(loaded, name)}
+    system = apply_changes(loaded, changes).with_values(own, "--set")
+    system = with_event_numbers(system, values or {}, "--set")
     system = with_files(system, inputs)
     system = require_values(system, lambda message, table: InputError(f"{message} ({system.path.name}, {table})"))
     if record:

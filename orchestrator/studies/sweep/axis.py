@@ -17,9 +17,11 @@ from ...errors import InputError, nearest
 from ...fmu.attributes import items_of
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
+from ...system.file.events.numbers import is_of_event, number_of
 from ...system.model import System
 from ...system.quantities import in_own_unit
 from ...system.values import checked_values
+from .replanned import event_value, event_values, needs_plan, structural_values
 
 DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected
 LARGEST = 1_000_000  # points; a larger design is a typing error
@@ -83,15 +85,22 @@ class Range:
 def checked_axis(system: System, name: str, values: Sequence[object]) -> Axis:
     """Every value checked as a run would check it, and in the type of the variable."""
     origin = "--vary"
+    if is_of_event(system, name):
+        number = number_of(system, name, origin)
+        about = f"{number.key} of event {number.event.name}"
+        return Axis(name, "s" if number.is_time else "1", about, event_values(system, name, values, origin))
     found = _varied(system, name)
     if found and found[0].variables[found[1]].type == "Binary":
         raise InputError(
             f"{origin} {name}: it is of type Binary, which is not varied; run it with --set for each value"
         )
-    system.with_values({name: values[0]}, origin)  # unknown names, driven inputs
     component, _, variable = name.partition(".")
-    owner = system.components[component]
-    checked = tuple(next(iter(checked_values(owner, variable, value, origin).values())) for value in values)
+    if needs_plan(system, name):
+        owner, checked = system.components[component], structural_values(system, name, values, origin)
+    else:
+        system.with_values({name: values[0]}, origin)  # unknown names, driven inputs
+        owner = system.components[component]
+        checked = tuple(next(iter(checked_values(owner, variable, value, origin).values())) for value in values)
     described = owner.fmu.variables[owner.fmu.expand(variable)[0]]
     items = tuple(items_of(described).items())
     return Axis(name, described.unit or "1", described.description or "", checked, items)
@@ -172,6 +181,8 @@ def _items(system: System, name: str) -> list[int]:
 def _end(system: System, name: str, text: str, label: str, form: str) -> float | int:
     """An end of a range in the variable's own unit; whole where the variable is."""
     found = _varied(system, name)
+    if is_of_event(system, name):
+        return event_value(system, name, text, f"{label}:")
     try:
         if found is None:
             return float(text)

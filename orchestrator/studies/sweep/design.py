@@ -16,6 +16,7 @@ import numpy as np
 
 from ...errors import InputError, nearest
 from ...fmu.types import Value
+from ...system.file.events.numbers import is_of_event
 from ...system.model import System
 from .axis import LARGEST, Axis, checked_axis, listed, range_of, spaced
 from .sampling import RANDOM, SAMPLERS, drawn
@@ -90,6 +91,8 @@ def make_design(
     owners: dict[str, str] = {}
     for axis in axes:
         component, _, variable = axis.name.partition(".")
+        if is_of_event(system, axis.name):
+            continue
         for scalar in system.components[component].fmu.expand(variable):
             other = owners.setdefault(f"{component}.{scalar}", axis.name)
             if other != axis.name:

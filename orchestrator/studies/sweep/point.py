@@ -33,6 +33,7 @@ from ...system.file.recorded import reported_names
 from ...system.model import System
 from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
+from .replanned import needs_plan
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads
@@ -100,6 +101,16 @@ def load(job: Job) -> Plan:
             "the system file, the parameter file or the FMUs are not those with which the sweep began; restore them, "
             "or begin another sweep in another folder"
         )
+    return _planned(system)
+
+
+@lru_cache(maxsize=4)
+def planned(job: Job, values: tuple[tuple[str, Any], ...]) -> Plan:
+    """The plan of a job with other values that a plan depends on. Raises InputError, FmuError, RunError."""
+    return _planned(job_system(replace(job, values=(*job.values, *values))))
+
+
+def _planned(system: System) -> Plan:
     everything = make_plan(replace(system, record=("*", *needed(system))))
     columns = {".".join(key) for group in everything.groups for key in group.columns}
     check_summary(columns, system.reporting, system.path.name)
@@ -144,9 +155,13 @@ def run_point(job: Job, values: dict[str, Any]) -> Record:
         cpu, wall = time.process_time(), time.perf_counter()
         try:
             plan = load(job)
-            run = require_complete(simulate(replace(plan, system=plan.system.with_values(values, "--vary"))))
+            names = figure_units(plan.system)
+            if first := tuple((name, value) for name, value in values.items() if needs_plan(plan.system, name)):
+                plan = planned(job, first)
+            others = {name: value for name, value in values.items() if (name, value) not in first}
+            run = require_complete(simulate(replace(plan, system=plan.system.with_values(others, "--vary"))))
             summary = summarize(require_energy(run))
-            figures = {name: summary[name] for name in figure_units(plan.system)}
+            figures = {name: summary.get(name, math.nan) for name in names}  # with other sizes some may not be there
             record["figures"] = {name: value if math.isfinite(value) else None for name, value in figures.items()}
         except Exception as error:
             expected = isinstance(error, (InputError, RunError)) or hasattr(error, "exit_code")

@@ -17,8 +17,9 @@ from ...system.model import System
 from ...system.request import UNCHANGED, Changes
 from .design import Design, check_count, make_design, vary_entries
 from .file import SweepFile, sweep_file
-from .point import Job, digest, job_system, load
+from .point import Job, digest, job_system, load, planned
 from .points import Points, header
+from .replanned import is_structural
 from .table import Table, write_table
 from .workers import LocalWorkers, Workers, computed, cores
 
@@ -120,6 +121,10 @@ def sweep(
     for twice in {axis.name for axis in design.axes} & set(map(system.full_name, options.values)):
         raise InputError(f"--set {twice}: it is varied; leave one of the two out")
     load(job)  # its plan, and its figures of merit
+    for axis in design.axes:
+        if is_structural(system, axis.name):
+            for value in sorted(set(axis.values), key=float):
+                planned(job, ((axis.name, value),))
     units = figure_units(system)
     made_with = environment()
     job = replace(job, digest=digest(system), versions=tuple(versions().items()))
