@@ -75,9 +75,34 @@ FORCED = Model(
     [Var("x", 0, start="0", needs=["x"]), Var("der(x)", 1, "local", state="x", needs=["x"]),
      parameter("rate", 2, "1"), parameter("w", 3, "1")],
 )  # fmt: skip
+DRAIN = Model(
+    MODELS / "drain.c",
+    [Var("x", 0, start="1", needs=["x"]), Var("der(x)", 1, "local", state="x", needs=["x"]), parameter("floor", 2, "0"),
+     Var("touched", 3, variability="discrete", needs=[]), parameter("falls", 0, "false", kind="Boolean"),
+     parameter("refuses", 1, "false", kind="Boolean")],
+    indicators=1, directional=False,
+)  # fmt: skip
+STEPS = Model(
+    MODELS / "steps.c",
+    [Var("x", 0, start="0", needs=["x"]), Var("der(x)", 1, "local", state="x", needs=[]),
+     Var("last", 2, variability="discrete", needs=[]), parameter("size", 3, "1"),
+     parameter("every", 0, "0", kind="Integer"), parameter("end", 1, "0", kind="Integer"),
+     parameter("fatal", 2, "false", kind="Boolean"), Var("n", 3, kind="Integer", needs=[]),
+     Var("met", 4, kind="Integer", needs=[])],
+    completed=True,
+)  # fmt: skip
+PENDULUM = Model(
+    MODELS / "pendulum.c",
+    [Var("q", 0, "local", start="0"), Var("w", 1, "local", start="0"),
+     Var("der(q)", 2, "local", state="q", needs=["w"]), Var("der(w)", 3, "local", state="w", needs=["q", "w"]),
+     parameter("start", 4, "2.5"), Var("x", 5, needs=["q"]), Var("y", 6, needs=["q"]), parameter("g", 9, "9.81"),
+     Var("changes", 1, kind="Integer", needs=[])],
+    completed=True, directional=False,
+)  # fmt: skip
 MODELS_BY_NAME = {
     "ball": BALL, "striker": STRIKER, "struck": STRUCK, "stick_slip": STICK_SLIP, "relay": RELAY, "lag": LAG,
-    "moody": MOODY, "forced": FORCED, "refuses": REFUSES, "plain_lag": PLAIN, "oscillator": build.oscillator(),
+    "moody": MOODY, "forced": FORCED, "drain": DRAIN, "steps": STEPS, "pendulum": PENDULUM, "refuses": REFUSES,
+    "plain_lag": PLAIN, "oscillator": build.oscillator(),
 }  # fmt: skip
 
 

@@ -12,7 +12,6 @@ from .cells import (
     CVODE,
     CVODES,
     DORMAND_PRINCE,
-    ENDING,
     FAILED,
     FIRST_INDICATOR,
     INDICATOR_COUNT,
@@ -41,7 +40,7 @@ from .cells import (
 )  # fmt: skip
 from .events.roots import EPSILON, first_changed, keep_indicators, locate
 from .events.rounds import log
-from .members import completed, evaluate, fault, indicate
+from .members import completed, evaluate, fault, indicate, place
 from .memory import into_caller, number, put, put_whole, whole
 from .one_step import error_of, last_derivative, stiffness, trial
 
@@ -74,10 +73,7 @@ def after_step(g: int) -> int:
     """What members say to an accepted step: OK, EVENT or a status."""
     said = completed(g)
     if said < 0:
-        asked = -said - 1
-        if asked >= 1000:
-            return ENDING
-        log(g, asked, STEP_EVENT)
+        log(g, -said - 1, STEP_EVENT)
         return EVENT
     return said
 
@@ -108,6 +104,8 @@ def advance(g: int, target: float) -> int:
             error = error_of(g, h)
             if error > 1e20:
                 status = RETRY
+        if status == OK and error <= 1.0:
+            status = indicate(g, whole(g + Z_NEW))
         if status == FAILED or (status == RETRY and fixed > 0.0):
             return FAILED
         if status == RETRY or error > 1.0:
@@ -119,9 +117,6 @@ def advance(g: int, target: float) -> int:
                     fault(g, TOO_SMALL, 0, 0, -1)
                 return FAILED
             continue
-        status = indicate(g, whole(g + Z_NEW))
-        if status != OK:
-            return FAILED
         event = first_changed(g)
         if event >= 0:
             found = locate(g, h)
@@ -131,6 +126,8 @@ def advance(g: int, target: float) -> int:
             h = found
             event = first_changed(g)
         accept(g, target if clipped else time + h)
+        if clipped and time + h != target and place(g, target, whole(g + X)) != OK:
+            return FAILED
         if fixed == 0.0:
             grow(g, h, error, clipped)
         said = after_step(g)

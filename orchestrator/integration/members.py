@@ -11,6 +11,7 @@ from ..loop.versions import good
 from .cells import (
     CELL,
     COMPLETED,
+    ENDING,
     EVALUATE,
     EVALUATIONS,
     FAILED,
@@ -36,6 +37,7 @@ from .cells import (
     MEMBER,
     MEMBER_COUNT,
     MEMBERS,
+    NO_INDICATOR,
     NO_STATE_BEFORE,
     NOT_FINITE,
     OK,
@@ -140,14 +142,19 @@ def indicate_all(g: int, indicators: int) -> int:
             )
             if not good(status):
                 return refused(g, IN_INDICATORS, m, status)
+            for j in range(n):
+                z = number(indicators + whole(row + FIRST_INDICATOR) + CELL * j)
+                if z != z:
+                    fault(g, NO_INDICATOR, m, 0, j)
+                    return RETRY
     return OK
 
 
 @into_caller
 def completed(g: int) -> int:
-    """Tell the members that want it that a step of the solver is accepted: a status, or -1 - m where member m asks for
-    an event, or -1001 - m where it asks to end."""
-    info = whole(g + INFO)
+    """Tell the members that want it that a step of the solver is accepted: a status, -1 - m where member m is the
+    first to ask for an event, ENDING where one asks to end, whom FAULT_MEMBER names."""
+    info, said = whole(g + INFO), OK
     for m in range(whole(g + MEMBER_COUNT)):
         row = whole(g + MEMBERS) + MEMBER * m
         if whole(row + COMPLETED) != 0:
@@ -160,8 +167,9 @@ def completed(g: int) -> int:
             wide = whole(row + VERSION) == 2  # FMI 2.0 writes an int, FMI 3.0 a byte
             event = half(info) if wide else byte_at(info)
             ends = half(info + CELL // 2) if wide else byte_at(info + CELL // 2)
-            if ends != 0:
-                return -1001 - m
-            if event != 0:
-                return -1 - m
-    return OK
+            if ends != 0 and said != ENDING:
+                put_whole(g + FAULT_MEMBER, m)
+                said = ENDING
+            if event != 0 and said == OK:
+                said = -1 - m
+    return said

@@ -77,6 +77,8 @@ def take_step(g: int, time: float, length: float, final: int, event: int, ends: 
     if status == OK and whole(g + RESTS_IN_EVENTS) != 0:
         status = enter_events(g)
     put(last, number(g + TIME))
+    if status in (OK, ENDING, STOPPED):
+        put_whole(g + FAULT, NOTHING)  # what was wrong in a trial is not, in a smaller step
     if status == STOPPED:
         put_byte(event, 1)
         put_byte(early, 1 if number(g + TIME) < end else 0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from numba.extending import register_jitable
 
 from ...loop.versions import good
@@ -88,5 +90,7 @@ def read_nominals(g: int) -> int:
                 return refused(g, IN_NOMINALS, m, status)
             for j in range(first, first + CELL * n, CELL):
                 size = abs(number(nominal + j))
-                put(absolute + j, STATE_SHARE * number(g + RELATIVE) * (size if size > 0.0 else 1.0))
+                if not (size > 0.0 and isfinite(size)):
+                    size = 1.0
+                put(absolute + j, STATE_SHARE * number(g + RELATIVE) * size)
     return OK

@@ -212,6 +212,11 @@ class Group:
         """The member whose call failed, or who asks to end."""
         return self.members[whole(self.pointer + cells.FAULT_MEMBER)]
 
+    @property
+    def answered(self) -> int:
+        """The status of the call that failed."""
+        return whole(self.pointer + cells.FAULT_STATUS)
+
     def why(self) -> str:
         """What went wrong in the last step, in words."""
         return why(self.pointer, [member.fmu.own for member in self.members])

@@ -26,7 +26,7 @@ from ..here.fmi3 import LOGGER, Fmi3Instance
 from ..here.library import Judged
 from ..here.loaded import LoadedInstance
 from ..here.message_filter import Row, address_of, filtered
-from ..lifecycle import DISCARD, ERROR, State
+from ..lifecycle import DISCARD, ERROR, FATAL, State
 from .group import Group
 
 BOUND = ("save", "restore", "forget")  # functions of a group, in the order of Participant's state functions
@@ -118,6 +118,13 @@ class Member(LoadedInstance):
         if group.failed:
             self.noted("step", ERROR)
             raise CallError(f"component {self.speaker.name}: {group.why()}{self.speaker.reasons()}", ERROR)
+
+    def noted(self, action: str, status: int) -> None:
+        """The group answers Error for all that ends it; what its member answered may be worse."""
+        group = self.group
+        if group is not None and group.failed and group.at_fault is self and group.answered == FATAL:
+            status = FATAL
+        super().noted(action, status)
 
     @property
     def speaker(self) -> Participant:

@@ -47,6 +47,11 @@ def why(g: int, fmus: Sequence[Fmu]) -> str:
         names = derivative_names(fmu)
         what = f"derivative {names[index]}" if 0 <= index < len(names) else "a state"
         return f"{at} {what} is not finite, however small the step"
+    if fault == cells.NO_INDICATOR:
+        return (
+            f"{at} event indicator {index + 1} is not a number, however small the step; its event lies before, and a "
+            "max_step under [solver] may find it"
+        )
     if fault == cells.TOO_SMALL:
         return f"{at} the step that the tolerance allows is too small for the clock; state a larger tolerance"
     if fault == cells.CHATTERS:
