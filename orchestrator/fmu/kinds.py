@@ -20,7 +20,7 @@ WORDS: dict[Kind, str] = {
     CO_SIMULATION: "co-simulation", MODEL_EXCHANGE: "model exchange", SCHEDULED_EXECUTION: "scheduled execution",
 }  # fmt: skip
 RUN = {  # what can be run: versions of FMI and kinds
-    *((version, CO_SIMULATION) for version in (1, 2, 3)), *((version, MODEL_EXCHANGE) for version in (2, 3)),
+    *((version, CO_SIMULATION) for version in (1, 2, 3)), *((version, MODEL_EXCHANGE) for version in (1, 2, 3)),
     (3, SCHEDULED_EXECUTION),
 }  # fmt: skip
 

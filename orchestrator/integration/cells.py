@@ -46,12 +46,13 @@ TABLE = _LAST // CELL
 # A member, a row of MEMBERS: whose signatures its functions have (2 or 3), instance, addresses of its functions (0 for
 # one that need not be called), first state and indicator [bytes] and their numbers; what its directional derivatives
 # are taken along, states and then connected inputs: value references and their number, seeds and their number, and
-# where in V_SEEDS those of the inputs are; value references of its derivatives and their number.
+# where in V_SEEDS those of the inputs are; value references of its derivatives and their number;
+# FIRST_FMI: 1 if it is of FMI 1.0, which has the signatures of 2 for what is set and got.
 (
     VERSION, INSTANCE, SET_TIME, SET_STATES, GET_DERIVATIVES, GET_INDICATORS, GET_STATES, GET_NOMINALS, COMPLETED,
     ENTER_EVENTS, ENTER_CONTINUOUS, UPDATE, FIRST_STATE, STATE_COUNT, FIRST_INDICATOR, INDICATOR_COUNT, DIRECTIONAL,
-    KNOWN, KNOWN_COUNT, KNOWN_SEEDS, KNOWN_SIZE, KNOWN_INPUTS, DERIVATIVES, DERIVATIVE_COUNT, MEMBER,
-) = _cells(25)  # fmt: skip
+    KNOWN, KNOWN_COUNT, KNOWN_SEEDS, KNOWN_SIZE, KNOWN_INPUTS, DERIVATIVES, DERIVATIVE_COUNT, FIRST_FMI, MEMBER,
+) = _cells(26)  # fmt: skip
 
 # A row of ROWS, what is done with outputs and inputs in each evaluation: kind, member, function, value references and
 # their number, address of the values in V, their number. A LOOP: rows that belong to it, unknowns, their addresses and

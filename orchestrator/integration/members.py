@@ -20,6 +20,7 @@ from .cells import (
     FAULT_MEMBER,
     FAULT_STATUS,
     FAULT_TIME,
+    FIRST_FMI,
     FIRST_INDICATOR,
     FIRST_STATE,
     GET_DERIVATIVES,
@@ -159,12 +160,15 @@ def completed(g: int) -> int:
         row = whole(g + MEMBERS) + MEMBER * m
         if whole(row + COMPLETED) != 0:
             put_whole(info, 0)
-            status = call(
-                whole(row + COMPLETED), whole(row + INSTANCE), whole(g + NO_STATE_BEFORE), info, info + CELL // 2
-            )
+            if whole(row + FIRST_FMI) != 0:
+                status = call(whole(row + COMPLETED), whole(row + INSTANCE), info)
+            else:
+                status = call(
+                    whole(row + COMPLETED), whole(row + INSTANCE), whole(g + NO_STATE_BEFORE), info, info + CELL // 2
+                )
             if not good(status):
                 return refused(g, IN_COMPLETED, m, status)
-            wide = whole(row + VERSION) == 2  # FMI 2.0 writes an int, FMI 3.0 a byte
+            wide = whole(row + VERSION) == 2 and whole(row + FIRST_FMI) == 0  # an int, in FMI 2.0 alone
             event = half(info) if wide else byte_at(info)
             ends = half(info + CELL // 2) if wide else byte_at(info + CELL // 2)
             if ends != 0 and said != ENDING:

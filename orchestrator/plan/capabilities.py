@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..clock import Clock, seconds_text, whole_stops
 from ..errors import InputError
+from ..fmu.kinds import MODEL_EXCHANGE
 from ..system.model import Component, System
 
 
@@ -11,7 +12,8 @@ def check_capabilities(system: System) -> None:
     """Raise InputError for a component that cannot run as the system wants it."""
     for component in system.components.values():
         _check_step(system, component)
-        if component.tolerance is not None and component.fmu.version == 1:
+        itself = component.fmu.kind != MODEL_EXCHANGE
+        if component.tolerance is not None and component.fmu.version == 1 and itself:
             raise InputError(
                 f"component {component.name}: FMI 1.0 takes no tolerance for co-simulation; leave it out, or set a "
                 f"parameter of {component.fmu.path.name} if it has one for that ({system.path.name})"

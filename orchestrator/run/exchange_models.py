@@ -68,10 +68,13 @@ def _link(plan: Plan, c: Connection, numbers: dict[str, int]) -> Link:
     """A connection in the FMUs' own names and units."""
     source, target = (plan.system.components[name].fmu for name in (c.source[0], c.target[0]))
     ends = (numbers[c.source[0]], source.own_name(c.source[1])), (numbers[c.target[0]], target.own_name(c.target[1]))
+    places = source.own.places[ends[0][1]], target.own.places[ends[1][1]]
+    given, taken = (-1.0 if place.negated else 1.0 for place in places)
     if not plan.system.is_real(c):
-        return Link(*ends, c.gain, c.offset)
+        return Link(*ends, given * taken * c.gain, taken * c.offset)
     at_zero, at_one = (_sent(c, source, target, value) for value in (0.0, 1.0))
-    return Link(*ends, at_one - at_zero if (at_zero, at_one) != (c.offset, c.gain + c.offset) else c.gain, at_zero)
+    gain = at_one - at_zero if (at_zero, at_one) != (c.offset, c.gain + c.offset) else c.gain
+    return Link(*ends, given * taken * gain, taken * at_zero)
 
 
 def _sent(c: Connection, source: Fmu, target: Fmu, value: float) -> float:

@@ -20,6 +20,7 @@ from ..files.binary import check_identifiers, find_library
 from ..fmi1.translate import as_fmi2, negated_names
 from ..kinds import interface_of, kinds_of, require_kind, usual_kind
 from ..tolerant.head import mend_head, mend_version, version_of
+from ..tolerant.literals import mend_number
 from ..tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
 from ..tolerant.structure import mend_structure
 from ..tolerant.variables import mend_variables
@@ -80,6 +81,8 @@ def described(path: Path, folder: Path) -> Described:
         as_fmi2(path, root, notes)
     details = details_of(root) if version == 3 else {}
     mend_head(root, version, path.stem, notes)
+    if stated_version == 1:
+        mend_number(root, "numberOfContinuousStates", notes, integer=True)
     stated_variables = len(root.findall("ModelVariables/*"))
     places = mend_variables(root, version, notes)
     if stated_variables and not places:
@@ -102,6 +105,8 @@ def described(path: Path, folder: Path) -> Described:
     if not kinds_of(description):
         raise FmuError(f"FMU {path} has no interface at all; export it for co-simulation")
     description.fmiVersion = f"{stated_version}.0"
+    if stated_version == 1:
+        description.numberOfContinuousStates = max(int(root.get("numberOfContinuousStates", "0")), 0)
     if version == 3:
         _directional(description, root)
     resolve(description, root)

@@ -13,6 +13,7 @@ from ..cells import (
     CHANGED,
     CURRENT,
     ENTER_CONTINUOUS,
+    FIRST_FMI,
     FIRST_STATE,
     GET_NOMINALS,
     GET_STATES,
@@ -46,6 +47,8 @@ def leave_events(g: int) -> int:
     """All members into continuous-time mode, with the states that they have now; the solver begins anew."""
     for m in range(whole(g + MEMBER_COUNT)):
         row = whole(g + MEMBERS) + MEMBER * m
+        if whole(row + FIRST_FMI) != 0:  # which has no modes
+            continue
         status = call(whole(row + ENTER_CONTINUOUS), whole(row + INSTANCE))
         if not good(status):
             return refused(g, IN_CONTINUOUS, m, status)

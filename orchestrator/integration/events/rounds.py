@@ -14,6 +14,7 @@ from ..cells import (
     ENTRY,
     FAILED,
     FAULT_MEMBER,
+    FIRST_FMI,
     IN_EVENT_MODE,
     IN_EVENTS,
     IN_UPDATE,
@@ -72,6 +73,8 @@ def enter_events(g: int) -> int:
     put_whole(g + MOVED, 0)
     for m in range(whole(g + MEMBER_COUNT)):
         row = whole(g + MEMBERS) + MEMBER * m
+        if whole(row + FIRST_FMI) != 0:  # which has no modes
+            continue
         status = call(whole(row + ENTER_EVENTS), whole(row + INSTANCE))
         if not good(status):
             return refused(g, IN_EVENT_MODE, m, status)
@@ -81,7 +84,14 @@ def enter_events(g: int) -> int:
 
 @register_jitable
 def told(row: int, info: int, what: int) -> bool:
-    """One of the answers of the last update: FMI 2.0 writes ints, FMI 3.0 bytes."""
+    """One of the answers of the last update: FMI 2.0 writes ints, FMI 1.0 and 3.0 bytes, in FMI 1.0 whether it is done,
+    which states are others, their values, whether it ends, and whether a time event is to come."""
+    if whole(row + FIRST_FMI) != 0:
+        if what == AGAIN:
+            return byte_at(info) == 0
+        if what == STATES_MOVED and byte_at(info + 2) != 0:
+            return True
+        return byte_at(info + (4 if what == TIMED else 3 if what == ENDS else 1)) != 0
     if whole(row + VERSION) == 2:
         return half(info + 4 * what) != 0
     return byte_at(info + what) != 0
@@ -92,6 +102,8 @@ def update(row: int, info: int) -> int:
     """One round of a member's event; its status."""
     for j in range(4):
         put_whole(info + CELL * j, 0)
+    if whole(row + FIRST_FMI) != 0:
+        return call(whole(row + UPDATE), whole(row + INSTANCE), 0, info)
     if whole(row + VERSION) == 2:
         return call(whole(row + UPDATE), whole(row + INSTANCE), info)
     return call(
@@ -142,8 +154,9 @@ def update_all(g: int) -> int:
             put_whole(g + MOVED, whole(g + MOVED) | NEW_STATES)
         if told(row, info, NOMINALS_MOVED):
             put_whole(g + MOVED, whole(g + MOVED) | NEW_NOMINALS)
-        if told(row, info, TIMED) and number(info + 3 * CELL) < next_event:
-            next_event = number(info + 3 * CELL)
+        due = number(info + (CELL if whole(row + FIRST_FMI) != 0 else 3 * CELL))
+        if told(row, info, TIMED) and due < next_event:
+            next_event = due
             put_whole(g + NEXT_WHO, m)
     put(g + NEXT_EVENT, next_event)
     return again

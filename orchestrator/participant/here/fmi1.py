@@ -24,18 +24,24 @@ from .loaded import LoadedInstance
 from .message_filter import Row, address_of, filtered
 from .refusal import refused
 
-TEXTS = ("fmi1GetVersion", "fmi1GetTypesPlatform")  # functions that answer with text; fmpy says so of too many
+TEXTS = ("fmi1GetVersion", "fmi1GetTypesPlatform", "fmi1GetModelTypesPlatform")  # functions that answer with text
 KIND = "application/x-fmu-sharedlibrary"
 
 
-class FMU1Instance(Judged, fmi1.FMU1Slave):  # type: ignore[misc]
-    """fmpy's; it finds the FMI version in the name of the class."""
+class Answers:
+    """fmpy says of too many functions that they answer with text."""
+
+    _functions: dict[str, Any]
 
     def _loadFunctions(self) -> None:
-        super()._loadFunctions()
+        super()._loadFunctions()  # type: ignore[misc]
         for name, function in self._functions.items():
             if function.restype is ctypes.c_char_p and name not in TEXTS:
                 function.restype = ctypes.c_int
+
+
+class FMU1Instance(Answers, Judged, fmi1.FMU1Slave):  # type: ignore[misc]
+    """fmpy's; it finds the FMI version in the name of the class."""
 
 
 class Fmi1Instance(LoadedInstance):
@@ -43,13 +49,14 @@ class Fmi1Instance(LoadedInstance):
 
     prefix = PREFIX[1]
     state_functions = STATE_FUNCTIONS[1]
+    kind: type[Any] = FMU1Instance
     span: tuple[float, float | None] | None = None  # s, the start and the stop of the run
 
     def instantiate(self) -> None:
         self._callbacks = self._make_callbacks()
         try:
             with fresh_library(self.fmu) as library:
-                self.slave = self.bound(FMU1Instance, library)
+                self.slave = self.bound(self.kind, library)
             self.slave.instantiate(KIND, functions=self._callbacks, loggingOn=self.asked_for_all)
             if not self.slave.component:
                 raise FmuError("it gave no instance")

@@ -14,13 +14,14 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from fmpy import fmi2, fmi3
+from fmpy import fmi1, fmi2, fmi3
 
 from ...fmu.types import REALS
 from ...integration import cells
 from ...integration.memory import call, call_whole, put_whole, whole
 from ...integration.settings import SolverSettings
 from ..base import AskedToEndError, CallError, Participant
+from ..here.fmi1 import Answers, Fmi1Instance
 from ..here.fmi2 import Fmi2Instance
 from ..here.fmi3 import LOGGER, Fmi3Instance
 from ..here.library import Judged
@@ -30,6 +31,22 @@ from ..lifecycle import DISCARD, ERROR, FATAL, State
 from .group import Group
 
 BOUND = ("save", "restore", "forget")  # functions of a group, in the order of Participant's state functions
+
+
+class FMU1Model(Answers, Judged, fmi1.FMU1Model):  # type: ignore[misc]
+    """fmpy's, with the calls of an FMU for co-simulation."""
+
+    fmi1FreeSlaveInstance = fmi1.FMU1Model.fmi1FreeModelInstance
+
+    def instantiate(self, kind: str, functions: Any, loggingOn: bool) -> None:
+        super().instantiate(functions, loggingOn)
+
+    def initialize(self, start: float, stop: float | None) -> None:
+        self.setTime(start)
+        super().initialize()
+
+    def reset(self) -> None:
+        raise NotImplementedError("FMI 1.0 has no reset for model exchange")
 
 
 class FMU2Model(Judged, fmi2.FMU2Model):  # type: ignore[misc]
@@ -67,7 +84,7 @@ class Member(LoadedInstance):
     def address(self, function: str) -> int:
         """What belongs to the group is bound to it: the step, and the state of its first member."""
         if function == f"{self.prefix}DoStep":
-            return self._own_group.bound.address("step2" if self.fmu.version == 2 else "step")
+            return self._own_group.bound.address("step" if self.fmu.version == 3 else "step2")
         if function in self.state_functions and self._first:
             return self._own_group.bound.address(BOUND[self.state_functions.index(function)])
         return super().address(function)
@@ -87,7 +104,7 @@ class Member(LoadedInstance):
 
     def exit_initialization(self) -> None:
         super().exit_initialization()
-        if self.group is None:
+        if self.group is None and self.state is State.STEPPING:
             self.first_event()
 
     def reset(self) -> None:
@@ -239,4 +256,10 @@ class Fmi3Member(Member, Fmi3Instance):
         )
 
 
-MEMBERS: dict[int, type[Member]] = {2: Fmi2Member, 3: Fmi3Member}
+class Fmi1Member(Member, Fmi1Instance):
+    """FMI 1.0, which has no modes: an event is an update between two steps."""
+
+    kind = FMU1Model
+
+
+MEMBERS: dict[int, type[Member]] = {1: Fmi1Member, 2: Fmi2Member, 3: Fmi3Member}

@@ -27,7 +27,7 @@ def bands_of(fmus: Sequence[Fmu], sources: Mapping[Key, Key]) -> tuple[int, int]
         for name in state_names(fmu):
             places[m, name] = len(places)
     n = len(places)
-    if n <= FEW:
+    if n <= FEW or any(fmu.version == 1 for fmu in fmus):  # which says nothing of its states
         return None
     behind = _Behind(fmus, sources, places)
     lower = upper = row = 0

@@ -17,20 +17,22 @@ from ..here.loaded import LoadedInstance
 from .links import Link, LinkBlock
 
 CELL = cells.CELL
-FUNCTIONS = {  # of a member, by the column of its address
-    cells.SET_TIME: ("SetTime", "SetTime"),
-    cells.SET_STATES: ("SetContinuousStates", "SetContinuousStates"),
-    cells.GET_DERIVATIVES: ("GetDerivatives", "GetContinuousStateDerivatives"),
-    cells.GET_INDICATORS: ("GetEventIndicators", "GetEventIndicators"),
-    cells.GET_STATES: ("GetContinuousStates", "GetContinuousStates"),
-    cells.GET_NOMINALS: ("GetNominalsOfContinuousStates", "GetNominalsOfContinuousStates"),
-    cells.COMPLETED: ("CompletedIntegratorStep", "CompletedIntegratorStep"),
-    cells.ENTER_EVENTS: ("EnterEventMode", "EnterEventMode"),
-    cells.ENTER_CONTINUOUS: ("EnterContinuousTimeMode", "EnterContinuousTimeMode"),
-    cells.UPDATE: ("NewDiscreteStates", "UpdateDiscreteStates"),
-    cells.DIRECTIONAL: ("GetDirectionalDerivative", "GetDirectionalDerivative"),
+FUNCTIONS = {  # of a member, by the column of its address, in each version; "" where there is none
+    cells.SET_TIME: ("SetTime",) * 3,
+    cells.SET_STATES: ("SetContinuousStates",) * 3,
+    cells.GET_DERIVATIVES: ("GetDerivatives", "GetDerivatives", "GetContinuousStateDerivatives"),
+    cells.GET_INDICATORS: ("GetEventIndicators",) * 3,
+    cells.GET_STATES: ("GetContinuousStates",) * 3,
+    cells.GET_NOMINALS: ("GetNominalContinuousStates", *("GetNominalsOfContinuousStates",) * 2),
+    cells.COMPLETED: ("CompletedIntegratorStep",) * 3,
+    cells.ENTER_EVENTS: ("", "EnterEventMode", "EnterEventMode"),
+    cells.ENTER_CONTINUOUS: ("", "EnterContinuousTimeMode", "EnterContinuousTimeMode"),
+    cells.UPDATE: ("EventUpdate", "NewDiscreteStates", "UpdateDiscreteStates"),
+    cells.DIRECTIONAL: ("", "GetDirectionalDerivative", "GetDirectionalDerivative"),
 }
 TYPES = {
+    1: {"Real": cells.DOUBLE, "Integer": cells.I32, "Enumeration": cells.I32, "Boolean": cells.TRUTH8,
+        "String": cells.POINTER},
     2: {"Real": cells.DOUBLE, "Integer": cells.I32, "Enumeration": cells.I32, "Boolean": cells.TRUTH32,
         "String": cells.POINTER},
     3: {"Float64": cells.DOUBLE, "Float32": cells.FLOAT, "Int8": cells.I8, "UInt8": cells.U8, "Int16": cells.I16,
@@ -70,13 +72,14 @@ class Tables:
         """MEMBERS: instances, functions, first states and indicators."""
         table = np.zeros((len(self.members), cells.MEMBER // CELL), dtype=np.int64)
         for m, (row, member) in enumerate(zip(table, self.members, strict=True)):
-            fmu, later = member.fmu.own, member.fmu.version == 3
+            fmu, version = member.fmu.own, member.fmu.version
             states = state_names(fmu)
             skipped = {cells.COMPLETED} if not needs_completed(member) else set()
             skipped |= {cells.DIRECTIONAL} if not offers_directional(member.fmu) else set()
             for column, names in FUNCTIONS.items():
-                if column not in skipped:
-                    row[column // CELL] = member.address(f"{member.prefix}{names[later]}")
+                if column not in skipped and names[version - 1]:
+                    row[column // CELL] = member.address(f"{member.prefix}{names[version - 1]}")
+            row[cells.FIRST_FMI // CELL] = version == 1
             row[cells.VERSION // CELL], row[cells.INSTANCE // CELL] = signatures(fmu.version), member.pointer
             row[cells.FIRST_STATE // CELL], row[cells.STATE_COUNT // CELL] = CELL * self.states, len(states)
             indicators = int(fmu.description.numberOfEventIndicators)
@@ -91,6 +94,8 @@ class Tables:
         """What directional derivatives are taken of and along, into MEMBERS; `v_seeds`: the address of V_SEEDS."""
         for m, (row, member) in enumerate(zip(rows, self.members, strict=True)):
             fmu = member.fmu.own
+            if not offers_directional(member.fmu):
+                continue
             known = list(dict.fromkeys(fmu.places[name].reference for name in state_names(fmu)))
             inputs = [fmu.places[first] for n, first in self.given if n == m]
             slots = [

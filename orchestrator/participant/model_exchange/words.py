@@ -38,7 +38,7 @@ def why(g: int, fmus: Sequence[Fmu]) -> str:
     fmu, at = fmus[member], f"at t = {time:.9g} s"
     prefix = PREFIX[fmu.version]
     if fault in CALLS:
-        function = FUNCTIONS[CALLS[fault]][fmu.version == 3]
+        function = FUNCTIONS[CALLS[fault]][fmu.version - 1]
         return f"{at} {prefix}{function} answered {status_text(prefix, status)}"
     if fault in (cells.IN_SET, cells.IN_GET):
         verb = "set its inputs" if fault == cells.IN_SET else "get its outputs"

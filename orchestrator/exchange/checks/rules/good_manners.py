@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ....errors import FmuError
+from ....fmu.kinds import MODEL_EXCHANGE, usual_kind
 from ....participant.apart.meeting import meeting
 from ....participant.here.refusal import NotLoadedError
 from ..rows import Row
@@ -120,6 +121,8 @@ def independent(subject: Subject) -> Row:
 def resets(subject: Subject) -> Row:
     """After reset everything is as in a new instance."""
     rule = "reset starts afresh"
+    if subject.version == 1 and usual_kind(subject.description) == MODEL_EXCHANGE:
+        return Row(STAGE, rule, "not applicable", "FMI 1.0 has no reset for model exchange")
     instance = Tried(subject)
     instance.begin()
     fresh = instance.stir(0, AHEAD)
