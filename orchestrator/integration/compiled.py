@@ -1,4 +1,4 @@
-"""The functions of a group that others call: compiled, and kept by Numba under names that hold a hash of all sources.
+"""The functions of a group that others call: compiled, and kept by Numba under names that hold a hash of their sources.
 
 They hold no address, so that one compilation serves every group. With NUMBA_DISABLE_JIT they are plain Python.
 """
@@ -45,12 +45,13 @@ FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
 def address_of(name: str) -> int:
     """The address of one of FUNCTIONS."""
     function, kinds = FUNCTIONS[name]
-    return _address(function, kinds, _hash())[0]
+    return _address(function, kinds, _hash(function.__module__))[0]
 
 
 @cache
-def _hash() -> str:
-    return loop_hash(Path(steps.__file__))
+def _hash(module: str) -> str:
+    """Of all sources that a function of a module is compiled from."""
+    return loop_hash(Path(sys.modules[module].__file__ or ""))
 
 
 def is_compiled() -> bool:

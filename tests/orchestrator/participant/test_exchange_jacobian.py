@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
@@ -11,10 +12,11 @@ import numpy as np
 import pytest
 from exchange_groups import group_of, run
 from native_build import needs_gcc
-from rovbrush.orchestrator.integration.compiled import address_of
+from rovbrush.orchestrator.integration.compiled import FUNCTIONS, address_of
 from rovbrush.orchestrator.integration.memory import call, call_whole, number
 from rovbrush.orchestrator.integration.stiff.libraries import is_there
 from rovbrush.orchestrator.integration.stiff.sundials import address
+from rovbrush.orchestrator.loop.compiled import loop_files
 from rovbrush.orchestrator.participant.model_exchange.group import Group
 from rovbrush.orchestrator.participant.model_exchange.links import Link, LinkBlock
 from rovbrush.orchestrator.plan.explain import explain
@@ -145,3 +147,19 @@ def test_the_plan_says_what_the_jacobian_is_made_of(tmp_path: Path, second: str,
     path = tmp_path / "system.toml"
     path.write_text(text, encoding="utf-8")
     assert words in explain(make_plan(load_system(str(path), tmp_path)))
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_compiled_function_is_known_by_all_sources_that_it_is_made_of(name: str) -> None:
+    """Otherwise an older one would be taken from the cache when one of them changes."""
+    module = sys.modules[FUNCTIONS[name][0].__module__]
+    known = {path.resolve() for path in loop_files(Path(module.__file__ or ""))}
+    waiting, used = [module], set()
+    while waiting:
+        one = waiting.pop()
+        for value in vars(one).values():
+            home = sys.modules.get(getattr(value, "__module__", None) or "")
+            if callable(value) and home and "orchestrator.integration" in home.__name__ and home not in used:
+                used.add(home)
+                waiting.append(home)
+    assert {Path(one.__file__ or "").resolve() for one in used} <= known
