@@ -58,7 +58,8 @@ def is_compiled() -> bool:
     """Whether little is left to compile: a step was, on this machine, or nothing is to be."""
     if not numba_compiles():
         return True
-    kept = [_named(FUNCTIONS[name][0], _hash()) for name in ("step", "step2")]  # by the version of the members
+    digest = _hash(steps.__name__)
+    kept = [_named(FUNCTIONS[name][0], digest) for name in ("step", "step2")]  # by the version of the members
     return any(any(Path(cache.cache_path).glob(f"*{named.__qualname__}*.nbi")) for named, cache in kept)
 
 

@@ -7,11 +7,13 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
+import array_exchange_build
 import exchange_build
 import numpy as np
 import pytest
 from exchange_groups import group_of, run
 from native_build import needs_gcc
+from rovbrush.orchestrator.integration import cells
 from rovbrush.orchestrator.integration.compiled import FUNCTIONS, address_of
 from rovbrush.orchestrator.integration.memory import call, call_whole, number
 from rovbrush.orchestrator.integration.stiff.libraries import is_there
@@ -21,6 +23,7 @@ from rovbrush.orchestrator.participant.model_exchange.group import Group
 from rovbrush.orchestrator.participant.model_exchange.links import Link, LinkBlock
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
+from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not is_there(), reason="no CVODE on this platform")]
@@ -163,3 +166,59 @@ def test_a_compiled_function_is_known_by_all_sources_that_it_is_made_of(name: st
                 used.add(home)
                 waiting.append(home)
     assert {Path(one.__file__ or "").resolve() for one in used} <= known
+
+
+def test_states_and_inputs_that_are_arrays_are_taken_whole(tmp_path: Path) -> None:
+    """A rod whose wall is another rod's middle: FMI 3.0 sets and derives arrays at once only."""
+    rod = array_exchange_build.rod3(tmp_path / "rod.fmu")
+    blocks = [LinkBlock((Link((0, "y"), (1, "u[2]"), 3.0),))]
+    with group_of(tmp_path, paths=[rod, rod], blocks=blocks, version=3, method="cvode", tolerance=1e-8) as group:
+        n = array_exchange_build.CELLS
+        inside = 100.0 * (np.diag([-2.0] * n) + np.diag([1.0] * (n - 1), 1) + np.diag([1.0] * (n - 1), -1))
+        exact = np.kron(np.eye(2), inside)
+        exact[2 * n - 1, n // 2] = 300.0
+        found = jacobian_of(group)
+        known = ~np.isnan(found)
+        assert found[known] == pytest.approx(exact[known], abs=1e-3)
+        assert known[exact != 0.0].all()
+        group.members[0].set("u[1]", 1.0)
+        run(group, 30.0, step=0.5)
+        ends = [member.get("y") for member in group.members]
+        middle = 1.0 - (n // 2 + 1) / (n + 1)
+        assert ends == pytest.approx([middle, 3.0 * middle * (n // 2 + 1) / (n + 1)], abs=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_it_is_that_of_differences_in_networks_at_random(tmp_path: Path, seed: int) -> None:
+    """Lags that may answer at once and oscillators, each input driven by any output: chains, loops, both."""
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(3, 8))
+    kinds = ["lag" if k == 0 or rng.random() < 0.7 else "oscillator" for k in range(count)]
+    text, connections = "", []
+    for k, kind in enumerate(kinds):
+        exchange_build.exchange(tmp_path, kind)
+        values = f"d = {rng.uniform(-0.6, 0.6):.3f}, tau = {rng.uniform(0.1, 2.0):.3f}" if kind == "lag" else "mu = 2.0"
+        text += f'[components.c{k}]\nfmu = "{kind}.fmu"\nperiod = "10 ms"\nparameters = {{ {values} }}\n'
+        source = int(rng.integers(count))
+        output = "y" if rng.random() < 0.7 else "x"
+        connections.append(f'"c{source}.{output} -> c{k}.{"push" if kind == "lag" else "u"}"')
+    path = tmp_path / "system.toml"
+    head = f'format = 2\nstop_time = "1 s"\nconnections = [{", ".join(connections)}]\n[solver]\nmethod = "cvode"\n'
+    path.write_text(head + text, encoding="utf-8")
+    with Session(make_plan(load_system(str(path), tmp_path))) as session:
+        session.advance(cycles=3)
+        group = session.group
+        assert group is not None
+        found, n = jacobian_of(group), group.tables.states
+        states, rates = group._view(cells.X, n).copy(), np.zeros(n)
+        columns = []
+        for j in range(n):
+            ends = []
+            for sign in (1.0, -1.0):
+                moved = states.copy()
+                moved[j] += sign * 1e-6
+                at = int(moved.ctypes.data), int(rates.ctypes.data)
+                assert call(address_of("evaluate"), group.pointer, group.time, *at) == 0
+                ends.append(rates.copy())
+            columns.append((ends[0] - ends[1]) / 2e-6)
+        assert found == pytest.approx(np.array(columns).T, abs=1e-5, rel=1e-5)

@@ -189,6 +189,14 @@ def test_a_failure_names_the_fmu_and_keeps_the_rows(tmp_path: Path, fault: int) 
     assert raised.value.result["moody.x"].values == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_failure_in_a_process_of_its_own_gives_the_same_reason(tmp_path: Path, fault: int) -> None:
+    text = MOODY.format(fault=fault) + 'isolation = "process"\n'
+    with pytest.raises(RunError, match=FAULTS[fault]):
+        load(system(tmp_path, text, "moody")).run()
+
+
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("fault", [6, 9])
 def test_one_that_asks_to_end_ends_the_run_well(tmp_path: Path, fault: int, version: int) -> None:
@@ -271,7 +279,7 @@ def test_who_compiles_for_half_a_minute_is_told_so(
     capsys.readouterr()
     assert rovbrush(monkeypatch, *run) == 0  # in a second run nothing is left
     assert "first run" not in capsys.readouterr().out
-    monkeypatch.setattr("rovbrush.orchestrator.integration.compiled._hash", lambda: "of other sources")
+    monkeypatch.setattr("rovbrush.orchestrator.integration.compiled._hash", lambda _: "of other sources")
     assert not is_compiled()
     monkeypatch.undo()
     monkeypatch.setattr("rovbrush.orchestrator.integration.compiled.is_compiled", lambda: False)
