@@ -9,8 +9,10 @@ import exchange_build
 import pytest
 from first_exchange_build import ball1
 from native_build import needs_gcc
-from rovbrush.orchestrator import load
+from rovbrush.orchestrator import FmuError, load
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu
+from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.participant.windows.opening import windows_class
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.session import Session
@@ -110,3 +112,8 @@ def test_its_own_tolerance_counts(tmp_path: Path) -> None:
     path = system(tmp_path, "tolerance = 1e-9")
     with Session(make_plan(load_system(str(path), tmp_path))) as session:
         assert session.instances["ball"].tolerance == 1e-9
+
+
+def test_under_wine_it_is_refused_by_name(tmp_path: Path) -> None:
+    with pytest.raises(FmuError, match=r"ball\.fmu: model exchange of FMI 1\.0 is not run under wine"):
+        windows_class(Fmu.open(ball1(tmp_path / "ball.fmu")), False)
