@@ -88,6 +88,8 @@ class Group:
             put_whole(g + cell, at)
             at += CELL * size
         self._view(cells.SENT, len(discrete), np.int64)[:] = -1  # nothing was sent yet
+        if not tables.states:
+            self._view(cells.ABSOLUTE, 1)[:] = 1.0  # of the one that stands for none
         rows = tables.link([block for block in self.blocks], whole(g + cells.V))
         work = {cells.K2: 6 * n, cells.STAGE: n, cells.X_NEW: n, cells.Z_NEW: 2 * z, cells.V_OLD: v, cells.NOMINAL: n,
                 cells.INFO: 8, cells.SEEDS: n, cells.SEED_OUT: n, cells.LOG: LOGGED * cells.ENTRY // CELL,

@@ -116,3 +116,19 @@ def test_a_pendulum_that_selects_its_states_by_itself_swings_as_by_its_angle(
         assert pendulum.get("changes") > 8
         assert pendulum.get("x") == pytest.approx(math.sin(angle), abs=1e-5)
         assert pendulum.get("y") == pytest.approx(-math.cos(angle), abs=1e-5)
+
+
+@pytest.mark.parametrize("method", ["dormand-prince", "rk4", "cvode"])
+def test_a_group_without_states_has_its_events(tmp_path: Path, method: str) -> None:
+    """A relay alone: what drives it is set from outside."""
+    with group_of(tmp_path, "relay", values=[{"low": -0.5, "high": 0.5}], method=method, step=0.05) as group:
+        relay, found = group.members[0], []
+        for k in range(20):
+            relay.set("y", math.sin(k))
+            group.step(0.1 * k, 0.1)
+            assert not group.failed, group.why()
+            found.append(bool(relay.get("on")))
+        on = True
+        for k, is_on in enumerate(found):
+            on = math.sin(k) < -0.5 or (on and math.sin(k) < 0.5)
+            assert is_on is on
