@@ -162,6 +162,6 @@ def _anew(system: System, goes_back: bool) -> str:
     if system.solver.restart:
         return "begun anew at every communication point"
     return (
-        "begun anew where a checkpoint is written or the run is taken up, which is not as if it had never stopped bit "
-        "by bit (restart = true under [solver]: it is)"
+        "begun anew at checkpoints, so that a run with them is equal to one without within tolerance, not bit by bit "
+        "(it is with restart = true under [solver])"
     )

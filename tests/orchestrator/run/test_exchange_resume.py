@@ -126,7 +126,7 @@ def test_ctrl_c_says_whether_the_run_goes_on_bit_by_bit(tmp_path: Path, solver: 
 
 def test_the_plan_tells_where_cvode_begins_anew(tmp_path: Path) -> None:
     for algorithm, solver, words in (
-        ("gauss-seidel", CVODE, "begun anew where a checkpoint is written or the run is taken up"),
+        ("gauss-seidel", CVODE, "begun anew at checkpoints, so that a run with them"),
         ("gauss-seidel", RESTARTED, "begun anew at every communication point"),
         ("iterated", CVODE, "begun anew at every step, which may be taken back"),
     ):
