@@ -192,8 +192,10 @@ def test_a_failure_names_the_fmu_and_keeps_the_rows(tmp_path: Path, fault: int) 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_failure_in_a_process_of_its_own_gives_the_same_reason(tmp_path: Path, fault: int) -> None:
+    """Its events are its own there, so its rounds too."""
     text = MOODY.format(fault=fault) + 'isolation = "process"\n'
-    with pytest.raises(RunError, match=FAULTS[fault]):
+    words = FAULTS[fault] if fault != 4 else "component moody: at t = .* an event does not settle: after 100 rounds"
+    with pytest.raises(RunError, match=words):
         load(system(tmp_path, text, "moody")).run()
 
 
