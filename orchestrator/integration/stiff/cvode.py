@@ -13,6 +13,7 @@ from ..cells import (
     ANEW_AT,
     CURRENT,
     CV_ABSOLUTE,
+    CV_DATA,
     CV_FOUND,
     CV_ONE_STEP,
     CV_POINTER,
@@ -46,17 +47,24 @@ NORMAL, ONE_STEP = 1, 2
 STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27
 
 
+@into_caller
+def values_of(g: int, vector: int) -> int:
+    """Where the values of a serial vector are: behind its first pointer at CV_DATA, as the macro NV_DATA_S has it, or
+    where N_VGetArrayPointer says."""
+    if whole(g + CV_DATA) != 0:
+        return whole(whole(vector) + whole(g + CV_DATA))
+    return call_whole(whole(g + CV_POINTER), vector)
+
+
 def right_hand_side(time: float, states: int, derivatives: int, g: int) -> int:
     """CVRhsFn; below 0 where it does not go on, 1 where a smaller step may."""
-    status = evaluate_here(
-        g, time, call_whole(whole(g + CV_POINTER), states), call_whole(whole(g + CV_POINTER), derivatives)
-    )
+    status = evaluate_here(g, time, values_of(g, states), values_of(g, derivatives))
     return status if status < FAILED else -1
 
 
 def roots(time: float, states: int, values: int, g: int) -> int:
     """CVRootFn."""
-    status = place(g, time, call_whole(whole(g + CV_POINTER), states))
+    status = place(g, time, values_of(g, states))
     if status == OK:
         status = indicate(g, values)
     return 0 if status == OK else -1

@@ -16,7 +16,6 @@ from ..cells import (
     CV_BAND,
     CV_COLUMN,
     CV_LOWER,
-    CV_POINTER,
     CV_UPPER,
     DERIVATIVE_COUNT,
     DERIVATIVES,
@@ -40,13 +39,14 @@ from ..cells import (
 )
 from ..members import place
 from ..memory import call_whole, number, put, whole
+from .cvode import values_of
 from .seed_loops import prepare_loops, solve_loop
 from .seeds import change_inputs, change_output, derive
 
 
 def jacobian(time: float, states: int, now: int, matrix: int, g: int, a: int, b: int, c: int) -> int:
     """CVLsJacFn."""
-    status = place(g, time, call_whole(whole(g + CV_POINTER), states))
+    status = place(g, time, values_of(g, states))
     if status == OK:
         status = prepare_loops(g)
     if status == OK:

@@ -12,6 +12,7 @@ from ..cells import (
     CV_ABSOLUTE,
     CV_BAND,
     CV_COLUMN,
+    CV_DATA,
     CV_FOUND,
     CV_LOWER,
     CV_POINTER,
@@ -122,10 +123,17 @@ class Cvode:
             (CV_STOP_TIME, address("CVodeSetStopTime")), (CV_ROOTS, address("CVodeGetRootInfo")),
             (CV_TOLERANCES, address("CVodeSVtolerances")), (CV_POINTER, address("N_VGetArrayPointer")),
             (CV_REACHED, ctypes.addressof(self._reached)), (CV_FOUND, ctypes.addressof(self._found)),
+            (CV_DATA, self._behind(whole(g + X))),
             (CV_COLUMN, column), (CV_BAND, int(bands is not None)), (CV_LOWER, bands[0] if bands else 0),
             (CV_UPPER, bands[1] if bands else 0),
         ):  # fmt: skip
             put_whole(g + cell, value or 0)
+
+    def _behind(self, values: int) -> int:
+        """How far behind the first pointer of a vector that of its values is [bytes], by the size of its indices; 0
+        where it is elsewhere."""
+        content = whole(self._x.value or 0)
+        return next((place for place in (16, 8) if whole(content + place) == values), 0)
 
     def free(self) -> None:
         """Give all of it back, once."""
