@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED, DUE = range(9)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED = range(8)
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised [ticks from the start]; an instant behind which a component does not want to go
-# on, or an event happens between two instants; the start [ticks from time 0]; the instant at which an event happens
-# [ticks], the first of the moments (below) in the memory of the solver, and the instant from which on an event of the
-# system is due [ticks from time 0]. The loop reads them where it needs them: a
-# local of its own, alive over all operations, costs 10 % of a small step.
+# on, or an event happens between two instants; the start [ticks from time 0]; the instant from which on an event is due
+# [ticks from time 0], and the first of the moments (below) in the memory of the solver. The loop reads them where it
+# needs them: a local of its own, alive over all operations, costs 10 % of a small step.
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START = range(9)
-EVENT_AT, MOMENTS, DUE_AT, CONTROL_CELLS = range(9, 13)
+EVENT_AT, MOMENTS, CONTROL_CELLS = range(9, 12)
 NEVER = 1 << 62  # ticks
 
 # Cells of a fault in the vector of signals: what it does now, the factor and what is added, or in the same cell what

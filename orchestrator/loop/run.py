@@ -22,8 +22,6 @@ from .cells import (
     CROSSED,
     DO_STEP,
     DONE,
-    DUE,
-    DUE_AT,
     ENDED,
     ENDS_AT,
     EVENT_AT,
@@ -81,7 +79,6 @@ from .noise import gaussian
 from .operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
-    ACT,
     ADVANCE,
     AT_AN_INSTANT,
     CONTROL,
@@ -136,13 +133,13 @@ def run(
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
-    NOT_CONVERGED, UNFIT, PAUSED or DUE.
+    NOT_CONVERGED, UNFIT or PAUSED.
 
     operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (13): see cells.STOP_REQUEST...;
+    control (12): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
     loops that are solved at an instant, and the moments of events (cells.MOMENTS); states (n): FMU states; state_calls
@@ -377,11 +374,8 @@ def run(
                 side = 1.0 if (value > z[b + THRESHOLD] if q else value < z[b + THRESHOLD]) else -1.0
                 if z[b + SIDE] * side < 0.0 < side:
                     z[b + CROSSED] += 1.0
-                    control[DUE_AT] = -NEVER
+                    control[EVENT_AT] = -NEVER
                 z[b + SIDE] = side
-            elif code == ACT and base + tick >= control[DUE_AT]:
-                control[AT_OPERATION], control[AT_CYCLE] = m, cycle
-                return DUE
         if cycle_ticks == 0 and clock[NOW] >= min(clock[UNTIL], control[ENDS_AT]):
             return DONE
     return DONE

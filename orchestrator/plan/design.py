@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
+import numpy as np
+
 from ..clock import Clock
 from ..fmu.conversions import Conversion
 from ..system.inputs.series import Series
@@ -64,6 +66,11 @@ class Design:
     def set_at_events(self, c: Connection) -> bool:
         """Whether the input of a connection is set at events only, by its own clocks or in event mode."""
         return c.target[1] in self.system.components[c.target[0]].at_events
+
+    @cached_property
+    def recorded_slots(self) -> np.ndarray:
+        """The cells of all recorded signals, of the first table first."""
+        return np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in self.groups)])
 
     @cached_property
     def conversions(self) -> dict[Connection, Conversion]:

@@ -62,9 +62,8 @@ class Plan(Design):
         return {name: rest for name, rest in rests.items() if rest}
 
 
-def make_plan(system: System, brought: bool = False) -> Plan:
-    """Plan a system; `brought`: components can be brought to the instants of events within their steps, also where no
-    FMU has any of its own.
+def make_plan(system: System) -> Plan:
+    """Plan a system.
 
     Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
     system = with_one_period(with_processes(system))
@@ -88,7 +87,7 @@ def make_plan(system: System, brought: bool = False) -> Plan:
     order, reason = order_of(system, clock)
     check_leaders(choices, leaders, order)
     rereads = rereads_of(system, choices)
-    events = events_of(system, (*samplers, *leaders), choices, algorithm.takes_events, brought)
+    events = events_of(system, (*samplers, *leaders), choices, algorithm.takes_events)
     layout = make_layout(system, choices, rereads, events is not None)
     bonds = bond_energies(system, clock, layout)
     algorithm.extend(system, clock, order, choices, layout)

@@ -70,9 +70,14 @@ def summarize(run: Run) -> dict[str, Any]:
 
 def happened(run: Run) -> list[str]:
     """What happened in the run, one a line: the first MOST_TOLD, and how many more there are."""
-    told = [row for row in run.events if row.what not in ("", AT_START)]
-    lines = [f"t = {row.time:.9g} s: {row.what}" for row in told[:MOST_TOLD]]
-    more = len(told) - MOST_TOLD
+    lines, more = list[str](), 0
+    for row in run.events:
+        if row.what in ("", AT_START):
+            continue
+        if len(lines) < MOST_TOLD:
+            lines.append(f"t = {row.time:.9g} s: {row.what}")
+        else:
+            more += 1
     return [*lines, f"and {more} more, all in the group `events` of result.nc"] if more > 0 else lines
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple, Protocol
@@ -67,7 +68,7 @@ class Run:
     notes: list[str] = field(default_factory=list)  # of the session: what FMUs did beside their work
     messages: list[str] = field(default_factory=list)  # what FMUs logged
     ended: str = ""  # who asked to end the run before its stop, and when
-    events: list[EventRow] = field(default_factory=list)  # what happened, of a system with events
+    events: Sequence[EventRow] = ()  # what happened, of a system with events
 
     @property
     def simulated(self) -> float:

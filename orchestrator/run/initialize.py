@@ -19,7 +19,7 @@ from ..plan.schedule.layout import Key
 from ..results.tables import Started
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Connection
-from .events.faults import at_the_start, begin_events
+from .events.faults import begin_events, broken
 from .memory.memory import Memory
 from .read_back import read_back
 
@@ -163,7 +163,7 @@ class _Propagation:
         except ValueError as error:
             at = begin_text(self.plan.clock)
             raise FmuError(f"connection {c.label}: at {at} {error} {c.where}".rstrip()) from None
-        return at_the_start(self.plan, self.memory, c.target, received)
+        return broken(self.plan, self.memory, c.target, received, self.plan.clock.start)
 
     def _set(self, c: Connection, value: Value) -> None:
         self.memory.put(c.target, self.plan.layout.inputs[c.target], value)

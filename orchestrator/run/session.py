@@ -78,7 +78,7 @@ class Session:
                 self.participants.look_around("in the initialization")
                 self._calculated = self.participants.calculated()
                 self.space = make_state(plan, self.instances)
-                self.events = Events(plan, self.memory, self.control, self.space)
+                self.events = Events(plan, self.memory, self.control, self.space, file)
                 self._access = Access(plan, self.memory, self.instances)
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
                 self.events.begin(self.instances, self._blocks)
@@ -266,7 +266,7 @@ class Session:
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
-        further = [*(note for one in self._solved for note in one.notes()), *self.events.notes]
+        further = [note for one in self._solved for note in one.notes()]
         notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,

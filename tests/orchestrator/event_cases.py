@@ -63,6 +63,8 @@ KEEP = mock_fmu("keep", Keep, ["u"], ["y"])
 SUM = mock_fmu("sum", Sum, ["u", "w"], ["y"], feedthrough={"y": ["u", "w"]})
 FLOW = mock_fmu("flow", Flow, ["e"], ["y"])
 INTEGRAL = mock_fmu("integral", Integral, ["u"], ["y"], {"k": 1.0})
+FIXED = mock_fmu("fixed", Integral, ["u"], ["y"], {"k": 1.0})
+FIXED.interface.canHandleVariableCommunicationStepSize = False
 for _variable in INTEGRAL.description.modelVariables:
     if _variable.name == "k":
         _variable.variability = "tunable"

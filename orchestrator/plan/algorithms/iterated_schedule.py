@@ -43,7 +43,7 @@ class IteratedSchedule(Schedule):
         signals = layout.extras["coupling", "iterations"].slot  # all but what the iteration itself counts
         counted = signals if whole else layout.last_counted
         first = counted + 2
-        rows: list[Row] = [*super().events(0), *self._predict()]
+        rows: list[Row] = [*self.events(0), *self._predict()]
         rows += ((SAVE, 0, c, 0, 0, 0, 0, 0) for c in self.index.values())
         rows.append((SAVE, 0, -1, signals, 0, 0, 0, 0))
         again = len(rows)
@@ -62,10 +62,6 @@ class IteratedSchedule(Schedule):
         if not whole:
             yield from ((PUSH, end, -1, counted + k, signals + k, 0, 0, 0) for k in (0, 1))
         yield from final
-
-    def events(self, tick: int) -> Iterator[Row]:
-        """None within a macro step: it may be done again."""
-        yield from ()
 
     def _settings(self) -> int:
         """Tolerance, largest number of iterations, method, and the nominal value of every unknown."""

@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...clock import Clock, seconds_text
-from ...errors import InputError
 from ...loop.operations import STEP_ON
 from ...system.model import Component, Connection, System
 from ..exchange import exchanged
@@ -71,21 +70,13 @@ def ends_early(component: Component) -> bool:
 
 
 def events_of(
-    system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool, brought: bool = False
+    system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool
 ) -> Events | None:
-    """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them;
-    `brought`: components are to be brought to them, also where no FMU has any.
-
-    Raises InputError where the system has events and its algorithm cannot.
-    """
+    """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them; where
+    it does not, FMUs have none, and those that the system states act at macro steps."""
     sources = tuple(name for name, component in system.components.items() if ends_early(component))
-    if not sources and not brought:
+    if not sources and not (system.events and able):
         return None
-    if not able:
-        raise InputError(
-            f"events need algorithm jacobi or gauss-seidel: {system.algorithm} repeats steps or chooses their lengths "
-            f"({system.path.name})"
-        )
     means = {c.target[0]: c.target[1] for c, choice in choices.items() if choice.transfer == "mean"}
     late: dict[str, str] = {}
     for name, component in system.components.items():

@@ -1,7 +1,8 @@
 """Where the events of a system have their place in a plan: what they touch, and the instants at which they can act.
 
-An event acts at the first instant of the component it touches that is not before it: the component makes its next step
-from there. With macro steps that is the beginning of one; where their length varies they end at a time that is known.
+An event acts at its time on a component that can be brought there: a step of it ends there and another one begins. On
+others it acts at their first instant that is not before it, which with macro steps is the beginning of one; where their
+length varies they end at a time that is known.
 The numbers of events (times, values, thresholds, seeds) are no part of the operations: a run has them in its cells.
 """
 
@@ -19,6 +20,7 @@ from ...system.model import System
 
 if TYPE_CHECKING:
     from ..algorithms.base import Algorithm
+    from ..design import Design
 
 
 def check_scenario(system: System, algorithm: Algorithm) -> None:
@@ -53,11 +55,22 @@ def spacing(clock: Clock, algorithm: Algorithm, name: str) -> int:
     return clock.hyperperiod if algorithm.acts_at_macro_steps else clock.periods[name]
 
 
-def place(clock: Clock, algorithm: Algorithm, name: str, time: Fraction) -> int:
-    """The tick (from the start) at which something that happens at a time [s] acts on a component; 0: at the start."""
+def stopped(plan: Design, name: str) -> bool:
+    """Whether a component is brought to the instant of an event, wherever that is."""
+    return plan.events is not None and name in plan.events.stopped
+
+
+def acts_at(plan: Design, name: str, time: Fraction) -> Fraction:
+    """When something that happens at a time [s] acts on a component [s]: then, or at its next instant, at the start at
+    the earliest."""
+    clock = plan.clock
+    if stopped(plan, name):
+        return max(time, clock.seconds(clock.start))
     due = ceil(Fraction(time) / clock.seconds(1)) - clock.start
-    between = spacing(clock, algorithm, name)
-    return max(0, -(-due // between) * between)
+    between = spacing(clock, plan.algorithm, name)
+    instant = max(0, -(-due // between) * between)
+    last = clock.stop if instant >= clock.stop and not plan.algorithm.steps_vary else instant
+    return clock.seconds(clock.start + last)
 
 
 def from_start(system: System) -> list[Event]:

@@ -7,10 +7,10 @@ from fractions import Fraction
 from ...clock import seconds_text
 from ...fmu.binary import as_text
 from ...fmu.types import Value
-from ...system.event import Event, Fault, Key
+from ...system.event import Crossing, Event, Fault, Key
 from ...system.model import System
 from ..plan import Plan
-from .scenario import from_start, place, spacing
+from .scenario import acts_at, from_start, spacing, stopped
 
 
 def scenario_in_words(plan: Plan) -> list[str]:
@@ -24,9 +24,7 @@ def _lines(plan: Plan, event: Event) -> list[str]:
     lines = [f"  {event.name}: {_when(event)}: {what(plan.system, event)}{_how_long(event)}"]
     if event.at is None:
         assert event.when is not None
-        seen = seconds_text(plan.clock.seconds(spacing(plan.clock, plan.algorithm, event.when.signal[0])))
-        steps = "at the beginning of every macro step" if plan.adaptive else f"every {seen}"
-        lines.append(f"    looked at {steps}; acts {_instants(plan, event)}")
+        lines.append(f"    {_looked_at(plan, event.when)}; acts {_instants(plan, event)}")
         return lines
     if event in from_start(plan.system):
         return [*lines, "    there from the start, in the initialization too"]
@@ -37,14 +35,23 @@ def _lines(plan: Plan, event: Event) -> list[str]:
     return lines
 
 
+def _looked_at(plan: Plan, crossing: Crossing) -> str:
+    """Where a crossing is seen."""
+    if plan.adaptive:
+        return "looked at at the beginning of every macro step"
+    every = seconds_text(plan.clock.seconds(spacing(plan.clock, plan.algorithm, crossing.signal[0])))
+    return f"looked at every {every}{' and at every event' if plan.events else ''}"
+
+
 def _acts_on(plan: Plan, at: Fraction, name: str) -> str:
     """When an event acts on a component, and how late that is."""
-    tick = place(plan.clock, plan.algorithm, name, at)
-    if tick >= plan.clock.stop:
+    acts = acts_at(plan, name, at)
+    if acts >= plan.clock.seconds(plan.clock.start + plan.clock.stop):
         return f"does not act on {name} in this run, which has no step behind it"
-    acts = plan.clock.seconds(plan.clock.start + tick)
     late = f", {seconds_text(acts - at)} later: {_whose(plan, name)}" if acts > at else ""
-    return f"acts on {name} at {seconds_text(acts)}{late}"
+    ticks = (acts / plan.clock.seconds(1) - plan.clock.start) / plan.clock.periods[name]
+    within = ", where a step of it ends" if stopped(plan, name) and ticks.denominator != 1 else ""
+    return f"acts on {name} at {seconds_text(acts)}{late}{within}"
 
 
 def _whose(plan: Plan, name: str) -> str:
@@ -52,7 +59,7 @@ def _whose(plan: Plan, name: str) -> str:
         return "the next tick of the clock"
     if plan.algorithm.acts_at_macro_steps:
         return "its next macro step"
-    return "its next instant"
+    return f"its next instant, as {plan.events.late[name]}" if plan.events else "its next instant"
 
 
 def _instants(plan: Plan, event: Event) -> str:
@@ -61,6 +68,9 @@ def _instants(plan: Plan, event: Event) -> str:
         return "there, or where that is later exactly then: a step ends there"
     parts = []
     for name in event.components:
+        if stopped(plan, name):
+            parts.append(f"on {name} {'exactly then' if event.after else 'at once'}")
+            continue
         every = seconds_text(plan.clock.seconds(spacing(plan.clock, plan.algorithm, name)))
         kind = "macro step" if plan.algorithm.acts_at_macro_steps else "instant"
         parts.append(f"on {name} at its first {kind} (every {every}) that is not before it")

@@ -10,7 +10,6 @@ from ...fmu.fmu import Fmu
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
-    ACT,
     ADVANCE,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
@@ -84,7 +83,7 @@ class OperationText:
         code, _, component, *_ = row
         name = self.components[component] if component >= 0 and code != SOLVE else ""
         describe = self._exchange if code in (SET, STEP, STEP_ON, GET, SAVE, RESTORE) else self._signal
-        if code in (WATCH, FAULT, ACT):
+        if code in (WATCH, FAULT):
             return f"{NAMES[code]:<10}  {self._event(row)}"
         if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE, PAUSE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
@@ -112,8 +111,6 @@ class OperationText:
         """What is done for events."""
         code, _, _, a, b, *_ = row
         events, layout = self.plan.system.events, self.plan.layout
-        if code == ACT:
-            return "if an event is due: it happens, and the list goes on"
         if code == WATCH:
             number = next(number for number, cell in layout.watches.items() if cell == b)
             crossing = events[number].when
@@ -139,7 +136,7 @@ class OperationText:
             again = f"otherwise the last {counted(a, 'operation')} again"
             return f"{self.plan.layout.loops[row[2]]} within {c[k]:g}, {again}, at most {c[k + 1]:g} times"
         if code == PAUSE:
-            return "for what happens at this instant, if anything does"
+            return "for what happens at this instant, if anything does, then the list goes on"
         if code == HALVE:
             return "the macro step, to do it again as two"
         if code == ADVANCE:

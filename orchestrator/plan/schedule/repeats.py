@@ -12,7 +12,6 @@ from itertools import count
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
-    ACT,
     COPY,
     FAULT,
     FIT,
@@ -39,7 +38,7 @@ from ...loop.operations import (
 from .steps import Row
 
 FOLLOWED = {
-    ACCUMULATE, ACCUMULATE_ON, ACT, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH,
+    ACCUMULATE, ACCUMULATE_ON, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH,
     QUADRATIC, RECORD, SAMPLE, SERIES, SET, STEP, STEP_ON, WATCH, WORK, WORK_ON,
 }  # fmt: skip
 
@@ -84,10 +83,10 @@ def without_repeats(
             values[b] = known.setdefault(copy, next(fresh))
         elif code == FAULT:
             values[b] = known.setdefault((code, value(b), a, p, acts), next(fresh))
-        elif code == ACT:
+        elif code == PAUSE:
             acts += 1
             values.update((cell, next(fresh)) for cell in changed)
-        elif code not in (RECORD, WATCH, PAUSE):
+        elif code not in (RECORD, WATCH):
             values[b] = next(fresh)
             if code in (MEAN, LEDGER):
                 values[q] = next(fresh)

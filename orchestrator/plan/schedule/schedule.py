@@ -23,7 +23,6 @@ from ...errors import InputError
 from ...loop.operations import (
     COLUMNS,
     LEDGER,
-    PAUSE,
     RECORD,
 )
 from ...system.event import set_inputs
@@ -62,12 +61,10 @@ class Schedule(Steps):
 
     def rows(self) -> Iterator[Row]:
         """The operations in their order."""
-        yield from self.events(0)
         yield from self.begin(0)
         for tick in self.instants():
             yield from self.finish(tick)
             if tick < self.span:
-                yield from self.events(tick)
                 yield from self.begin(tick)
 
     def instants(self) -> list[int]:
@@ -82,10 +79,6 @@ class Schedule(Steps):
     def steps_of(self, name: str) -> int:
         """How many steps a component makes in the span."""
         return -(-self.span // self.clock.periods[name])
-
-    def at_instant(self, tick: int, period: int) -> bool:
-        """Whether something of this period has an instant now; all have one at the end of the span."""
-        return tick % period == 0 or tick == self.span
 
     def due(self, tick: int) -> list[str]:
         return [name for name in self.design.order if self.at_instant(tick, self.clock.periods[name])]
@@ -131,7 +124,7 @@ class Schedule(Steps):
                 yield self.sent(c, tick, self.layout.outputs[c.source])
         if self.design.events:
             looks = any(self.at_instant(tick, self.clock.periods[name]) for name in self.design.events.watched)
-            yield (PAUSE, tick, -1, int(looks), 0, 0, 0, 0)
+            yield from self.events(tick, looks)
             for name in self.due(tick):
                 yield from self.sampled(tick, name)
         yield from self.tables(tick)

@@ -8,7 +8,6 @@ from ...fmu.conversions import How
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
-    ACT,
     AS_IT_BEGINS,
     AT_AN_INSTANT,
     AT_ITS_END,
@@ -21,6 +20,7 @@ from ...loop.operations import (
     MIX,
     MOVE,
     NUMBER,
+    PAUSE,
     PUSH,
     QUADRATIC,
     SAMPLE,
@@ -192,18 +192,23 @@ class Steps:
             b, component = self.layout.inputs[c.target], self.index[c.target[0]]
             yield (FAULT, tick, component, first, b, self.counter(start), stream, 0)
 
-    def events(self, tick: int) -> Iterator[Row]:
-        """Look at the signals for which events wait, where they have an instant, and act if one is due."""
+    def events(self, tick: int, looks: bool = False) -> Iterator[Row]:
+        """Look at the signals for which events wait, where they have an instant, and pause if an event is due; `looks`:
+        in any case."""
         for number, key in self.watched.items():
-            if tick % self.clock.periods[key[0]] == 0:
+            if self.at_instant(tick, self.clock.periods[key[0]]):
                 kind = self.system.components[key[0]].fmu.type_of(key[1])
                 crossing = self.system.events[number].when
                 assert kind is not None and crossing is not None
                 whole, rising = int(not kind.real), int(crossing.rising)
                 a, b = self.layout.outputs[key], self.layout.watches[number]
                 yield (WATCH, tick, self.index[key[0]], a, b, whole, rising, 0)
-        if self.system.events:
-            yield (ACT, tick, -1, 0, 0, 0, 0, 0)
+        if self.system.events or self.design.events:
+            yield (PAUSE, tick, -1, int(looks), 0, 0, 0, 0)
+
+    def at_instant(self, tick: int, period: int) -> bool:
+        """Whether something of this period has an instant now; all have one at the end of the span."""
+        return tick % period == 0 or tick == self.span
 
     def held(self, key: Key, tick: int, a: int, b: int, gain: float, offset: float) -> Row:
         """Give slot b the value of slot a, which is of the type of `key`."""

@@ -6,8 +6,9 @@ A name that netCDF forbids, such as `tank.gain/y`, is stored as another one, and
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +17,7 @@ import numpy as np
 from ...clock import seconds_text
 from ...plan.plan import Plan
 from ..signals import Signals, typed
-from ..tables import Run
+from ..tables import EventRow, Run
 from .rows_file import RowsFile
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 OWN_NAME = "recorded_name"
 EVENTS = "events"  # the group of what happened
+PIECE = 10_000  # rows of events that are written at once
 
 
 @dataclass(frozen=True)
@@ -126,9 +128,10 @@ def write_netcdf(run: Run, path: Path) -> None:
         file.give_up()
 
 
-def event_columns(run: Run) -> Iterator[Column]:
-    """What is true in events, one row each: when, in which order, what happened, and all recorded signals."""
-    rows = run.events
+def event_columns(run: Run, rows: Sequence[EventRow] | None = None) -> Iterator[Column]:
+    """What is true in events, one row each: when, in which order, what happened, and all recorded signals; of some
+    `rows` of them."""
+    rows = list(run.events) if rows is None else rows
     yield Column("time", np.array([row.time for row in rows], dtype=float), TIME)
     order = {"long_name": "in the order of what happens at the instant"}
     yield Column("number", np.array([row.number for row in rows], dtype=np.int64), order)
@@ -144,14 +147,23 @@ def event_columns(run: Run) -> Iterator[Column]:
 
 
 def write_events(run: Run, file: RowsFile) -> None:
-    """The group `events`, of a system that has some."""
-    if run.plan.system.events or run.plan.events:
-        made = file.create(EVENTS, "events", not run.failure)
-        columns = list(event_columns(run))
+    """The group `events`, of a system that has some; so many rows at a time."""
+    if not (run.plan.system.events or run.plan.events):
+        return
+    waiting, first, count = iter(run.events), 0, len(run.events)
+    chunk = PIECE if count > PIECE else 0
+    made = file.create(EVENTS, "events", not run.failure, chunk)
+    while first == 0 or first < count:
+        rows = list(islice(waiting, PIECE))
+        columns = list(event_columns(run, rows))
         names = stored_names(column.name for column in columns)
         for column in columns:
             other = {OWN_NAME: column.name} if names[column.name] != column.name else {}
-            made.add(names[column.name], column.values, {**column.attributes, **other})
+            if first == 0:
+                made.add(names[column.name], column.values, {**column.attributes, **other})
+            else:
+                file.extend(EVENTS, names[column.name], first, column.values)
+        first += max(len(rows), 1)
 
 
 def write_tables(run: Run, file: RowsFile, largest_chunk: int = 0) -> None:

@@ -6,6 +6,7 @@
     checkpoint/0.state, 1.state   the states of the FMUs, by position, as they serialize them
     checkpoint/0.kept             the state that an iteration goes back to
     checkpoint/rows.nc            rows that were on disk already
+    checkpoint/events.rows        the rows of events
 
 The folder is written under a temporary name and renamed when complete; it replaces an earlier one. A process that is
 killed in between leaves the new one or the old one under a temporary name, where it is found; see `checkpoint_files`.
@@ -34,7 +35,7 @@ from ...participant.base import Participant
 from ...plan.plan import Plan
 from ..position import Position
 from ..session import Session
-from .files import ARRAYS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
+from .files import ARRAYS, EVENTS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
 
 
@@ -65,9 +66,8 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
     try:
         shutil.rmtree(temporary, ignore_errors=True)
         temporary.mkdir(parents=True)
-        scenario = session.events.scenario
-        happened = {"events": scenario.cells} if scenario else {}
-        np.savez(temporary / ARRAYS, **_arrays(session), **happened, **session.recorder.content())  # type: ignore[arg-type]
+        session.events.write(temporary / EVENTS)
+        np.savez(temporary / ARRAYS, **_arrays(session), **session.recorder.content())  # type: ignore[arg-type]
         for k, instance in enumerate(session.instances.values()):
             (temporary / f"{k}.state").write_bytes(_state(instance))
             if session.space.states[k]:
@@ -76,7 +76,7 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
             session.recorder.stream.copy(temporary / ROWS)
         head = {
             "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
-            "set_by_hand": session.set_by_hand, "events": scenario.content() if scenario else {},
+            "set_by_hand": session.set_by_hand, "events": session.events.content(),
         }  # fmt: skip
         seal(temporary, head)
         if target.exists():
@@ -153,8 +153,7 @@ class Checkpoint:
                     raise InputError(f"{self.folder} is of another version of rovbrush; start again")
                 target[...] = found
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
-        if session.events.scenario:
-            session.events.scenario.restore(self.events, self.arrays["events"])
+        session.events.restore(self.events, self.folder / EVENTS)
         session.recorder.restore(self.arrays, self.folder / ROWS)
         for k, instance in enumerate(session.instances.values()):
             state = instance.deserialize((self.folder / f"{k}.state").read_bytes())
@@ -196,7 +195,7 @@ def read_checkpoint(folder: Path) -> Checkpoint:
             arrays = dict(file)
         return Checkpoint(
             place, head["request"], _position(head["at"]), head["unchanged"], tuple(head["files"]), arrays,
-            dict(head["set_by_hand"]), dict(head.get("events", {})),
+            dict(head["set_by_hand"]), dict(head["events"]),
         )  # fmt: skip
     except (
         CheckpointDamagedError, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError,

@@ -12,8 +12,9 @@ from typing import Any
 
 from ...files import is_alive
 
-FORMAT = 2
+FORMAT = 3
 NAME, HEAD, SEAL, ARRAYS, ROWS = "checkpoint", "checkpoint.json", "checkpoint.sha256", "arrays.npz", "rows.nc"
+EVENTS = "events.rows"
 LEFT = re.compile(rf"\.{NAME}\.(?P<pid>\d+)\.(?:tmp|old)")
 
 

@@ -31,7 +31,7 @@ class StopRequests:
     def __init__(self, signals: Sequence[signal.Signals] = (signal.SIGINT,)) -> None:
         self.signals = signals
         self.control = np.zeros(cells.CONTROL_CELLS, dtype=np.int64)
-        self.control[[cells.ENDS_AT, cells.DUE_AT]] = cells.NEVER
+        self.control[[cells.ENDS_AT, cells.EVENT_AT]] = cells.NEVER
         self.came: int = signal.SIGINT
         self._listening = False
 

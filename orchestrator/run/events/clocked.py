@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
 from typing import Any
 
 from ...errors import RunError
@@ -18,6 +19,7 @@ from ...plan.plan import Plan
 from ...plan.schedule.layout import Key
 from ...system.model import Connection
 from ..memory.memory import Memory
+from .faults import broken
 
 MOST_PASSES = 1000  # of values in one round of an instant
 
@@ -42,6 +44,7 @@ class Member:
         self.drivers = {v: plan.system.drivers.get((self.name, v)) for v in self.inputs}
         clocks = dict.fromkeys(fmu.own.clocks.values())
         self.output_clocks = [c.name for c in clocks if c.causality == "output"] if not self.scheduled else []
+        self.now = plan.clock.seconds(plan.clock.start)  # s, the instant of the event that goes on
         self.by_hand: dict[str, Value] = {}  # inputs without cells that are still to be set
         self.sent: dict[str, Value] = {v: memory.value((self.name, v), self.given[v]) for v in self.inputs}
 
@@ -60,9 +63,12 @@ class Member:
     def _received(self, c: Connection) -> Value:
         value = self.memory.value(c.source, self.plan.layout.outputs[c.source])
         try:
-            return self.plan.conversions[c].convert(value, c.gain, c.offset)
+            received = self.plan.conversions[c].convert(value, c.gain, c.offset)
         except ValueError as error:
             raise RunError(f"connection {c.label}: {error} {c.where}".rstrip()) from None
+        if not self.plan.layout.faults:
+            return received
+        return broken(self.plan, self.memory, c.target, received, math.floor(self.now / self.plan.clock.seconds(1)))
 
     def set_inputs(self) -> bool:
         """Give it those that are new and may be set now; whether there were any."""
@@ -113,6 +119,11 @@ class Clocked:
             self.followers.setdefault(c.source, []).append(c.target)
         self._ticked: set[Key] = set()
         self._late: dict[Key, Key] = {}  # clocks that are to tick as soon as their component is there, and with which
+
+    def begin(self, now: Fraction) -> None:
+        """It is another instant [s]."""
+        for member in self.members.values():
+            member.now = now
 
     def happened(self, known: Known) -> bool:
         """Whether a discrete input of one of `known` has changed, or a clock of it is to tick, which are events."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,43 +13,54 @@ from ...fmu.types import Value
 from ...loop import cells
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ...results.tables import EventRow
 from ..blocks import Blocks
 from ..memory.algorithm_state import AlgorithmState
 from ..memory.memory import Memory
 from ..position import Position
+from ..recording.happened import Happened, Rows
 from .handler import EventHandler
+from .macro import MacroSteps
 
 if TYPE_CHECKING:
     from .scenario import Scenario
 
-CODES = (cells.DUE, cells.PAUSED, cells.ENDED, cells.BAD_STATUS)  # with which the loop may come back for an event
+CODES = (cells.PAUSED, cells.ENDED, cells.BAD_STATUS)  # with which the loop may come back for an event
 
 
 class Events:
-    """`scenario`: the events of the system, `handler`: those of FMUs; None where there are none."""
+    """`scenario`: the events of the system; who handles events: `handler`, or `macro` where steps are repeated or vary;
+    None where there are none. `file`: where rows are written while the run goes, if they become many."""
 
-    def __init__(self, plan: Plan, memory: Memory, control: np.ndarray, space: AlgorithmState) -> None:
+    def __init__(
+        self, plan: Plan, memory: Memory, control: np.ndarray, space: AlgorithmState, file: Path | None = None
+    ) -> None:
         self.plan, self.memory, self.control, self.space = plan, memory, control, space
+        self.happened = Happened(len(plan.recorded_slots), None if file is None else file.parent)
         self.scenario = self._scenario()
         self.handler: EventHandler | None = None
+        self.macro: MacroSteps | None = None
 
     def _scenario(self) -> Scenario | None:
         if not self.plan.system.events:
             return None
         from .scenario import Scenario
 
-        return Scenario(self.plan, self.memory, self.control, self.space.clock)
+        return Scenario(self.plan, self.memory)
 
     def begin(self, instances: Mapping[str, Participant], blocks: Blocks) -> None:
-        """Behind initialization: the first events of FMUs. Raises RunError, AskedToEndError."""
+        """Behind initialization: what happens at the start. Raises RunError, AskedToEndError."""
         moments, control = self.space.moments, self.control
         if moments is not None:
             control[cells.MOMENTS] = len(self.space.solver) - len(moments.cells)
+            others = [self.scenario] if self.scenario else []
             self.handler = EventHandler(
-                self.plan, instances, self.memory, moments, control, blocks.components, blocks.run_rows
-            )
+                self.plan, instances, self.memory, moments, control, blocks.components, blocks.run_rows, self.happened,
+                others,
+            )  # fmt: skip
             self.handler.begin()
+        elif self.scenario:
+            self.macro = MacroSteps(self.plan, self.memory, control, self.space.clock, self.scenario, self.happened)
+            self.macro.begin()
 
     @property
     def ends_at(self) -> int:
@@ -72,37 +84,45 @@ class Events:
         Raises RunError for what goes wrong, AskedToEndError; `at` is where the event is then.
         """
         cycle, operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
-        if code == cells.DUE and self.scenario:
-            begin = int(self.space.clock[cells.NOW]) + cycle * self.plan.cycle_ticks
-            self.scenario.act(begin + int(self.plan.operations(cycle)[operation, 1]))
-            at.cycle, at.operation = cycle, operation + 1
-            return True
-        if code not in CODES or self.handler is None:
+        if code not in CODES or not (self.handler or self.macro):
             return False
         try:
-            following = self.handler.paused(code)
+            following = self.handler.paused(code) if self.handler else self._at_macro_step(code, cycle, operation)
         except RovbrushError:
             at.cycle, at.operation = cycle, operation
-            at.time = float(self.handler.rows[-1].time) if self.handler.rows else at.time
+            at.time = self.happened.last.time if self.happened.last else at.time
             raise
         if following is not None:
             whole = following == len(self.plan.operations(cycle))
             at.cycle, at.operation = (cycle + 1, 0) if whole else (cycle, following)
         return following is not None
 
-    @property
-    def notes(self) -> list[str]:
-        """What a person must know of them."""
-        return self.scenario.notes if self.scenario else []
+    def _at_macro_step(self, code: int, cycle: int, operation: int) -> int | None:
+        if code != cells.PAUSED or self.macro is None:
+            return None
+        begin = int(self.space.clock[cells.NOW]) + cycle * self.plan.cycle_ticks
+        self.macro.act(begin + int(self.plan.operations(cycle)[operation, 1]))
+        return operation + 1
 
     @property
-    def rows(self) -> list[EventRow]:
-        """The rows of all events, those of the system behind those of FMUs at one instant."""
-        rows = [*(self.handler.rows if self.handler else []), *(self.scenario.rows if self.scenario else [])]
-        if not (self.handler and self.scenario):
-            return rows
-        found: list[EventRow] = []
-        for row in sorted(rows, key=lambda row: row.time):
-            again = found and found[-1].time == row.time
-            found.append(row._replace(number=found[-1].number + 1) if again else row)
-        return found
+    def rows(self) -> Rows:
+        """The rows of all events until now."""
+        return self.happened.rows()
+
+    def write(self, path: Path) -> None:
+        """Their rows into a file of a checkpoint. Raises OSError."""
+        self.happened.write(path)
+
+    def content(self) -> dict[str, Any]:
+        """What a checkpoint keeps beside it, ready for JSON."""
+        return {"rows": self.happened.count, **({"scenario": self.scenario.content()} if self.scenario else {})}
+
+    def restore(self, content: Mapping[str, Any], path: Path) -> None:
+        """Go on where another run was. Raises ValueError, TypeError, LookupError, OSError where that cannot be."""
+        self.happened.read(path, int(content["rows"]))
+        if self.scenario:
+            self.scenario.restore(content["scenario"])
+        if self.handler:
+            self.handler.plan_next()
+        elif self.macro:
+            self.macro.aim()

@@ -74,8 +74,9 @@ def end_fault(plan: Plan, memory: Memory, number: int, component: str) -> None:
             memory.z[plan.layout.faults[number, key] + MODE] = ABSENT
 
 
-def at_the_start(plan: Plan, memory: Memory, key: Key, value: Value) -> Value:
-    """What the faults of an input make of its value in the initialization."""
+def broken(plan: Plan, memory: Memory, key: Key, value: Value, tick: int) -> Value:
+    """What the faults of an input make of its value at an instant [ticks from time 0]: in the initialization, and where
+    an input is set at events only."""
     z = memory.z
     for number, event in enumerate(plan.system.events):
         first = plan.layout.faults.get((number, key))
@@ -86,7 +87,7 @@ def at_the_start(plan: Plan, memory: Memory, key: Key, value: Value) -> Value:
             continue
         changed = z[first + GAIN] * np.float64(value) + z[first + OFFSET_OR_VALUE]
         if z[first + SIGMA] != 0.0:
-            drawn = gaussian(int(memory.whole[first + SEED]), stream_of(event.fault), plan.clock.start)
+            drawn = gaussian(int(memory.whole[first + SEED]), stream_of(event.fault), tick)
             changed += z[first + SIGMA] * drawn
         value = float(changed)
     return value

@@ -5,6 +5,7 @@ A clocked input takes at each tick the last row at or before it.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -48,7 +49,7 @@ class FollowedTables:
         later = one.series.times[np.searchsorted(one.series.times, self._done, side="right") :]
         return float(later[0]) if len(later) else None
 
-    def happen(self, now: Fraction) -> str:
+    def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
         time, words = float(now), []
         for one in self.inputs:
             due = self._next(one)

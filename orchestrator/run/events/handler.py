@@ -7,7 +7,7 @@ At its instant everybody who can be there is; values and discrete states go roun
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import Protocol
@@ -21,9 +21,10 @@ from ...loop.operations import STEP_ON
 from ...participant.base import Participant
 from ...plan.happening.events import Known
 from ...plan.plan import Plan
-from ...results.tables import AT_START, EventRow
+from ...results.tables import AT_START
 from ..memory.memory import Memory
 from ..memory.moments import Moments
+from ..recording.happened import Happened
 from .clocked import Clocked
 from .followed import FollowedTables
 from .instant import Instant, Place, RunRows, exactly
@@ -53,13 +54,13 @@ class EventMode(Protocol):
 
 
 class Happenings(Protocol):
-    """Events that the system states."""
+    """What happens beside the events of participants: those that the system states, tables, what is set by hand."""
 
     def next_instant(self) -> Fraction | None:
         """When the next one is due [s]; None if none is."""
 
-    def happen(self, now: Fraction) -> str:
-        """Do what is due at an instant [s]; in words, empty if nothing is."""
+    def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
+        """Do what is due at an instant [s]; in words, empty if nothing is. `passed`: components that are behind it."""
 
 
 class ByHand:
@@ -71,7 +72,7 @@ class ByHand:
     def next_instant(self) -> Fraction | None:
         return None
 
-    def happen(self, now: Fraction) -> str:
+    def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
         said, self.words = "; ".join(self.words), []
         return said
 
@@ -81,7 +82,8 @@ class EventHandler:
 
     def __init__(
         self, plan: Plan, instances: Mapping[str, Participant], memory: Memory, moments: Moments,
-        control: np.ndarray, components: np.ndarray, run: RunRows, others: Sequence[Happenings] = (),
+        control: np.ndarray, components: np.ndarray, run: RunRows, happened: Happened,
+        others: Sequence[Happenings] = (),
     ) -> None:  # fmt: skip
         self.plan, self.instances, self.memory, self.moments, self.control = plan, instances, memory, moments, control
         self.instant = Instant(plan, instances, memory, moments, control, components, run)
@@ -89,8 +91,7 @@ class EventHandler:
         self.by_hand = ByHand()
         self.others = [*others, FollowedTables(plan, memory), self.by_hand]
         self.clocked = Clocked(plan, instances, memory)
-        self.rows: list[EventRow] = []
-        self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
+        self.happened, self.slots = happened, plan.recorded_slots
         self.ends_at = cells.NEVER  # ticks from time 0; behind it a component does not want to go on
         self._same = 0  # events at one instant, one behind the other
 
@@ -107,14 +108,19 @@ class EventHandler:
     def plan_next(self) -> None:
         """Tell the loop where to pause next."""
         self.control[cells.EVENT_AT], self.control[cells.ENDS_AT] = cells.NEVER, self.ends_at
-        known = [when for one in (*self.modes.values(), *self.others) if (when := one.next_instant()) is not None]
-        if not known:
+        due = self._next()
+        if due is None:
             return
-        clock, ticks = self.plan.clock, exactly(self.plan, min(known))
+        clock, ticks = self.plan.clock, exactly(self.plan, due)
         if ticks.denominator == 1 and (any(ticks % p == 0 for p in clock.periods.values()) or ticks == clock.stop):
             self.control[cells.EVENT_AT] = clock.start + int(ticks)
         else:
             self.control[cells.ENDS_AT] = min(self.ends_at, clock.start + math.ceil(ticks) - 1)
+
+    def _next(self) -> Fraction | None:
+        """When the next thing is due [s]."""
+        known = [*(mode.next_instant() for mode in self.modes.values()), *(o.next_instant() for o in self.others)]
+        return min((instant for instant in known if instant is not None), default=None)
 
     def set_by_hand(self, component: str, values: Mapping[str, Value], cycle: int) -> None:
         """Set inputs that are set at events only: at an event now, before a cycle, or when their clocks tick.
@@ -149,8 +155,9 @@ class EventHandler:
             self._go_round(place, self.plan.clock.seconds(tick), "")
             operation += 1
         elif code == cells.ENDED and self.plan.clock.start + place.base + int(row[1]) <= self.ends_at:
-            known = [when for one in (*self.modes.values(), *self.others) if (when := one.next_instant()) is not None]
-            self._go_round(place, min(known), "")
+            due = self._next()
+            assert due is not None
+            self._go_round(place, due, "")
         elif code == cells.BAD_STATUS and row[0] == STEP_ON:
             k = int(row[2])
             stopped = self.instant.stopped_early(k, place.time_of(int(row[3] + row[4])))
@@ -188,15 +195,16 @@ class EventHandler:
     def _rounds(self, place: Place, known: Known, now: Fraction, cause: str, alone: bool = False) -> None:
         """Values and discrete states until nothing changes; `alone`: a component that others cannot meet there."""
         time = float(now)
+        self.clocked.begin(now)
         modes = [self.modes[name] for name in self.plan.order if name in known and name in self.modes]
         pass_on = _nothing if alone else partial(self.instant.values, place, known, time)
         if cause:  # a step ended here: what is true behind it
             pass_on()
-        first = number = self.rows[-1].number + 1 if self.rows and self.rows[-1].time == time else 0
-        self._row(time, first, cause)
+        self._row(time, cause)
         for mode in modes:
             mode.enter_event_mode()
-        done = [] if alone else [words for other in self.others if (words := other.happen(now))]
+        passed = [name for name in self.instant.names if self.instant.at(name, place) > time]
+        done = [] if alone else [words for other in self.others if (words := other.happen(now, passed))]
         for _ in range(MOST_ROUNDS):
             done += [words for mode in modes if (words := mode.happen(now))]
             changed = pass_on()
@@ -205,8 +213,7 @@ class EventHandler:
             new = pass_on()  # what the update has made so
             done += ticks
             if changed or exchanged or again or new or done:
-                number += 1
-                self._row(time, number, "; ".join(done))
+                self._row(time, "; ".join(done))
             if not again and not new and not self.clocked.happened(known):
                 break
             done = []
@@ -223,15 +230,15 @@ class EventHandler:
 
     def _require_progress(self, time: float, cause: str) -> None:
         """Raise RunError where one step after the other ends at the same instant."""
-        self._same = self._same + 1 if self.rows and self.rows[-1].time == time else 0
+        self._same = self._same + 1 if self.happened.last is not None and self.happened.last.time == time else 0
         if self._same > MOST_ROUNDS:
             raise RunError(
                 f"time stands still at t = {time:.9g} s: {MOST_ROUNDS} steps have ended there, one behind the other "
                 f"({cause}); an event may switch itself on and off (chattering), which a hysteresis would end"
             )
 
-    def _row(self, time: float, number: int, what: str) -> None:
-        self.rows.append(EventRow(time, number, what, self.memory.z[self.slots]))
+    def _row(self, time: float, what: str) -> None:
+        self.happened.add(time, what, self.memory.z[self.slots])
 
 
 def _nothing() -> bool:

@@ -279,7 +279,9 @@ def test_events_that_have_happened_and_are_to_come_go_on_bitwise(algorithm: str,
     plan = make_plan(load_system(str(tmp_path / "case.toml"), fmus))
     whole, again = simulate(plan), cut(plan, tmp_path, 5, 6, 4, 8, 20)
     require_same(again, whole, tmp_path)
-    assert len({row.what.partition(":")[0] for row in whole.events}) == 3  # all have happened
+    assert {f"event {k}" for k in (1, 2, 3)} <= {
+        row.what.partition(":")[0] for row in whole.events
+    }  # all have happened
 
 
 def test_a_checkpoint_of_other_events_is_refused(tmp_path: Path, fmus: Path) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -10,13 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import Part, column, edited, read_system
-from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.loop.operations import PAUSE, STEP_ON
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.session import Session
 
 TIMES = [Fraction(t, 10_000) for t in (7, 40, 41, 120, 133, 250, 299, 300, 417)]  # s
+LATER = [{"at": "1 s", "fault": "bias", "on": "i.u", "value": 0.0}]  # behind the stop: a system with events
 FIXED = {
     'canHandleVariableCommunicationStepSize="true"': 'canHandleVariableCommunicationStepSize="false"',
     ' stepSize="0.001"': "",
@@ -32,7 +33,7 @@ class Bells:
     def next_instant(self) -> Fraction | None:
         return self.waiting[0] if self.waiting else None
 
-    def happen(self, now: Fraction) -> str:
+    def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
         if not self.waiting or float(self.waiting[0]) > float(now):
             return ""
         self.rung.append(now)
@@ -41,15 +42,14 @@ class Bells:
 
 def eventful(tmp_path: Path, fmus: Path, rates: tuple[str, str], **keys: object) -> Plan:
     parts: dict[str, Part] = {"w": ("wave", rates[0], {"c1": 2.0}), "i": ("integrator", rates[1])}
-    system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms", **keys)
-    return make_plan(system, brought=True)
+    return make_plan(read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms", events=LATER, **keys))
 
 
 def rung(plan: Plan, times: Sequence[Fraction], interpreted: bool = False) -> tuple[Run, Bells]:
     bells = Bells(times)
     with Session(plan, interpreted) as session:
         assert session.events.handler is not None
-        session.events.handler.others = [bells]
+        session.events.handler.others.append(bells)
         session.events.handler.plan_next()
         session.advance()
         return session.run(), bells
@@ -82,11 +82,11 @@ def test_an_instant_of_an_event_is_one_at_which_held_values_are_sent(tmp_path: P
 def test_who_cannot_vary_its_step_sees_an_event_at_its_next_instant(tmp_path: Path, fmus: Path) -> None:
     edited(fmus / "integrator.fmu", tmp_path / "fixed.fmu", {}, FIXED)
     parts: dict[str, Part] = {"w": ("wave", "2 ms", {"c1": 2.0}), "i": (str(tmp_path / "fixed.fmu"), "2 ms")}
-    system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms", algorithm="jacobi")
-    plan = make_plan(system, brought=True)
+    keys = {"stop": "60 ms", "algorithm": "jacobi"}
+    plan = make_plan(read_system(tmp_path, fmus, parts, ["w.y -> i.u"], events=LATER, **keys))
     assert plan.events is not None and plan.events.stopped == ("w",)
     assert "i sees events up to 2 ms late, at its own instants: its step cannot vary" in explain(plan)
-    with Session(make_plan(system)) as session:
+    with Session(make_plan(read_system(tmp_path, fmus, parts, ["w.y -> i.u"], **keys))) as session:
         session.advance()
         without = session.run()
     assert column(rung(plan, TIMES)[0], "i.x")[1].tolist() == column(without, "i.x")[1].tolist()
@@ -105,13 +105,7 @@ def test_the_loop_and_its_interpreter_handle_events_bit_by_bit_alike(
 
 def test_a_system_without_events_has_the_plan_that_it_had(tmp_path: Path, fmus: Path) -> None:
     parts: dict[str, Part] = {"w": ("wave", "2 ms"), "i": ("integrator", "6 ms")}
-    system = read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms")
-    plain, eventful = make_plan(system), make_plan(system, brought=True)
+    plain = make_plan(read_system(tmp_path, fmus, parts, ["w.y -> i.u"], stop="60 ms"))
     assert plain.events is None and not plain.at_events.bring
-    assert len(eventful.cycle) > len(plain.cycle)
-
-
-@pytest.mark.parametrize("algorithm", ["iterated", "adaptive"])
-def test_an_algorithm_that_repeats_steps_refuses_events(algorithm: str, tmp_path: Path, fmus: Path) -> None:
-    with pytest.raises(InputError, match="events need algorithm jacobi or gauss-seidel"):
-        eventful(tmp_path, fmus, ("2 ms", "2 ms"), algorithm=algorithm)
+    assert {PAUSE, STEP_ON}.isdisjoint(plain.cycle[:, 0].tolist())
+    assert len(eventful(tmp_path, fmus, ("2 ms", "6 ms")).cycle) > len(plain.cycle)

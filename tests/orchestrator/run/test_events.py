@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from event_cases import (
+    FIXED,
     INTEGRAL,
     KEEP,
     RAMP,
@@ -21,7 +22,7 @@ from helpers import column
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.opened import open_result
 from rovbrush.orchestrator.results.result import Result
-from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.results.tables import AT_START, EventRow, Run
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
@@ -40,8 +41,13 @@ def both(plan: Plan) -> Run:
 
 
 def happened(run: Run) -> list[tuple[float, int, str]]:
-    """Time, number and event of all that happened."""
-    return [(row.time, row.number, row.what.partition(":")[0]) for row in run.events]
+    """Time, number and (first) event of all that happened."""
+    return [(row.time, row.number, row.what.partition(":")[0]) for row in told(run)]
+
+
+def told(run: Run) -> list[EventRow]:
+    """The rows that say what happened: those before it, and the first of a run, do not."""
+    return [row for row in run.events if row.what not in ("", AT_START)]
 
 
 @pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi", "iterated"])
@@ -52,7 +58,8 @@ def test_a_value_that_is_set_counts_from_its_instant_on(algorithm: str) -> None:
     t, y = column(run, "i.y")
     exact = 2.0 * np.clip(t - 0.004, 0.0, 0.003) + 5.0 * np.clip(t - 0.007, 0.0, None)
     assert y.tolist() == pytest.approx(exact.tolist(), abs=1e-15)
-    assert column(run, "i.u")[1].tolist() == [0.0] * 5 + [2.0] * 3 + [5.0] * 3  # what was held over the step to the row
+    later = algorithm == "iterated"  # whose rows of an instant are written before its events; others' behind them
+    assert column(run, "i.u")[1].tolist() == [0.0] * (4 + later) + [2.0] * 3 + [5.0] * (4 - later)
     assert happened(run) == [(0.004, 1, "event 1"), (0.007, 1, "more")]
 
 
@@ -62,20 +69,34 @@ def test_tunable_parameters_are_set_too() -> None:
     assert column(run, "i.y")[1][-1] == pytest.approx(0.005 - 3.0 * 0.005, abs=1e-15)
 
 
-def test_what_happens_before_the_next_instant_of_a_slow_component_acts_there_and_not_earlier() -> None:
+@pytest.mark.parametrize("algorithm", ALL_AT_ONCE)
+def test_a_value_that_is_set_off_the_grid_counts_from_exactly_then_where_steps_can_vary(algorithm: str) -> None:
+    """y' = k u: the step of 5 ms from 0 ends at 3.21 ms, and another one from there to 5 ms begins."""
+    events = [{"at": "3.21 ms", "set": {"i.u": 2.0}}, {"at": "1/70 s", "set": {"i.u": -1.0, "i.k": 3.0}}]
+    run = both(planned({"i": (INTEGRAL, "0.005")}, [], events, "0.02", algorithm=algorithm))
+    t, y = column(run, "i.y")
+    exact = 2.0 * np.clip(t - 0.00321, 0.0, 1 / 70 - 0.00321) - 3.0 * np.clip(t - 1 / 70, 0.0, None)
+    assert y.tolist() == pytest.approx(exact.tolist(), abs=1e-16)
+    assert [(row.time, row.number) for row in run.events] == [
+        (0.0, 0), (0.00321, 0), (0.00321, 1), (1 / 70, 0), (1 / 70, 1)
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("algorithm", ALL_AT_ONCE)
+def test_what_happens_before_the_next_instant_of_a_fixed_step_acts_there_and_not_earlier(algorithm: str) -> None:
     """The step of 5 ms from 0 is done when it ends, at 5 ms; what happens at 3 ms must not act from 0 on."""
-    parts = {"i": (INTEGRAL, "0.005"), "fast": (RAMP, "0.001")}
-    run = both(planned(parts, [], [{"at": "3 ms", "set": {"i.u": 1.0}}], "0.02"))
+    parts = {"i": (FIXED, "0.005"), "fast": (RAMP, "0.001")}
+    run = both(planned(parts, [], [{"at": "3 ms", "set": {"i.u": 1.0}}], "0.02", algorithm=algorithm))
     assert column(run, "i.y")[1].tolist() == pytest.approx([0.0, 0.0, 0.005, 0.010, 0.015])
     assert happened(run) == [(0.005, 1, "event 1")]
 
 
 def test_one_event_acts_on_each_component_at_the_instant_of_that() -> None:
-    parts = {"slow": (INTEGRAL, "0.005"), "fast": (INTEGRAL, "0.002")}
+    parts = {"slow": (FIXED, "0.005"), "fast": (INTEGRAL, "0.002")}
     run = both(planned(parts, [], [{"at": "3 ms", "set": {"slow.u": 1.0, "fast.u": 1.0}}], "0.02"))
-    assert column(run, "fast.y")[1][-1] == pytest.approx(0.016) and column(run, "slow.y")[1][-1] == pytest.approx(0.015)
-    assert [(row.time, row.what) for row in run.events] == [
-        (0.004, "event 1: fast.u = 1"), (0.005, "event 1: slow.u = 1")
+    assert column(run, "fast.y")[1][-1] == pytest.approx(0.017) and column(run, "slow.y")[1][-1] == pytest.approx(0.015)
+    assert [(row.time, row.what) for row in told(run)] == [
+        (0.003, "event 1: fast.u = 1"), (0.005, "event 1: slow.u = 1")
     ]  # fmt: skip
 
 
@@ -94,14 +115,14 @@ def test_what_is_there_from_the_start_is_in_the_initialization() -> None:
     run = both(plan)
     t, y = column(run, "s.y")
     assert y.tolist() == pytest.approx((2.0 * (t + 0.5) + 3.0).tolist(), abs=1e-15)
-    assert [row.time for row in run.events] == [0.0, 0.0] and all("from the start" in row.what for row in run.events)
+    assert [row.time for row in told(run)] == [0.0] and told(run)[0].what.count("from the start") == 2
     with Session(plan) as session:
         assert session.get("s.y") == 4.0
 
 
 def test_a_fault_that_is_over_before_the_start_does_nothing() -> None:
     plan = ramp_into_keep({"at": "-2 s", "fault": "loss", "on": "b.u", "for": "1 s"})
-    assert both(plan).events == []
+    assert told(both(plan)) == []
     assert np.array_equal(simulate(plan).tables[0], simulate(without_events(plan)).tables[0])
 
 
@@ -124,7 +145,8 @@ def test_a_fault_is_what_it_says_while_it_lasts_and_nothing_else(kind: str, on: 
     t, u = column(run, "b.u")
     sent = t if algorithm == "gauss-seidel" else np.maximum(t - 0.001, 0.0)
     held = 0.003 if algorithm == "gauss-seidel" else 0.002  # what the step to 3 ms had
-    inside = (t > 0.0035) & (t < 0.0075)
+    sent = np.where((t == 0.003) | (t == 0.007), t, sent)  # their rows are those behind what happens there
+    inside = (t > 0.0025) & (t < 0.0065)
     wanted = np.where(inside, np.full_like(t, held) if kind == "hold" else broken(sent), sent)
     assert u.tolist() == pytest.approx(wanted.tolist(), abs=1e-15)
     assert column(run, "a.y")[1].tolist() == pytest.approx(t.tolist(), abs=1e-15)  # what a gives is not touched
@@ -155,7 +177,7 @@ def test_an_output_that_answers_at_once_answers_to_the_broken_input(algorithm: s
     fault = {"at": "3 ms", "fault": "scale", "on": "s.u", "value": -1.0}
     run = both(planned(parts, ["r.y -> s.u"], [fault], "0.01", algorithm=algorithm))
     t, y = column(run, "s.y")
-    assert y.tolist() == pytest.approx((np.where(t > 0.0035, -2.0, 2.0) * t).tolist(), abs=1e-15)
+    assert y.tolist() == pytest.approx((np.where(t > 0.0025, -2.0, 2.0) * t).tolist(), abs=1e-15)
 
 
 def test_a_loop_is_solved_with_the_fault_in_it() -> None:
@@ -197,7 +219,7 @@ def test_noise_is_that_of_its_seed_whatever_the_order(algorithm: str) -> None:
 
 CROSSINGS = [
     ({"when": "r.y > 0.0035"}, [0.004]),
-    ({"when": "r.y > 0.0035", "after": "2.5 ms"}, [0.007]),
+    ({"when": "r.y > 0.0035", "after": "2.5 ms"}, [0.0065]),
     ({"when": "saw.y > 0.5"}, [0.003]),
     ({"when": "saw.y > 0.5", "repeat": True}, [0.003, 0.007, 0.011]),
     ({"when": "saw.y < 0.5", "repeat": True}, [0.005, 0.009]),
@@ -224,7 +246,7 @@ def test_a_crossing_acts_when_it_is_seen_once_or_every_time(
     saw = mock_fmu("saw", Saw, [], ["y"])
     parts = {"r": (RAMP, "0.001"), "saw": (saw, "0.001"), "i": (INTEGRAL, "0.001")}
     run = both(planned(parts, [], [{**when, "set": {"i.u": 1.0}}], "0.0125", algorithm=algorithm))
-    assert [row.time for row in run.events if row.what == "event 1: i.u = 1"] == times
+    assert [row.time for row in told(run) if "event 1: i.u = 1" in row.what] == times
     first = times[0] if times else 0.0125
     assert column(run, "i.y")[1][-1] == pytest.approx(0.0125 - first, abs=1e-15)
 
@@ -241,13 +263,13 @@ def test_a_fault_begun_again_lasts_from_then_on() -> None:
 
     parts = {"x": (mock_fmu("beat", Beat, [], ["y"]), "0.001"), "a": (RAMP, "0.001"), "b": (KEEP, "0.001")}
     t, u = column(both(planned(parts, ["a.y -> b.u"], events, "0.015")), "b.u")
-    assert u.tolist() == pytest.approx(np.where((t > 0.0035) & (t < 0.0115), 0.0, t).tolist(), abs=1e-15)
+    assert u.tolist() == pytest.approx(np.where((t > 0.0025) & (t < 0.0105), 0.0, t).tolist(), abs=1e-15)
 
 
-def test_events_of_one_instant_are_numbered_in_the_order_of_the_file() -> None:
+def test_events_of_one_instant_act_in_the_order_of_the_file() -> None:
     events = [{"at": "2 ms", "set": {"i.u": 1.0}}, {"at": "2 ms", "set": {"i.u": 5.0}}]
     run = both(planned({"i": (INTEGRAL, "0.001")}, [], events, "0.004"))
-    assert happened(run) == [(0.002, 1, "event 1"), (0.002, 2, "event 2")]
+    assert [row.what for row in told(run)] == ["event 1: i.u = 1; event 2: i.u = 5"]
     assert column(run, "i.y")[1][-1] == pytest.approx(0.01)
 
 
@@ -273,7 +295,7 @@ def test_steps_that_vary_end_where_an_event_is(algorithm: str) -> None:
 @pytest.mark.parametrize("algorithm", ["ecco", "adaptive"])
 def test_steps_that_vary_see_a_crossing_and_its_delay_exactly(algorithm: str) -> None:
     run = both(bonded({"when": "r.y > 0.2", "after": "33.3 ms", "fault": "hold", "on": "p.e"}, algorithm=algorithm))
-    seen, acts = (row.time for row in run.events)
+    seen, acts = (row.time for row in told(run))
     assert 0.2 < seen <= acts and acts == pytest.approx(seen + 0.0333, abs=1e-5)
     t, e = column(run, "p.e")
     assert len(set(e[t > acts].tolist())) == 1
@@ -288,9 +310,10 @@ def test_rows_of_events_are_a_group_of_the_results_and_lines_of_the_summary(tmp_
     found = open_result(tmp_path)
     assert list(found.datasets) == ["every_1_ms"]
     for events in (found.events, result.events):
-        assert events["time"].values.tolist() == [0.003] and events["number"].values.tolist() == [1]
-        assert events["what"].values.tolist() == ["dead: b.u is 0 (loss)"]
-        assert events["a.y"].values.tolist() == [0.003]  # all that is recorded, at that moment
+        assert events["time"].values.tolist() == [0.0, 0.003, 0.003] and events["number"].values.tolist() == [0, 0, 1]
+        assert events["what"].values.tolist() == [AT_START, "", "dead: b.u is 0 (loss)"]
+        assert events["a.y"].values.tolist() == [0.0, 0.003, 0.003]  # all that is recorded, at that moment
+        assert events["b.u"].values.tolist() == [0.0, 0.003, 0.0]  # before it, and behind it
 
 
 def test_a_session_by_hand_sees_events_and_sets_the_same_inputs() -> None:
@@ -327,12 +350,32 @@ def test_the_plan_is_not_changed_by_a_run() -> None:
     assert KEEP.made
 
 
-def test_events_without_end_keep_so_many_rows_and_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rovbrush.orchestrator.run.events import scenario
+def test_rows_of_events_beyond_memory_go_to_disk_and_all_are_in_the_results(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from rovbrush.orchestrator.results.files import netcdf
+    from rovbrush.orchestrator.run.recording import happened as store
 
-    monkeypatch.setattr(scenario, "MOST_ROWS", 5)
     noise = {"at": 0, "fault": "noise", "on": "b.u", "value": 10.0}
     again = {"when": "b.y > 0", "repeat": True, "fault": "hold", "on": "b.u", "for": "1 ms"}
-    run = both(ramp_into_keep(noise, again, stop="0.1"))
-    assert len(run.events) == 5
-    assert any("more events happened than the 5 of which rows are kept" in note for note in run.notes)
+    plan = ramp_into_keep(noise, again, stop="0.3")
+    whole = simulate(plan)
+    assert len(whole.events) > 200
+    monkeypatch.setattr(store, "IN_MEMORY", 5 * (8 * 3 + store.BESIDE))
+    monkeypatch.setattr(netcdf, "PIECE", 7)
+    with Session(plan, file=tmp_path / "rows.nc") as session:
+        session.advance(cycles=100)
+        part = session.run()
+        session.advance()
+        run = session.run()
+        assert session.events.happened._stored > 100
+        rows = [[(row.time, row.number, row.what, row.cells.tobytes()) for row in r.events] for r in (whole, run, part)]
+        assert rows[0] == rows[1] and rows[2] == rows[0][: len(rows[2])] and 0 < len(rows[2]) < len(rows[0])
+        assert run.events[-1].time == whole.events[-1].time and [r.time for r in run.events[2:4]]
+        netcdf.write_netcdf(run, tmp_path / "result.nc")
+    import xarray
+
+    found = xarray.open_dataset(tmp_path / "result.nc", group="events")
+    assert found["what"].values.tolist() == [row.what for row in whole.events]
+    column_of = plan.groups[0].columns.index(("b", "u"))
+    assert found["b.u"].values.tolist() == [row.cells[column_of] for row in whole.events]

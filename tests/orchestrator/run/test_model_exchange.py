@@ -226,6 +226,8 @@ def test_a_run_that_goes_on_from_a_checkpoint_gives_the_same_bits(tmp_path: Path
             second.advance()
             assert not second.failure
             assert second.memory.z.tobytes() == whole.memory.z.tobytes()
+            rows = [[(r.time, r.number, r.what, r.cells.tobytes()) for r in s.run().events] for s in (whole, second)]
+            assert rows[0] == rows[1] and len(rows[0]) > 10
 
 
 def test_what_only_co_simulation_can_do_is_refused(tmp_path: Path) -> None:
