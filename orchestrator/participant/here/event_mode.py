@@ -120,6 +120,8 @@ class EventModeInstance(ClockCalls):
         end = time + length
         if self.state is State.EVENTS:
             self.settle(seconds_of(time))
+        if length < 0.0:  # the FMU is to refuse that, not we
+            self.call("step", f"step from t = {time:.9g} s", self.slave.doStep, time, length, False)
         while time < end:
             due = self.next_instant()
             planned = math.inf if due is None else float(due)

@@ -29,7 +29,6 @@ import numpy as np
 
 from ...errors import InputError, RunError
 from ...files import reason
-from ...fmu.kinds import MODEL_EXCHANGE
 from ...loop.cells import NOW
 from ...participant.base import Participant
 from ...plan.plan import Plan
@@ -47,12 +46,6 @@ def unserializable(plan: Plan) -> str:
         for name, component in plan.system.components.items()
         if not component.fmu.can_serialize_state
     ]
-    if plan.events:
-        names += [
-            f"component {name}: when its next event is due is not kept"
-            for name in plan.events.sources
-            if plan.system.components[name].fmu.kind != MODEL_EXCHANGE
-        ]
     return "; ".join(names)
 
 
@@ -153,7 +146,6 @@ class Checkpoint:
                     raise InputError(f"{self.folder} is of another version of rovbrush; start again")
                 target[...] = found
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
-        session.events.restore(self.events, self.folder / EVENTS)
         session.recorder.restore(self.arrays, self.folder / ROWS)
         for k, instance in enumerate(session.instances.values()):
             state = instance.deserialize((self.folder / f"{k}.state").read_bytes())
@@ -161,6 +153,7 @@ class Checkpoint:
             instance.forget(state)
             if f"{k}.kept" in self.files:
                 session.space.states[k] = instance.deserialize((self.folder / f"{k}.kept").read_bytes())
+        session.events.restore(self.events, self.folder / EVENTS)
         session.at = self.at
 
     def _require_within(self, plan: Plan) -> None:

@@ -118,7 +118,7 @@ class Clocked:
         for c in plan.system.clock_connections:
             self.followers.setdefault(c.source, []).append(c.target)
         self._ticked: set[Key] = set()
-        self._late: dict[Key, Key] = {}  # clocks that are to tick as soon as their component is there, and with which
+        self.late: dict[Key, Key] = {}  # clocks that are to tick as soon as their component is there, and with which
 
     def begin(self, now: Fraction) -> None:
         """It is another instant [s]."""
@@ -127,7 +127,7 @@ class Clocked:
 
     def happened(self, known: Known) -> bool:
         """Whether a discrete input of one of `known` has changed, or a clock of it is to tick, which are events."""
-        late = any(name in known for name, _ in self._late)
+        late = any(name in known for name, _ in self.late)
         return late or any(member.waits_for_change() for name, member in self.members.items() if name in known)
 
     def exchange(self, known: Known, values: Callable[[], bool]) -> tuple[bool, list[str]]:
@@ -139,9 +139,9 @@ class Clocked:
         self._ticked.clear()
         words: list[str] = []
         any_change = False
-        for target, source in list(self._late.items()):
+        for target, source in list(self.late.items()):
             if target[0] in known:
-                del self._late[target]
+                del self.late[target]
                 self._follow(source, target, words)
         for _ in range(MOST_PASSES):
             changed = False
@@ -194,7 +194,7 @@ class Clocked:
             if name in known:
                 self._follow(source, (name, clock), words)
             else:
-                self._late[name, clock] = source
+                self.late[name, clock] = source
         return bool(followers)
 
     def _follow(self, source: Key, target: Key, words: list[str]) -> None:

@@ -18,6 +18,7 @@ from ..memory.algorithm_state import AlgorithmState
 from ..memory.memory import Memory
 from ..position import Position
 from ..recording.happened import Happened, Rows
+from . import kept
 from .handler import EventHandler
 from .macro import MacroSteps
 
@@ -115,14 +116,18 @@ class Events:
 
     def content(self) -> dict[str, Any]:
         """What a checkpoint keeps beside it, ready for JSON."""
-        return {"rows": self.happened.count, **({"scenario": self.scenario.content()} if self.scenario else {})}
+        of_system = {"scenario": self.scenario.content()} if self.scenario else {}
+        of_fmus = {"of_fmus": kept.content_of(self.handler)} if self.handler else {}
+        return {"rows": self.happened.count, **of_system, **of_fmus}
 
     def restore(self, content: Mapping[str, Any], path: Path) -> None:
-        """Go on where another run was. Raises ValueError, TypeError, LookupError, OSError where that cannot be."""
+        """Go on where another run was, when its FMUs are restored. Raises ValueError, TypeError, LookupError, OSError
+        where that cannot be."""
         self.happened.read(path, int(content["rows"]))
         if self.scenario:
             self.scenario.restore(content["scenario"])
         if self.handler:
+            kept.restore(self.handler, content["of_fmus"])
             self.handler.plan_next()
         elif self.macro:
             self.macro.aim()

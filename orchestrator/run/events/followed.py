@@ -39,14 +39,14 @@ class FollowedTables:
                 series, slot = component.series[variable], plan.layout.inputs[name, variable]
                 clocked = bool(component.clocks_of(variable))
                 self.inputs.append(Followed((name, variable), slot, series, series.table, clocked))
-        self._done = plan.clock.time(0)  # s; what is due until then has happened
+        self.done = plan.clock.time(0)  # s; what is due until then has happened
 
     def next_instant(self) -> Fraction | None:
         due = [Fraction(time) for one in self.inputs if not one.clocked and (time := self._next(one)) is not None]
         return min(due, default=None)
 
     def _next(self, one: Followed) -> float | None:
-        later = one.series.times[np.searchsorted(one.series.times, self._done, side="right") :]
+        later = one.series.times[np.searchsorted(one.series.times, self.done, side="right") :]
         return float(later[0]) if len(later) else None
 
     def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
@@ -56,5 +56,5 @@ class FollowedTables:
             self.memory.z[one.slot] = held_at(one.table, 0, time)
             if due is not None and due <= time and not one.clocked:
                 words.append(f"{'.'.join(one.key)} takes another row of {one.series.origin}")
-        self._done = max(self._done, time)
+        self.done = max(self.done, time)
         return "; ".join(words)

@@ -89,11 +89,12 @@ class EventHandler:
         self.instant = Instant(plan, instances, memory, moments, control, components, run)
         self.modes: dict[str, EventMode] = {n: mode for n, i in instances.items() if (mode := i.events) is not None}
         self.by_hand = ByHand()
-        self.others = [*others, FollowedTables(plan, memory), self.by_hand]
+        self.followed = FollowedTables(plan, memory)
+        self.others = [*others, self.followed, self.by_hand]
         self.clocked = Clocked(plan, instances, memory)
         self.happened, self.slots = happened, plan.recorded_slots
         self.ends_at = cells.NEVER  # ticks from time 0; behind it a component does not want to go on
-        self._same = 0  # events at one instant, one behind the other
+        self.same = 0  # events at one instant, one behind the other
 
     def begin(self) -> None:
         """Behind initialization, where participants with event mode are in it. Raises RunError, AskedToEndError."""
@@ -230,8 +231,8 @@ class EventHandler:
 
     def _require_progress(self, time: float, cause: str) -> None:
         """Raise RunError where one step after the other ends at the same instant."""
-        self._same = self._same + 1 if self.happened.last is not None and self.happened.last.time == time else 0
-        if self._same > MOST_ROUNDS:
+        self.same = self.same + 1 if self.happened.last is not None and self.happened.last.time == time else 0
+        if self.same > MOST_ROUNDS:
             raise RunError(
                 f"time stands still at t = {time:.9g} s: {MOST_ROUNDS} steps have ended there, one behind the other "
                 f"({cause}); an event may switch itself on and off (chattering), which a hysteresis would end"

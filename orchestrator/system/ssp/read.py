@@ -14,7 +14,7 @@ from ..experiment import periods_of, stop_of, whole_stop
 from ..inputs.free_inputs import lacking_starts
 from ..model import FORMATS
 from ..values import settable
-from .files.annotations import annotated
+from .files.annotations import CLOCKS, annotated
 from .files.archive import Archive
 from .files.document import Document, find
 from .files.rules import NO_START, NOT_SETTABLE
@@ -56,6 +56,7 @@ class SspFile(TomlFile):
         links = list(links_of(wires))
         self.places |= {(str(link), ""): link.where for link in links}
         keys = self._own_keys()
+        clocks = self._clock_connections(keys.pop(CLOCKS, []))
         tables = {name: self._component(component) for name, component in self.components.items()}
         self._times(tables, keys, step, stop, start, remarks)
         self._values(tables, stated)
@@ -63,7 +64,7 @@ class SspFile(TomlFile):
             **keys,
             "description": self.document.root.get("description", ""),
             "components": tables,
-            "connections": links,
+            "connections": [*links, *clocks],
         }
         self.notes = {name: (component.note,) for name, component in self.components.items() if component.note}
         self.remarks = (*remarks, *_told(parameters.passed_over), *self._variants(archive))
@@ -87,6 +88,13 @@ class SspFile(TomlFile):
         for key in keys.keys() & set(OWN_KEYS):
             raise self.document.fail(f"the annotation of the system cannot hold '{key}'", self.document.root)
         return {"format": FORMATS[0] if keys else FORMATS[-1]} | keys  # other tools knew no format, nor ours before
+
+    def _clock_connections(self, found: object) -> list[str]:
+        if not (isinstance(found, list) and all(isinstance(entry, str) and "->" in entry for entry in found)):
+            raise self.document.fail(
+                f"{CLOCKS} of the annotation of the system is no list of 'a.x -> b.y'", self.document.root
+            )
+        return [str(entry) for entry in found]
 
     def _component(self, component: Element) -> dict[str, Any]:
         assert component.fmu

@@ -83,11 +83,6 @@ def structure_of(system: System, files: Mapping[str, str], ssp_version: str) -> 
         _add(bindings, "ssd:ParameterBinding", source=f"resources/{name}.ssv")
         annotate(element, component_keys(component))
         hint_step(element, component.period)
-    if system.clock_connections:
-        raise InputError(
-            f"connection {system.clock_connections[0].label}: SSP has none of clocks; remove it, or keep the system as "
-            f"TOML ({system.path.name})"
-        )
     if system.connections:
         connections = _add(top, "ssd:Connections")
         for connection in system.connections:
@@ -119,7 +114,7 @@ def parameter_set(component: Component, set_name: str, ssp_version: str) -> Any:
 
 
 def _connectors(element: Any, fmu: Fmu, units: Mapping[str, Any]) -> None:
-    variables = {name: v for name, v in fmu.variables.items() if v.causality in KINDS}
+    variables = {name: v for name, v in fmu.variables.items() if v.causality in KINDS and v.type != "Clock"}
     connectors = _add(element, "ssd:Connectors") if variables else None
     for name, variable in variables.items():
         connector = _add(connectors, "ssd:Connector", name=name, kind=variable.causality)

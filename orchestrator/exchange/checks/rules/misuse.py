@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fmpy.model_description import ModelVariable
 
-from ....fmu.kinds import MODEL_EXCHANGE, usual_kind
+from ....fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION, usual_kind
 from ....fmu.types import REALS
 from ....participant.lifecycle import FATAL, STATUS
 from ..rows import Row
@@ -18,14 +18,17 @@ WIDE = ("Integer", "Int32", "Int64", "Enumeration")
 LARGEST_REAL, LARGEST_INTEGER = 1e37, 2.0**31  # Float32 and Int32 can hold them
 ORDER, RANGE = "wrong call order", "out of range"
 WITHOUT_MODE = "FMI 1.0 has no initialization mode"
-NO_STEP = "a model for Model Exchange has no doStep"
+NO_STEP = {
+    MODEL_EXCHANGE: "a model for Model Exchange has no doStep",
+    SCHEDULED_EXECUTION: "what is scheduled has partitions and no doStep",
+}
 MEND = "return Error and log why; a host with a mistake must not get numbers"
 
 
 def step_before_initialization(subject: Subject) -> Row:
     """doStep right after instantiate."""
-    if usual_kind(subject.description) == MODEL_EXCHANGE:
-        return Row(ORDER, "doStep before initialization", "not applicable", NO_STEP)
+    if why := NO_STEP.get(usual_kind(subject.description)):
+        return Row(ORDER, "doStep before initialization", "not applicable", why)
     instance = Tried(subject)
     with instance.unguarded():
         status = instance.step(subject.start_time, subject.step)
@@ -69,8 +72,8 @@ def parameter_after_initialization(subject: Subject) -> Row:
 
 def step_after_terminate(subject: Subject) -> Row:
     """doStep after terminate."""
-    if usual_kind(subject.description) == MODEL_EXCHANGE:
-        return Row(ORDER, "doStep after terminate", "not applicable", NO_STEP)
+    if why := NO_STEP.get(usual_kind(subject.description)):
+        return Row(ORDER, "doStep after terminate", "not applicable", why)
     instance = Tried(subject)
     instance.begin()
     instance.must("terminate", instance.terminate())
@@ -81,8 +84,8 @@ def step_after_terminate(subject: Subject) -> Row:
 
 def backward_step(subject: Subject) -> Row:
     """doStep with a negative step size."""
-    if usual_kind(subject.description) == MODEL_EXCHANGE:
-        return Row(ORDER, "doStep with a negative step", "not applicable", NO_STEP)
+    if why := NO_STEP.get(usual_kind(subject.description)):
+        return Row(ORDER, "doStep with a negative step", "not applicable", why)
     instance = Tried(subject)
     instance.begin()
     return _judged(ORDER, "doStep with a negative step", instance, instance.step(subject.start_time, -subject.step))

@@ -1,7 +1,7 @@
 """What SSP has no words for travels as annotations of our own: the keys of a system file, as JSON.
 
-Other tools pass them over. Of a system: algorithm, order, bonds, events, balance, what is recorded, required and
-reported; of a component: its period; of a connection: its transfer.
+Other tools pass them over. Of a system: algorithm, order, bonds, events, connections of clocks, balance, what is
+recorded, required and reported; of a component: its period; of a connection: its transfer.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from ...schema.solving import Loops, Solver
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations
+CLOCKS = "clock_connections"  # our key of those, of which a structure says nothing
 NAMESPACE = "urn:rovbrush:simulation:1"
 
 
@@ -48,6 +49,7 @@ def system_keys(system: System) -> dict[str, Any]:
         **({"solver": to_builtins(system.solver)} if system.solver != Solver() else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
+        **({CLOCKS: [c.label for c in system.clock_connections]} if system.clock_connections else {}),
         **({"events": [dict(event.stated) for event in system.events]} if system.events else {}),
         "require": [_requirement(requirement) for requirement in system.requirements],
         **{key: table for key, table in system.reporting.items() if table},

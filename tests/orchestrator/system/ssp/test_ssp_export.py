@@ -9,9 +9,11 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import clock_build
 import exchange_build
 import numpy as np
 import pytest
+from clock_cases import same
 from helpers import read_system
 from lxml import etree
 from native_build import needs_gcc
@@ -167,3 +169,61 @@ def test_the_command_writes_an_ssp_that_the_other_commands_take(
 
 def rovbrush(*arguments: str) -> None:
     app(list(arguments), standalone_mode=False)
+
+
+CLOCKED = """
+format = 2
+stop_time = "2 s"
+connections = ["a.crossing -> b.sample", "a.count -> b.v", "a.phase -> p.u"]
+[components.a]
+fmu = "producer.fmu"
+period = "100 ms"
+[components.b]
+fmu = "consumer.fmu"
+period = "250 ms"
+[components.p]
+fmu = "plant.fmu"
+period = "10 ms"
+[[events]]
+name = "off"
+at = "1 s"
+fault = "bias"
+on = "p.u"
+value = 0.5
+for = "300 ms"
+[[events]]
+when = "p.x > 0.3"
+after = "20 ms"
+fault = "hold"
+on = "p.u"
+"""
+
+
+@needs_gcc
+@pytest.mark.parametrize("version", ["1.0", "2.0"])
+def test_connections_of_clocks_and_events_come_back_unchanged(version: str, tmp_path: Path) -> None:
+    clock_build.built(tmp_path)
+    (tmp_path / "clocked.toml").write_text(CLOCKED, encoding="utf-8")
+    system = load_system(str(tmp_path / "clocked.toml"), tmp_path)
+    path = write_ssp(system, tmp_path / "out" / "clocked.ssp", version)
+    again = load_system(str(path))
+    assert system.clock_connections and len(system.events) == 2
+    assert plain(again) == plain(system)
+    assert_equal_plans(system, again)
+    assert same(*(simulate(make_plan(found)) for found in (system, again)))
+    structure = zipfile.ZipFile(path).read("SystemStructure.ssd").decode()
+    assert 'name="crossing"' not in structure, "a clock is no number: other tools would take it for one"
+
+
+@needs_gcc
+def test_connections_of_clocks_that_are_none_are_told_with_their_place(tmp_path: Path) -> None:
+    clock_build.built(tmp_path)
+    (tmp_path / "clocked.toml").write_text(CLOCKED, encoding="utf-8")
+    path = write_ssp(load_system(str(tmp_path / "clocked.toml"), tmp_path), tmp_path / "clocked.ssp")
+    with zipfile.ZipFile(path) as archive:
+        entries = {name: archive.read(name) for name in archive.namelist()}
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, content in entries.items():
+            archive.writestr(name, content.replace(b'["a.crossing -&gt; b.sample"]', b'"a.crossing"'))
+    with pytest.raises(InputError, match=r"clock_connections .* is no list of 'a.x -> b.y' \(clocked.ssp"):
+        load_system(str(path))
