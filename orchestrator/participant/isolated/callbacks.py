@@ -13,8 +13,9 @@ from typing import Any
 from cffi import FFI
 
 from ..lifecycle import FATAL, good
-from .channel import AT_REFERENCES, AT_VALUES, CALL, REFERENCES, VALUES, Shared, bytes_at, put_pointers, texts_at
+from .channel import CALL
 from .functions import Function, functions
+from .memory import AT_REFERENCES, AT_VALUES, REFERENCES, VALUES, Shared, bytes_at, put_pointers, texts_at
 
 Ask = Callable[[str, bytes], int]  # the kind of a function, a packed CALL; the status
 Refuse = Callable[[str], int]  # what cannot be passed on; Fatal

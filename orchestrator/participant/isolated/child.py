@@ -21,23 +21,11 @@ from ..base import AskedToEndError, CallError, State
 from ..here.loaded import LoadedInstance
 from ..lifecycle import ERROR
 from ..opening import load
-from .channel import (
-    CALL,
-    ENDS,
-    STATUS,
-    Channel,
-    ChannelClosedError,
-    Shared,
-    aside,
-    bytes_at,
-    from_json,
-    put_pointers,
-    texts_at,
-    to_json,
-)
+from .channel import CALL, ENDS, STATUS, Channel, ChannelClosedError, aside, from_json, to_json
 from .child_events import EVENTS, at_event, eventful
 from .child_exchange import Inputs
 from .functions import Function, functions
+from .memory import Shared, bytes_at, put_pointers, texts_at
 
 BY_NAME = ("configure", "set_all", "get", "set_up", "enter_initialization", "exit_initialization", "step", "save",
            "restore", "forget", "serialize", "deserialize", "terminated", "reached", "look", "solve_by",

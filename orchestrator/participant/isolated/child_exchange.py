@@ -5,8 +5,8 @@ from __future__ import annotations
 import ctypes
 
 from ..here.loaded import LoadedInstance
-from .channel import Shared
 from .functions import Function
+from .memory import Shared
 
 
 class Inputs:

@@ -23,8 +23,9 @@ from ..base import AskedToEndError, CallError, Participant, State
 from ..lifecycle import FATAL, PREFIX, STATE_FUNCTIONS
 from ..messages import Logging
 from .callbacks import Callbacks
-from .channel import SIZE, STATUS, Shared, from_json, to_json
+from .channel import STATUS, from_json, to_json
 from .child_process import ChildProcess, ProcessLostError
+from .memory import SIZE, Shared
 
 # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
 STARTING = 120.0

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Sequence
 
-from ..isolated.channel import CALL, SIZE, Shared
+from ..isolated.channel import CALL
+from ..isolated.memory import SIZE, Shared
 
 MESSAGES = 1 << 18
 PAGE = 4096

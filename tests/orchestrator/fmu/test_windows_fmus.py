@@ -117,3 +117,11 @@ def test_what_loads_it_is_compiled_once_and_the_same_everywhere() -> None:
     assert build.server("win64").stat().st_mtime_ns == made and cache_folder() in program.parents
     program.unlink()
     assert build.server("win64").read_bytes() == content
+
+
+@pytest.mark.skipif("win32" not in build.available(), reason="gcc-mingw-w64-i686 is not there")
+def test_the_server_for_32_bits_is_compiled_of_the_same_sources() -> None:
+    """Whether it runs an FMU is not tried here: that takes wine32."""
+    content = build.server("win32").read_bytes()
+    header = int.from_bytes(content[0x3C:0x40], "little")
+    assert content[header : header + 6] == b"PE\0\0\x4c\x01", "a program for i386"

@@ -6,7 +6,7 @@ import ctypes
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from ...isolated.channel import REFERENCES, VALUES
+from ...isolated.memory import REFERENCES, VALUES
 from ..functions import Shape
 from .remote import Passed, Remote
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Mapping
 
-from ...isolated.channel import texts_at
+from ...isolated.memory import texts_at
 from ...lifecycle import ERROR
 from ..functions import Shape
 from .remote import Passed, Remote

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Mapping
 
-from ...isolated.channel import VALUES
+from ...isolated.memory import VALUES
 from ...lifecycle import FATAL, good
 from ..functions import Shape
 from ..memory import FROM_SERVER, TO_SERVER

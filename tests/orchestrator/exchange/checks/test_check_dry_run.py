@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import clock_build
@@ -15,7 +16,7 @@ from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.exchange.checks.dry_run import run_rules
 from rovbrush.orchestrator.exchange.checks.rows import Row
 from rovbrush.orchestrator.exchange.checks.rules import good_manners, misuse
-from rovbrush.orchestrator.exchange.checks.subject import open_subject
+from rovbrush.orchestrator.exchange.checks.subject import Subject, open_subject
 from rovbrush.orchestrator.fmu.fmu import Fmu
 
 STATES = {
@@ -173,3 +174,10 @@ def test_an_fmu_for_scheduled_execution_is_taken_for_one(tmp_path: Path) -> None
 def test_an_fmu_with_events_clocks_or_partitions_is_driven_over_them(model: str, tmp_path: Path) -> None:
     rows = run_rules(clock_build.built(tmp_path) / f"{model}.fmu", (*good_manners.RULES, *misuse.RULES))
     assert not [row for row in rows if row.verdict == "error"]
+
+
+@needs_gcc
+@pytest.mark.parametrize("rule", [misuse.step_before_initialization, misuse.step_after_terminate, misuse.backward_step])
+def test_what_is_scheduled_has_no_step_that_could_be_misused(rule: Callable[[Subject], Row], tmp_path: Path) -> None:
+    row = rule(open_subject(clock_build.clocked(tmp_path / "partitions.fmu", "partitions")))
+    assert (row.verdict, row.found) == ("not applicable", "what is scheduled has partitions and no doStep")
