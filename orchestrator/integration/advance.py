@@ -8,6 +8,11 @@ from numba.extending import register_jitable
 
 from .cells import (
     CELL,
+    CROSS_WHO,
+    CROSSES,
+    CROSSING,
+    CROSSING_COUNT,
+    CROSSINGS,
     CURRENT,
     CVODE,
     CVODES,
@@ -15,6 +20,7 @@ from .cells import (
     FAILED,
     FIRST_INDICATOR,
     INDICATOR_COUNT,
+    INDICATORS,
     K1,
     LONGEST,
     MEMBER,
@@ -63,6 +69,10 @@ def owner(g: int, indicator: int) -> int:
 @register_jitable
 def note_event(g: int, indicator: int) -> None:
     """Log an event that an indicator of the group shows."""
+    crossed = indicator - (whole(g + INDICATORS) - whole(g + CROSSING_COUNT))
+    if crossed >= 0:
+        log(g, whole(whole(g + CROSSINGS) + CROSSING * crossed + CROSS_WHO), CROSSES - crossed)
+        return
     m = owner(g, indicator)
     first = whole(whole(g + MEMBERS) + MEMBER * m + FIRST_INDICATOR) // CELL
     log(g, m, indicator - first)

@@ -30,13 +30,14 @@ KEPT = _END // CELL
     K2, STAGE, X_NEW, Z_NEW, V_OLD, ABSOLUTE, RELATIVE, NOMINAL,
     ROWS, ROW_COUNT, SOURCES, GAINS, OFFSETS, DISCRETE, DISCRETE_COUNT, WATCHED, WATCHED_COUNT,
     STEP, LONGEST, RESTS_IN_EVENTS, RESTARTS, INFO, ENDS_EARLY, PENDING, WINDOW, IN_WINDOW, MOVED, ASKED,
+    CROSSINGS, CROSSING_COUNT,
     LOG, LOG_SIZE, LOG_COUNT, FAULT, FAULT_MEMBER, FAULT_STATUS, FAULT_INDEX, FAULT_TIME,
     STEPS, REJECTED, EVALUATIONS, EVENTS, NO_STATE_BEFORE,
     CVODE, CV_STEP, CV_REINIT, CV_STOP_TIME, CV_ROOTS, CV_TOLERANCES, CV_STATES, CV_ABSOLUTE, CV_REACHED, CV_FOUND,
     CV_POINTER, CV_ONE_STEP, CV_COLUMN, CV_BAND, CV_LOWER, CV_UPPER, SEEDS, SEED_OUT, V_SEEDS, DIRECTIONALS, CV_DATA,
     OWN_SAVE, OWN_RESTORE, OWN_FORGET, OWN_INSTANCE, ENDED, SENT,
     MALLOC, FREE, EVALUATE, EXCHANGE, INDICATE, TRIAL, SETTLE, _LAST,
-) = (_END + cell for cell in _cells(88))  # fmt: skip
+) = (_END + cell for cell in _cells(90))  # fmt: skip
 TABLE = _LAST // CELL
 
 # ENDS_EARLY: 1 if a step ends at an event, which is PENDING then until whoever steps the group has handled it. WINDOW
@@ -67,6 +68,10 @@ TAKE, GIVE, GIVE_AS_IS, LOOP = range(4)
 ) = _cells(12)  # fmt: skip
 DOUBLE, FLOAT, I8, U8, I16, U16, I32, U32, I64, U64, TRUTH8, TRUTH32, POINTER = range(13)
 
+# A row of CROSSINGS, signals of members whose passing of a value is an event: function that gets, member, reference,
+# the address of the value, 1 if the signal rises there, room for it. Their indicators are behind those of all members.
+CROSS_GET, CROSS_WHO, CROSS_REFERENCE, CROSS_LIMIT, CROSS_RISES, CROSS_ROOM, CROSSING = _cells(7)
+
 # What is wrong, in FAULT.
 (
     NOTHING, IN_TIME, IN_STATES, IN_DERIVATIVES, IN_INDICATORS, IN_SET, IN_GET, IN_COMPLETED, IN_EVENT_MODE, IN_UPDATE,
@@ -77,8 +82,8 @@ DOUBLE, FLOAT, I8, U8, I16, U16, I32, U32, I64, U64, TRUTH8, TRUTH32, POINTER = 
 # Methods.
 DORMAND_PRINCE, RUNGE_KUTTA, CVODES = range(3)
 
-# Why a member saw an event, in LOG: an indicator (its number) or one of these.
-TIME_EVENT, STEP_EVENT, INPUT_EVENT = -1, -2, -3
+# Why a member saw an event, in LOG: an indicator (its number) or one of these; CROSSES less the number of a crossing.
+TIME_EVENT, STEP_EVENT, INPUT_EVENT, CROSSES = -1, -2, -3, -4
 ENTRY = 24  # bytes of the log: time, member, indicator
 
 # What functions of the group answer: done; it may go with a smaller step; it does not go; a member asks to end; a step

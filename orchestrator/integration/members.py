@@ -6,11 +6,18 @@ from math import isfinite
 
 from numba.extending import register_jitable
 
-from ..loop.calls import byte_at
-from ..loop.versions import good
 from .cells import (
     CELL,
     COMPLETED,
+    CROSSING,
+    CROSSINGS,
+    CROSSING_COUNT,
+    CROSS_GET,
+    CROSS_LIMIT,
+    CROSS_REFERENCE,
+    CROSS_RISES,
+    CROSS_ROOM,
+    CROSS_WHO,
     ENDING,
     EVALUATE,
     EVALUATIONS,
@@ -25,31 +32,35 @@ from .cells import (
     FIRST_STATE,
     GET_DERIVATIVES,
     GET_INDICATORS,
+    INDICATE,
+    INDICATORS,
+    INDICATOR_COUNT,
+    INFO,
+    INSTANCE,
     IN_COMPLETED,
     IN_DERIVATIVES,
+    IN_GET,
     IN_INDICATORS,
     IN_STATES,
     IN_TIME,
-    INDICATE,
-    INDICATOR_COUNT,
-    INDICATORS,
-    INFO,
-    INSTANCE,
     MEMBER,
-    MEMBER_COUNT,
     MEMBERS,
+    MEMBER_COUNT,
+    NOT_FINITE,
     NO_INDICATOR,
     NO_STATE_BEFORE,
-    NOT_FINITE,
     OK,
     RETRY,
     SET_STATES,
     SET_TIME,
-    STATE_COUNT,
     STATES,
+    STATE_COUNT,
     TIME,
     VERSION,
 )  # fmt: skip
+from ..loop.calls import byte_at
+from ..loop.versions import exchange as set_or_get
+from ..loop.versions import good
 from .connections import exchange
 from .memory import call, half, into_caller, number, put, put_whole, whole
 
@@ -148,6 +159,27 @@ def indicate_all(g: int, indicators: int) -> int:
                 if z != z:
                     fault(g, NO_INDICATOR, m, 0, j)
                     return RETRY
+    return crossings(g, indicators) if whole(g + CROSSING_COUNT) > 0 else OK
+
+
+@register_jitable
+def crossings(g: int, indicators: int) -> int:
+    """How far watched signals are beyond their values, behind the indicators of all members."""
+    count = whole(g + CROSSING_COUNT)
+    at = indicators + CELL * (whole(g + INDICATORS) - count)
+    for k in range(count):
+        row = whole(g + CROSSINGS) + CROSSING * k
+        member = whole(g + MEMBERS) + MEMBER * whole(row + CROSS_WHO)
+        status = set_or_get(
+            whole(member + VERSION), whole(row + CROSS_GET), whole(member + INSTANCE), row + CROSS_REFERENCE, 1,
+            row + CROSS_ROOM, 1,
+        )  # fmt: skip
+        if not good(status):
+            return refused(g, IN_GET, whole(row + CROSS_WHO), status)
+        beyond = number(row + CROSS_ROOM) - number(whole(row + CROSS_LIMIT))
+        if whole(row + CROSS_RISES) == 0:
+            beyond = -beyond
+        put(at + CELL * k, beyond if isfinite(beyond) else -1.0)  # infinite: it is not watched any more
     return OK
 
 

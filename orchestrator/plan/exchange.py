@@ -61,15 +61,27 @@ def with_one_period(system: System) -> System:
 def has_events(system: System) -> bool:
     """Whether anything can happen inside the group, by what its FMUs say of themselves and what they are given."""
     given = {c.target for c in system.connections} | set(set_inputs(system.events))
+    seen = {event.when.signal[0] for event in system.events if event.when}
     given |= {(name, variable) for name, component in system.components.items() for variable in component.series}
     for name in exchanged(system):
         component = system.components[name]
         fmu = component.fmu
-        if fmu.description.numberOfEventIndicators or fmu.interface.needsCompletedIntegratorStep:
+        stated = fmu.description.numberOfEventIndicators or fmu.interface.needsCompletedIntegratorStep
+        if stated or name in seen:
             return component.event_mode != "off"
         if any(v.variability == "discrete" and _may_change(name, v, given) for v in fmu.variables.values()):
             return component.event_mode != "off"
     return False
+
+
+def located(system: System, signal: tuple[str, str]) -> bool:
+    """Whether the solver of the group finds where a signal crosses a value: a double of a member as its FMU has it."""
+    name, variable = signal
+    component = system.components[name]
+    if name not in exchanged(system) or not component.in_events or component.fmu is not component.fmu.own:
+        return False
+    kind, place = component.fmu.type_of(variable), component.fmu.places[variable]
+    return kind is not None and kind.real and kind.size == 8 and place.count == 1 and not place.negated
 
 
 def _may_change(name: str, variable: ModelVariable, given: Collection[tuple[str, str]]) -> bool:

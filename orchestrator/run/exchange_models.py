@@ -7,11 +7,12 @@ from dataclasses import asdict
 
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
+from ..loop.cells import THRESHOLD
 from ..participant.base import Participant
 from ..participant.model_exchange.group import Group
 from ..participant.model_exchange.instance import Member
-from ..participant.model_exchange.links import Link, LinkBlock
-from ..plan.exchange import apart, links_of, settings_of
+from ..participant.model_exchange.links import Crossed, Link, LinkBlock
+from ..plan.exchange import apart, links_of, located, settings_of
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
 from ..system.model import Connection
@@ -42,11 +43,23 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     first = int(memory.z.ctypes.data)
     watched = [first + memory.z.itemsize * slot for slot in outside.values()]
     rests = _sampled(plan, outside) and not early
-    group = Group(members, blocks, settings_of(plan.system), rests_in_events=rests, watched=watched, ends_early=early)
+    group = Group(members, blocks, settings_of(plan.system), rests, watched, early, _crossings(plan, numbers, first))
     group.goes_back = plan.algorithm.saves_states
     for member in members:
         member.join(group)
     return group
+
+
+def _crossings(plan: Plan, numbers: dict[str, int], first: int) -> list[Crossed]:
+    """The signals of members for which events of the system wait; `first`: the address of the first cell."""
+    found = []
+    for number, cell in plan.layout.watches.items():
+        crossing = plan.system.events[number].when
+        if crossing is not None and located(plan.system, crossing.signal):
+            name, variable = crossing.signal
+            limit = first + 8 * (cell + THRESHOLD)
+            found.append(Crossed(numbers[name], variable, limit, crossing.rising, f"{name}.{variable} crosses a value"))
+    return found
 
 
 def alone(plan: Plan, instances: dict[str, Participant], group: Group | None) -> list[Participant]:

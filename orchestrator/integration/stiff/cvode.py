@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from numba.extending import register_jitable
 
-from ..advance import EVENT, REACHED, after_step, note_event
+from ..advance import EVENT, REACHED, accept, after_step, note_event
 from ..cells import (
     ANEW,
     ANEW_AT,
+    CROSSING_COUNT,
     CURRENT,
     CV_ABSOLUTE,
     CV_DATA,
@@ -28,6 +29,7 @@ from ..cells import (
     FAILED,
     FAULT,
     INDICATORS,
+    K1,
     LOST,
     NOTHING,
     OK,
@@ -38,12 +40,14 @@ from ..cells import (
     TIME,
     Z_NEW,
     X,
-)
+)  # fmt: skip
 from ..events.roots import EPSILON, first_changed, keep_indicators
-from ..members import evaluate_here, fault, indicate, place
+from ..members import evaluate, evaluate_here, fault, indicate, place
 from ..memory import call, call_whole, half, into_caller, number, put, put_whole, whole
+from ..one_step import trial
 
 NORMAL, ONE_STEP = 1, 2
+MOST_AHEAD = 24  # doublings of the smallest step behind a root
 STOP_REACHED, ROOT, TOO_MUCH_WORK, TOO_CLOSE = 1, 2, -1, -27
 
 
@@ -116,6 +120,8 @@ def advance_by_cvode(g: int, target: float) -> int:
         event = first_changed(g)
         if flag == ROOT and event < 0:
             event = first_found(g)
+            if event >= whole(g + INDICATORS) - whole(g + CROSSING_COUNT):
+                event = just_behind(g, target)
         keep_indicators(g)
         said = after_step(g)
         if event >= 0:
@@ -140,3 +146,26 @@ def first_found(g: int) -> int:
         if half(found + 4 * j) != 0:
             return j
     return 0
+
+
+@register_jitable
+def just_behind(g: int, target: float) -> int:
+    """Go on from a root, at which rounding may leave a watched signal short of its value, until an indicator changes:
+    which; -1 if none does before an instant."""
+    time = number(g + TIME)
+    h = 4.0 * EPSILON * max(abs(time), 1e-3)
+    if evaluate(g, time, whole(g + X), whole(g + K1)) != OK:
+        return -1
+    for _ in range(MOST_AHEAD):
+        if time + h > target or trial(g, time, h) != OK or indicate(g, whole(g + Z_NEW)) != OK:
+            break
+        changed = first_changed(g)
+        if changed >= 0:
+            accept(g, time + h)
+            return changed
+        h *= 2.0
+    status = place(g, time, whole(g + X))
+    if status == OK:
+        indicate(g, whole(g + Z_NEW))
+    put_whole(g + FAULT, NOTHING)
+    return -1

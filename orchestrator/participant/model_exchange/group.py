@@ -31,7 +31,7 @@ from ...loop.calls import STEP_FLAGS, do_step3
 from ..base import AskedToEndError
 from ..here.loaded import LoadedInstance
 from ..lifecycle import DISCARD
-from .links import LinkBlock
+from .links import Crossed, LinkBlock
 from .pattern import bands_of
 from .tables import Tables, needs_completed
 from .words import forgotten, notes, why
@@ -58,9 +58,9 @@ class Group:
     def __init__(
         self, members: Sequence[LoadedInstance], blocks: Sequence[LinkBlock] = (),
         settings: SolverSettings | None = None, rests_in_events: bool = False, watched: Sequence[int] = (),
-        ends_early: bool = False,
+        ends_early: bool = False, crossings: Sequence[Crossed] = (),
     ) -> None:  # fmt: skip
-        self.members, self.blocks = list(members), list(blocks)
+        self.members, self.blocks, self.crossings = list(members), list(blocks), list(crossings)
         self.settings = settings or SolverSettings()
         self.begun, self.goes_back = False, False  # `goes_back`: its state is saved at every step, and may be restored
         self._rests, self.ends_early, self._watched = rests_in_events, ends_early, np.array(watched, dtype=np.int64)
@@ -75,7 +75,7 @@ class Group:
         g = self.pointer
         members = tables.member_rows()
         tables.lay_out(self.blocks)
-        n, z, v = max(tables.states, 1), tables.indicators, len(tables.slots)
+        n, z, v = max(tables.states, 1), tables.indicators + len(self.crossings), len(tables.slots)
         tables.discrete = [link for block in self.blocks for link in block.links if not tables.solved(link)]
         discrete = tables.discrete_rows()
         sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.SENT: len(discrete),
@@ -106,7 +106,8 @@ class Group:
                         whole(g + cells.V) + CELL * tables.slots[link.source]
                     )
                     self._arrays[cells.GAINS][k], self._arrays[cells.OFFSETS][k] = link.gain, link.offset
-        self._keep = members, rows, discrete
+        crossings = tables.crossing_rows(self.crossings)
+        self._keep = members, rows, discrete, crossings
         self.bound = Bound(g)
         first = self.members[0]
         own = dict(zip(OWN, first.state_functions, strict=True)) if first.fmu.can_save_state else {}
@@ -115,6 +116,7 @@ class Group:
             (cells.MEMBER_COUNT, len(self.members)), (cells.INDICATORS, z), (cells.VALUES, v),
             (cells.ROWS, rows.ctypes.data), (cells.ROW_COUNT, len(rows)), (cells.DISCRETE_COUNT, len(discrete)),
             (cells.DISCRETE, discrete.ctypes.data),
+            (cells.CROSSINGS, crossings.ctypes.data), (cells.CROSSING_COUNT, len(crossings)),
             (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(self._watched)),
             *((cell, LoadedInstance.address(first, function)) for cell, function in own.items()),
             (cells.OWN_INSTANCE, first.pointer),
@@ -294,6 +296,8 @@ class Group:
         last = next(iter(self.events(1)), None)
         if last is None or last.time != self.time:
             return f"{self.members[0].name} is in event mode, as something was set"
+        if last.indicator <= cells.CROSSES:
+            return self.crossings[cells.CROSSES - last.indicator].text
         return f"{last.member} has {'a time event' if last.indicator == cells.TIME_EVENT else 'an event'}"
 
     def step(self, time: float, length: float, final: bool = False) -> bool:

@@ -14,6 +14,17 @@ class Link(NamedTuple):
     offset: float = 0.0
 
 
+class Crossed(NamedTuple):
+    """A signal of a member (by number, and the FMU's own name) whose passing of a value is an event: the address of the
+    value, whether the signal rises there, and all of it in words."""
+
+    member: int
+    name: str
+    limit: int
+    rises: bool
+    text: str
+
+
 class LinkBlock(NamedTuple):
     """One link, or all links of a loop of direct dependences."""
 

@@ -14,7 +14,7 @@ from ...integration import cells
 from ...integration.stiff.offered import offers_directional
 from ...loop.versions import signatures
 from ..here.loaded import LoadedInstance
-from .links import Link, LinkBlock
+from .links import Crossed, Link, LinkBlock
 
 CELL = cells.CELL
 FUNCTIONS = {  # of a member, by the column of its address, in each version; "" where there is none
@@ -180,6 +180,17 @@ class Tables:
         """Which states of the group a variable is [bytes behind the first]; -1 where it is none."""
         found = [self.places.get((m, name), -1) for name in self.members[m].fmu.own.arrays[first]]
         return CELL * found[0] if found == list(range(found[0], found[0] + len(found))) and found[0] >= 0 else -1
+
+    def crossing_rows(self, crossings: Sequence[Crossed]) -> np.ndarray:
+        """CROSSINGS: doubles that are scalars."""
+        table = np.zeros((len(crossings), cells.CROSSING // CELL), dtype=np.int64)
+        for row, crossed in zip(table, crossings, strict=True):
+            member = self.members[crossed.member]
+            fmu = member.fmu.own
+            function = f"{member.prefix}Get{function_type(fmu.version, fmu.variables[crossed.name].type)}"
+            row[:] = (member.address(function), crossed.member, fmu.places[crossed.name].reference, crossed.limit,
+                      int(crossed.rises), 0)  # fmt: skip
+        return table
 
     def discrete_rows(self) -> np.ndarray:
         """DISCRETE: what is sent at events."""

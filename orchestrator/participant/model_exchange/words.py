@@ -70,6 +70,8 @@ def why(g: int, fmus: Sequence[Fmu]) -> str:
 
 
 def _cause(index: int) -> str:
+    if index <= cells.CROSSES:
+        return "a crossing"
     return {cells.TIME_EVENT: "a time event", cells.STEP_EVENT: "a step event"}.get(index, "an input")
 
 

@@ -120,12 +120,13 @@ def _first(
 
 
 def _reached(system: System, names: Collection[str]) -> set[str]:
-    """Components to which signals or clocks of some lead, near and far."""
+    """Components to which signals, clocks or events that wait for signals lead from some, near and far."""
     found, waiting = set[str](), list(names)
-    connections = (*system.connections, *system.clock_connections)
+    links = [(c.source[0], c.target[0]) for c in (*system.connections, *system.clock_connections)]
+    links += [(event.when.signal[0], name) for event in system.events if event.when for name in event.components]
     while waiting:
         name = waiting.pop()
-        new = {c.target[0] for c in connections if c.source[0] == name} - found
+        new = {target for source, target in links if source == name} - found
         found |= new
         waiting += new
     return found

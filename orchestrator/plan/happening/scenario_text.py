@@ -9,6 +9,7 @@ from ...fmu.binary import as_text
 from ...fmu.types import Value
 from ...system.event import Crossing, Event, Fault, Key
 from ...system.model import System
+from ..exchange import located
 from ..plan import Plan
 from .scenario import acts_at, from_start, spacing, stopped
 
@@ -39,6 +40,8 @@ def _looked_at(plan: Plan, crossing: Crossing) -> str:
     """Where a crossing is seen."""
     if plan.adaptive:
         return "looked at at the beginning of every macro step"
+    if located(plan.system, crossing.signal):
+        return f"where it crosses is found by the solver of {crossing.signal[0]}"
     every = seconds_text(plan.clock.seconds(spacing(plan.clock, plan.algorithm, crossing.signal[0])))
     return f"looked at every {every}{' and at every event' if plan.events else ''}"
 
