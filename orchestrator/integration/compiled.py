@@ -16,7 +16,7 @@ from typing import Any
 from ..loop.compiled import loop_hash, numba_compiles
 from . import connections, members, one_step, saved
 from . import step as steps
-from .events import rounds
+from .events import rounds, shared
 from .stiff import cvode, jacobian
 
 # What C passes: w a whole number or pointer, d a double, b a truth value.
@@ -26,9 +26,9 @@ FUNCTIONS: dict[str, tuple[Callable[..., int], str]] = {
     "indicate": (members.indicate_all, "ww"),
     "trial": (one_step.try_step, "wdd"),
     "settle": (rounds.settle_all, "w"),
-    "enter": (rounds.enter, "w"),
-    "round": (rounds.go_round, "w"),
-    "leave": (rounds.leave, "w"),
+    "enter": (shared.enter, "w"),
+    "round": (shared.go_round, "w"),
+    "leave": (shared.leave, "w"),
     "step": (steps.step, "wddwwwww"),
     "step2": (steps.step2, "wddw"),
     "begin": (steps.start, "w"),

@@ -5,12 +5,10 @@ from __future__ import annotations
 from numba.extending import register_jitable
 
 from ..loop.calls import byte_at
-from .advance import EVENT, REACHED, SWITCH, advance, note_event
+from .advance import EVENT, REACHED, SWITCH, advance
 from .cells import (
     CELL,
-    CHANGED,
     CHATTERS,
-    CURRENT,
     CVODES,
     ENDED,
     ENDING,
@@ -25,39 +23,27 @@ from .cells import (
     LOG,
     LOG_COUNT,
     LOG_SIZE,
-    LOST,
     METHOD,
     NEXT_EVENT,
-    NEXT_STEP,
     NEXT_WHO,
     NO_STATE_BEFORE,
     NOTHING,
     OK,
-    PENDING,
-    RESTART,
-    RESTARTS,
     RESTS_IN_EVENTS,
     RETRY,
-    SEEN,
     STOPPED,
     TIME,
     TIME_EVENT,
-    WATCHED,
-    WATCHED_COUNT,
-    WINDOW,
-    Z_NEW,
     X,
 )  # fmt: skip
-from .connections import exchange
+from .events.inputs import begin, happens
 from .events.leaving import read_nominals, read_states
-from .events.roots import first_changed
 from .events.rounds import CLOSE, enter_events, log, settle, settle_here
-from .members import fault, indicate, place
+from .members import fault, place
 from .memory import into_caller, number, put, put_byte, put_whole, whole
 from .stiff.cvode import advance_by_cvode
 
 MOST_EVENTS = 1000  # in one step
-BACK = 1e-9  # of a step, by which its beginning may differ from where the group is
 
 
 @into_caller
@@ -89,66 +75,6 @@ def take_step(g: int, time: float, length: float, final: int, event: int, ends: 
         put_byte(early, 1 if number(g + TIME) < end else 0)
         return 0
     return 0 if status == OK else 3
-
-
-@into_caller
-def begin(g: int, time: float, length: float) -> int:
-    """Take in what was set since the last step; of a step that another member has begun, what is left is done."""
-    at = number(g + TIME)
-    if whole(g + PENDING) != 0:  # nothing is done but to come to its instant
-        return OK if at >= time + length else STOPPED
-    if at < time - BACK * length or at > time + length * (1.0 + BACK):
-        put_whole(g + CURRENT, 0)
-        put_whole(g + CHANGED, 1)
-        put(g + TIME, time)
-    if number(g + NEXT_STEP) <= 0.0:
-        put(g + NEXT_STEP, length)
-    if watched_changed(g):
-        put_whole(g + CHANGED, 1)
-    if whole(g + RESTARTS) != 0:
-        put_whole(g + RESTART, 1)
-    if whole(g + ENDS_EARLY) == 0 or time + length > number(g + WINDOW):
-        put(g + WINDOW, time + length)
-        put_whole(g + IN_WINDOW, 0)
-    if whole(g + IN_EVENTS) != 0:
-        return happens(g)
-    if whole(g + CHANGED) == 0:
-        return OK
-    put_whole(g + CHANGED, 0)
-    put_whole(g + CURRENT, 0)
-    put_whole(g + RESTART, 1)
-    put_whole(g + LOST, 0)
-    status = exchange(g)
-    if status == OK:
-        status = indicate(g, whole(g + Z_NEW))
-    if status != OK:
-        return status
-    crossed = first_changed(g)
-    if crossed >= 0:
-        note_event(g, crossed)
-        return happens(g)
-    return OK
-
-
-@register_jitable
-def happens(g: int) -> int:
-    """An event at TIME: it is handled, or the step ends there."""
-    if whole(g + ENDS_EARLY) == 0:
-        return settle(g)
-    put_whole(g + PENDING, 1)
-    return STOPPED
-
-
-@into_caller
-def watched_changed(g: int) -> bool:
-    """Whether an input from outside is not what it was at the last step."""
-    changed, watched, seen = False, whole(g + WATCHED), whole(g + SEEN)
-    for j in range(0, CELL * whole(g + WATCHED_COUNT), CELL):
-        now = whole(whole(watched + j))
-        if now != whole(seen + j):
-            changed = True
-            put_whole(seen + j, now)
-    return changed
 
 
 @into_caller

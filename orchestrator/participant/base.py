@@ -122,7 +122,7 @@ class Participant(ABC):
 
     @property
     def events(self) -> Any:
-        """Itself where it has events of its own: see `run.events.handler.EventMode`; None where it has none."""
+        """Itself where it has events of its own: see `run.events.happenings.EventMode`; None where it has none."""
         return None
 
     def stopped(self) -> tuple[float, str] | None:

@@ -30,7 +30,6 @@ from ..cells import (
     NEXT_EVENT,
     NEXT_WHO,
     OK,
-    PENDING,
     SETTLE,
     TIME,
     UNSETTLED,
@@ -39,10 +38,9 @@ from ..cells import (
     VALUES,
     VERSION,
     V,
-    X,
 )  # fmt: skip
 from ..connections import exchange
-from ..members import fault, place, refused
+from ..members import fault, refused
 from ..memory import call, half, number, put, put_whole, whole
 from .discrete import send
 from .leaving import NEW_NOMINALS, NEW_STATES, leave_events
@@ -195,34 +193,3 @@ def settle_here(g: int) -> int:
             return -1 - again
     fault(g, UNSETTLED, whole(g + ASKED), 0, -1)
     return FAILED
-
-
-def enter(g: int) -> int:
-    """Put all members into event mode at TIME, or at the time event that is there but for rounding."""
-    time, due = number(g + TIME), number(g + NEXT_EVENT)
-    if whole(g + IN_EVENTS) == 0 and time < due <= time + CLOSE * abs(time):
-        status = place(g, due, whole(g + X))
-        if status != OK:
-            return status
-    status = enter_events(g)
-    if status == OK:
-        moved(g)
-    return status
-
-
-def go_round(g: int) -> int:
-    """One round of an event that others take part in: 1 if another one is needed, 0 if not; below 0 as of `pass_on`."""
-    new = pass_on(g)
-    if new < 0:
-        return new
-    again = update_all(g)
-    if again < 0:
-        return again
-    new = pass_on(g)
-    return new if new < 0 else max(new, again)
-
-
-def leave(g: int) -> int:
-    """Nothing more happens at this instant."""
-    put_whole(g + PENDING, 0)
-    return leave_events(g)

@@ -34,7 +34,7 @@ class Reached(NamedTuple):
 class EventModeInstance(ClockCalls):
     """Instantiated with eventModeUsed and earlyReturnAllowed. Leaving initialization mode leads to event mode.
 
-    `next_event`: the time event that it has announced [s]. What `run.events.handler.EventMode` asks for is here.
+    `next_event`: the time event that it has announced [s]. What `run.events.happenings.EventMode` asks for is here.
     """
 
     event_mode = True

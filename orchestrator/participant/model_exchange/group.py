@@ -11,7 +11,6 @@ fmi3DoStep.
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -19,7 +18,6 @@ import numpy as np
 
 from ...errors import FmuError
 from ...integration import cells
-from ...integration.bound import Bound
 from ...integration.choice import choose
 from ...integration.compiled import address_of
 from ...integration.memory import call, number, put, put_whole, whole
@@ -28,17 +26,14 @@ from ...integration.stiff.libraries import is_there, why_missing
 from ...integration.stiff.offered import why_differences
 from ...integration.stiff.sundials import Cvode
 from ...loop.calls import STEP_FLAGS, do_step3
-from ..base import AskedToEndError
 from ..here.loaded import LoadedInstance
-from ..lifecycle import DISCARD
 from .links import Crossed, LinkBlock
+from .memory import LOGGED, GroupMemory
 from .pattern import bands_of
-from .tables import Tables, needs_completed
+from .tables import needs_completed
 from .words import forgotten, notes, why
 
 CELL = cells.CELL
-OWN = (cells.OWN_SAVE, cells.OWN_RESTORE, cells.OWN_FORGET)  # functions of the first member
-LOGGED = 4096  # events that are kept
 METHODS = {"dormand-prince": cells.DORMAND_PRINCE, "rk4": cells.RUNGE_KUTTA, "cvode": cells.CVODES}
 CODES = {code: name for name, code in METHODS.items()}
 
@@ -51,90 +46,28 @@ class Event(NamedTuple):
     indicator: int
 
 
-class Group:
+class Group(GroupMemory):
     """`blocks`: the links between the members, each behind those that it needs. `watched`: addresses of the inputs from
-    outside; where one is not what it was, the solver begins anew. Raises FmuError if that cannot be."""
+    outside; where one is not what it was, the solver begins anew. `ends_early`: a step ends at an event, which others
+    handle, see `GroupEvents`; `crossings` are such events too. Raises FmuError if that cannot be."""
 
     def __init__(
         self, members: Sequence[LoadedInstance], blocks: Sequence[LinkBlock] = (),
         settings: SolverSettings | None = None, rests_in_events: bool = False, watched: Sequence[int] = (),
         ends_early: bool = False, crossings: Sequence[Crossed] = (),
     ) -> None:  # fmt: skip
-        self.members, self.blocks, self.crossings = list(members), list(blocks), list(crossings)
         self.settings = settings or SolverSettings()
         self.begun, self.goes_back = False, False  # `goes_back`: its state is saved at every step, and may be restored
-        self._rests, self.ends_early, self._watched = rests_in_events, ends_early, np.array(watched, dtype=np.int64)
-        self._table = np.zeros(cells.TABLE, dtype=np.int64)
-        self.pointer = int(self._table.ctypes.data)  # what its functions take first
+        self.ends_early = ends_early
         self._flags = np.zeros(STEP_FLAGS, dtype=np.uint8)
         self._cvode: Cvode | None = None
-        self._lay_out()
-
-    def _lay_out(self) -> None:
-        tables = self.tables = Tables(self.members)
-        g = self.pointer
-        members = tables.member_rows()
-        tables.lay_out(self.blocks)
-        n, z, v = max(tables.states, 1), tables.indicators + len(self.crossings), len(tables.slots)
-        tables.discrete = [link for block in self.blocks for link in block.links if not tables.solved(link)]
-        discrete = tables.discrete_rows()
-        sizes = {cells.X: n, cells.K1: n, cells.Z: z, cells.V: v, cells.ABSOLUTE: n, cells.SENT: len(discrete),
-                 cells.SEEN: len(self._watched)}  # fmt: skip
-        self._block = np.zeros(sum(sizes.values()) + 1)
-        at = int(self._block.ctypes.data)
-        put_whole(g + cells.ARRAYS, at)
-        put_whole(g + cells.ARRAYS_SIZE, CELL * self._block.size)
-        for cell, size in sizes.items():
-            put_whole(g + cell, at)
-            at += CELL * size
-        self._view(cells.SENT, len(discrete), np.int64)[:] = -1  # nothing was sent yet
-        if not tables.states:
-            self._view(cells.ABSOLUTE, 1)[:] = 1.0  # of the one that stands for none
-        rows = tables.link([block for block in self.blocks], whole(g + cells.V))
-        work = {cells.K2: 6 * n, cells.STAGE: n, cells.X_NEW: n, cells.Z_NEW: 2 * z, cells.V_OLD: v, cells.NOMINAL: n,
-                cells.INFO: 8, cells.SEEDS: n, cells.SEED_OUT: n, cells.LOG: LOGGED * cells.ENTRY // CELL,
-                cells.SOURCES: v, cells.GAINS: v, cells.OFFSETS: v, cells.V_SEEDS: v}  # fmt: skip
-        self._arrays = {cell: np.zeros(max(size, 1)) for cell, size in work.items()}
-        for cell, array in self._arrays.items():
-            put_whole(g + cell, array.ctypes.data)
-        tables.seed_rows(members, whole(g + cells.V_SEEDS))
-        for block in self.blocks:
-            for link in block.links:
-                if link.source in tables.slots and link.target in tables.slots and tables.solved(link):
-                    k = tables.slots[link.target]
-                    self._arrays[cells.SOURCES].view(np.int64)[k] = (
-                        whole(g + cells.V) + CELL * tables.slots[link.source]
-                    )
-                    self._arrays[cells.GAINS][k], self._arrays[cells.OFFSETS][k] = link.gain, link.offset
-        crossings = tables.crossing_rows(self.crossings)
-        self._keep = members, rows, discrete, crossings
-        self.bound = Bound(g)
-        first = self.members[0]
-        own = dict(zip(OWN, first.state_functions, strict=True)) if first.fmu.can_save_state else {}
+        super().__init__(members, blocks, watched, crossings)
         for cell, value in (
-            (cells.STATES, tables.states), (cells.MEMBERS, members.ctypes.data),
-            (cells.MEMBER_COUNT, len(self.members)), (cells.INDICATORS, z), (cells.VALUES, v),
-            (cells.ROWS, rows.ctypes.data), (cells.ROW_COUNT, len(rows)), (cells.DISCRETE_COUNT, len(discrete)),
-            (cells.DISCRETE, discrete.ctypes.data),
-            (cells.CROSSINGS, crossings.ctypes.data), (cells.CROSSING_COUNT, len(crossings)),
-            (cells.WATCHED, self._watched.ctypes.data), (cells.WATCHED_COUNT, len(self._watched)),
-            *((cell, LoadedInstance.address(first, function)) for cell, function in own.items()),
-            (cells.OWN_INSTANCE, first.pointer),
-            (cells.LOG_SIZE, LOGGED), (cells.RESTS_IN_EVENTS, int(self._rests)),
-            (cells.ENDS_EARLY, int(self.ends_early)), (cells.CHANGED, 1),
-            (cells.MALLOC, ctypes.cast(ctypes.pythonapi.PyMem_RawMalloc, ctypes.c_void_p).value),
-            (cells.FREE, ctypes.cast(ctypes.pythonapi.PyMem_RawFree, ctypes.c_void_p).value),
-            *((cell, address_of(name)) for name, cell in (
-                ("evaluate", cells.EVALUATE), ("exchange", cells.EXCHANGE), ("indicate", cells.INDICATE),
-                ("trial", cells.TRIAL), ("settle", cells.SETTLE),
-            )),
-        ):  # fmt: skip
-            put_whole(g + cell, int(value or 0))
-
-    def _view(self, cell: int, size: int, dtype: type = np.float64) -> np.ndarray:
-        """An array at an address of the table."""
-        at = (whole(self.pointer + cell) - int(self._block.ctypes.data)) // CELL
-        return self._block[at : at + size].view(dtype)
+            (cells.RESTS_IN_EVENTS, rests_in_events),
+            (cells.ENDS_EARLY, ends_early),
+            (cells.CHANGED, 1),
+        ):
+            put_whole(self.pointer + cell, int(value))
 
     @property
     def tolerance(self) -> float:
@@ -159,7 +92,7 @@ class Group:
         if status == 2:
             who = self.members[whole(g + cells.FAULT_MEMBER)]
             raise FmuError(f"component {who.name} asks to end the simulation at its start{who.log_text()}")
-        self._require(status)
+        self.require_good(status)
         self.begun = True
         if self.chosen.method == "cvode":
             self.make_cvode()
@@ -257,22 +190,10 @@ class Group:
     def enter_events(self) -> None:
         """Put all members into event mode, where anything may be set; the next step begins with the event."""
         if not whole(self.pointer + cells.IN_EVENTS):
-            self._require(call(address_of("enter"), self.pointer))
+            self.require_good(call(address_of("enter"), self.pointer))
 
-    def go_round(self) -> bool:
-        """One round of an event, in event mode; whether another one is needed. Raises FmuError, AskedToEndError."""
-        again = call(address_of("round"), self.pointer)
-        if again == -1 - cells.ENDING:
-            who = self.at_fault.name
-            raise AskedToEndError(f"component {who} asked to end the simulation at t = {self.time:.9g} s", DISCARD)
-        self._require(max(-1 - again, 0))
-        return again > 0
-
-    def leave_events(self) -> None:
-        """Nothing more happens at this instant."""
-        self._require(call(address_of("leave"), self.pointer))
-
-    def _require(self, status: int) -> None:
+    def require_good(self, status: int) -> None:
+        """Raise FmuError, with its cause, where a function of the group has failed."""
         if status:
             raise FmuError(f"component {self.failed_name}: {self.why()}{self.at_fault.reasons()}")
 
@@ -280,16 +201,6 @@ class Group:
     def pending(self) -> bool:
         """Whether its last step ended at an event, which is to be handled."""
         return whole(self.pointer + cells.PENDING) != 0
-
-    @property
-    def next_event(self) -> float:
-        """The time event that members have announced [s]; very large where there is none."""
-        return number(self.pointer + cells.NEXT_EVENT)
-
-    @property
-    def next_member(self) -> str:
-        """Whose that is."""
-        return self.members[whole(self.pointer + cells.NEXT_WHO)].name
 
     def why_stopped(self) -> str:
         """Why its last step ended at an event, in words."""

@@ -24,7 +24,7 @@ from ..design import Design
 from ..schedule.formulas import Choice
 from ..schedule.layout import Key, Layout
 from ..schedule.schedule import Schedule
-from ..schedule.steps import Row
+from ..schedule.values import Row
 from .base import LoopArrays
 from .varying_steps import Largest, Smallest, VaryingSchedule, VaryingSteps
 

@@ -19,7 +19,7 @@ from ...system.schema.values import Positive
 from ..design import Design
 from ..schedule.bond_energy import key_of
 from ..schedule.schedule import Schedule
-from ..schedule.steps import Row
+from ..schedule.values import Row
 from .varying_steps import Largest, Smallest, VaryingSchedule, VaryingSteps
 
 

@@ -13,7 +13,7 @@ from ...system.model import Connection
 from ..design import Design
 from ..schedule.formulas import ITERATED
 from ..schedule.schedule import Schedule
-from ..schedule.steps import Row
+from ..schedule.values import Row
 
 if TYPE_CHECKING:
     from .iterated import IteratedSettings

@@ -9,7 +9,7 @@ import numpy as np
 from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
 from ..happening.events import EventRows, Known, Starts
 from .schedule import Schedule
-from .steps import Row
+from .values import Row
 
 
 def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:

@@ -35,7 +35,7 @@ from ...loop.operations import (
     WORK,
     WORK_ON,
 )
-from .steps import Row
+from .values import Row
 
 FOLLOWED = {
     ACCUMULATE, ACCUMULATE_ON, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH,

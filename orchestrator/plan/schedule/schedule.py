@@ -30,7 +30,8 @@ from ...system.model import Connection
 from ..design import Design
 from .repeats import without_repeats
 from .settling import Settling
-from .steps import Row, Steps
+from .steps import Steps
+from .values import Row
 
 LARGEST = 5_000_000  # operations; 320 MB
 

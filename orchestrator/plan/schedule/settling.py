@@ -11,7 +11,7 @@ from ...system.model import Connection
 from ..instants import Known
 from ..start import Block
 from .layout import Key
-from .steps import Row
+from .values import Row
 
 if TYPE_CHECKING:
     from .schedule import Schedule

@@ -29,7 +29,7 @@ class Followed(NamedTuple):
 
 
 class FollowedTables:
-    """All such inputs of a system, as `handler.Happenings`."""
+    """All such inputs of a system, as `happenings.Happenings`."""
 
     def __init__(self, plan: Plan, memory: Memory) -> None:
         self.memory = memory

@@ -28,8 +28,8 @@ class Due(NamedTuple):
 
 
 class Scenario:
-    """`handler.Happenings` of a system. `pending`: what is known to come; `seen`: events that wait for one crossing and
-    have had it."""
+    """`happenings.Happenings` of a system. `pending`: what is known to come; `seen`: events that wait for one crossing
+    and have had it."""
 
     def __init__(self, plan: Plan, memory: Memory) -> None:
         self.plan, self.memory = plan, memory

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rovbrush.orchestrator.loop.operations import COPY, GET, ITERATE, LINEAR, MEAN, PUSH, SET, STEP
 from rovbrush.orchestrator.plan.schedule.repeats import without_repeats
-from rovbrush.orchestrator.plan.schedule.steps import Row
+from rovbrush.orchestrator.plan.schedule.values import Row
 
 INPUTS, OUTPUTS = {0: [0], 1: [1]}, {0: [2], 1: [3]}  # cells of two components
 COPIED = (COPY, 0, 0, 3, 0, 0, 0, 0)  # the first takes what the second gives
