@@ -6,18 +6,21 @@ from math import isfinite
 
 from numba.extending import register_jitable
 
+from ..loop.calls import byte_at
+from ..loop.versions import exchange as set_or_get
+from ..loop.versions import good
 from .cells import (
     CELL,
     COMPLETED,
-    CROSSING,
-    CROSSINGS,
-    CROSSING_COUNT,
     CROSS_GET,
     CROSS_LIMIT,
     CROSS_REFERENCE,
     CROSS_RISES,
     CROSS_ROOM,
     CROSS_WHO,
+    CROSSING,
+    CROSSING_COUNT,
+    CROSSINGS,
     ENDING,
     EVALUATE,
     EVALUATIONS,
@@ -32,35 +35,32 @@ from .cells import (
     FIRST_STATE,
     GET_DERIVATIVES,
     GET_INDICATORS,
-    INDICATE,
-    INDICATORS,
-    INDICATOR_COUNT,
-    INFO,
-    INSTANCE,
     IN_COMPLETED,
     IN_DERIVATIVES,
     IN_GET,
     IN_INDICATORS,
     IN_STATES,
     IN_TIME,
+    INDICATE,
+    INDICATOR_COUNT,
+    INDICATORS,
+    INFO,
+    INSTANCE,
     MEMBER,
-    MEMBERS,
     MEMBER_COUNT,
-    NOT_FINITE,
+    MEMBERS,
     NO_INDICATOR,
     NO_STATE_BEFORE,
+    NOT_FINITE,
     OK,
     RETRY,
     SET_STATES,
     SET_TIME,
-    STATES,
     STATE_COUNT,
+    STATES,
     TIME,
     VERSION,
 )  # fmt: skip
-from ..loop.calls import byte_at
-from ..loop.versions import exchange as set_or_get
-from ..loop.versions import good
 from .connections import exchange
 from .memory import call, half, into_caller, number, put, put_whole, whole
 
