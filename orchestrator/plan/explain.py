@@ -60,7 +60,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     for cut, loop in plan.instants.cuts.items():
         lines.append(f"  the {loop} is cut at {cut.label}, which is no floating-point signal: its last value counts")
     if plan.events:
-        said = [*event_words(plan.events, clock), *clock_words(system, clock.seconds(clock.hyperperiod))]
+        said = event_words(plan.events, clock, plan.order, plan.exchange)
+        said += clock_words(system, clock.seconds(clock.hyperperiod))
         lines += ["", "events", *(f"  {line}" for line in said)]
     lines += ["", "connections"]
     for connection, choice in plan.choices.items():

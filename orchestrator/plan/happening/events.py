@@ -7,7 +7,7 @@ vary its step, otherwise when its step is done.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -139,14 +139,21 @@ def _may_be_event(system: System, c: Connection) -> bool:
     return sampled and not ends_early(system.components[c.source[0]])
 
 
-def event_words(events: Events, clock: Clock) -> list[str]:
-    """Who has events and how late they act, for the plan."""
+def event_words(events: Events, clock: Clock, order: Sequence[str], together: Collection[str]) -> list[str]:
+    """Who has events and how late they act, for the plan; `order`: in which they step, `together`: the group of FMUs
+    for Model Exchange."""
     lines = [f"{name} may end a step at an event" for name in events.sources]
     if events.ahead:
         lines.append(f"first to the instants of others, by parts of its steps: {', '.join(events.ahead)}")
     lines += [
         f"{name} is passed by {why}; these see its events at their next instants" for name, why in events.passed.items()
     ]
+    for name in events.sources:
+        period, before = clock.periods[name], order[: order.index(name)]
+        members = together if name in together else (name,)
+        earlier = [x for x in before if x in events.stopped and x not in members and clock.periods[x] == period]
+        if earlier:
+            lines.append(f"{', '.join(earlier)}: before {name} in the order, sees its events at the next instant")
     if events.stopped:
         lines.append(f"brought to the instant of an event: {', '.join(events.stopped)}")
     for name, why in events.late.items():

@@ -126,6 +126,16 @@ def test_those_that_a_slower_group_averages_pass_it_and_the_plan_says_so(tmp_pat
     assert not simulate(plan).failure
 
 
+def test_the_plan_says_who_steps_before_a_source_of_events(tmp_path: Path, fmus: Path) -> None:
+    parts = {"w": ("witness", "10 ms"), "ball": ("ball", "10 ms", BALL)}
+    wires, words = ["ball.hits -> w.n"], "w: before ball in the order, sees its events at the next instant"
+    assert words not in explain(plan_of(tmp_path, fmus, parts, wires, stop="0.6 s", solver=TIGHT))
+    stated = plan_of(tmp_path, fmus, parts, wires, stop="0.6 s", order=["w", "ball"], solver=TIGHT)
+    assert words in explain(stated)
+    run = simulate(stated)
+    assert cell(run, run.events[-1], "w.at") == 0.46  # the impact is at 0.4515 s
+
+
 PUCKS = ["b.x -> a.x2", "b.v -> a.v2", "a.J -> b.J", "a.n -> b.n"]
 
 
