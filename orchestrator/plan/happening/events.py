@@ -102,14 +102,13 @@ def _first(
     for name in sources:
         members = together if name in together else (name,)
         component = system.components[name]
-        faster = [
-            other
-            for other in stopped
-            if other not in members
-            and (system.components[other].period / component.period).denominator != 1
-            and not _reached(system, members).isdisjoint({other})
-        ]
-        if not faster or component.scheduled or name not in stopped:
+        if component.scheduled or name not in stopped:
+            continue
+        apart = [other for other in stopped if other not in members]
+        faster = [other for other in apart if (system.components[other].period / component.period).denominator != 1]
+        reached = _reached(system, members) if faster else set()
+        faster = [other for other in faster if other in reached]
+        if not faster:
             continue
         averaged = [f"{member}.{means[member]}" for member in members if member in means]
         if averaged:
@@ -122,11 +121,14 @@ def _first(
 def _reached(system: System, names: Collection[str]) -> set[str]:
     """Components to which signals, clocks or events that wait for signals lead from some, near and far."""
     found, waiting = set[str](), list(names)
-    links = [(c.source[0], c.target[0]) for c in (*system.connections, *system.clock_connections)]
-    links += [(event.when.signal[0], name) for event in system.events if event.when for name in event.components]
+    links: dict[str, set[str]] = {}
+    for c in (*system.connections, *system.clock_connections):
+        links.setdefault(c.source[0], set()).add(c.target[0])
+    for event in system.events:
+        if event.when:
+            links.setdefault(event.when.signal[0], set()).update(event.components)
     while waiting:
-        name = waiting.pop()
-        new = {target for source, target in links if source == name} - found
+        new = links.get(waiting.pop(), set()) - found
         found |= new
         waiting += new
     return found

@@ -71,6 +71,9 @@ class Values:
         p = layout.previous[c.source]
         if not self.system.is_real(c):
             return self.sent(c, tick, p)
+        events = self.design.events
+        if events and c.source[0] in events.ahead and sample < tick and transfer != "mean":
+            a = layout.samples.get(c.source, a)  # its outputs are of a later instant already
         if transfer == "quadratic":
             weights = quadratic_weights(sample, self.clock.periods[c.source[0]], start, H, h)
             k = self.constants.at(c.gain, c.offset, *weights)

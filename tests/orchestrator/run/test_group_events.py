@@ -126,6 +126,22 @@ def test_those_that_a_slower_group_averages_pass_it_and_the_plan_says_so(tmp_pat
     assert not simulate(plan).failure
 
 
+@pytest.mark.parametrize("transfer", ["hold", "linear", "quadratic"])
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+def test_a_group_that_goes_ahead_is_extrapolated_from_its_own_instants(
+    algorithm: str, transfer: str, tmp_path: Path, fmus: Path
+) -> None:
+    """A plant x' = u every 1 ms, u from a lag y = 1 - exp(-t) every 10 ms; held it is that of the group's last part."""
+    parts = {"lag": ("lag", "10 ms", {"=push": 1.0}), "relay": ("relay", "10 ms"), "p": ("plant", "1 ms")}
+    wires = ["lag.x -> relay.y", f"lag.x -> p.u ({transfer})"]
+    plan = plan_of(tmp_path, fmus, parts, wires, stop="1 s", algorithm=algorithm, solver=TIGHT)
+    assert plan.events is not None and set(plan.events.ahead) == {"lag", "relay"}
+    run = simulate(plan)
+    assert last(run, "p.x") == pytest.approx(
+        math.exp(-1.0), abs=4e-4 if transfer == "hold" else 3e-5
+    )  # 5 h^2 / 12 of x1 - x0 by lines
+
+
 def test_the_plan_says_who_steps_before_a_source_of_events(tmp_path: Path, fmus: Path) -> None:
     parts = {"w": ("witness", "10 ms"), "ball": ("ball", "10 ms", BALL)}
     wires, words = ["ball.hits -> w.n"], "w: before ball in the order, sees its events at the next instant"
