@@ -140,6 +140,9 @@ def carried(component: Path, work: Path, rows: int = 0) -> tuple[str, type[Any]]
     declared: type[Any] = next(
         x for x in vars(model).values() if isinstance(x, type) and x.__module__ == model.__name__
     )
+    taken = {v.name for v in declared.variables() if v.causality in ("parameter", "input")}
+    for name in sorted(taken & {array.name for array in declared.arrays}):
+        raise BuildError(f"{component.name}: '{name}' is a parameter or an input, and an array of the state or scratch")
     try:
         lower(*parts_of(declared.kernel)).write(work / package / component.name, work / package)
     except KernelError as error:

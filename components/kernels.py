@@ -57,7 +57,8 @@ def compiled(kernel: ModuleType) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)
-    jit = numba.njit(error_model="numpy")
+    # A call that hands on ten arrays costs as much as what it calls.
+    jit = numba.njit(error_model="numpy", forceinline=True)
     for key, function in inspect.getmembers(module, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
             dispatcher: Any = jit(_shown_at_source(function, source))

@@ -1,28 +1,24 @@
-"""A drive that turns the brush at a speed which no load changes. State x: energy delivered."""
+"""A drive that turns the brush at a speed which no load changes."""
+
+from .parameters import Parameters
+from .records import Inputs, Outputs, State
 
 
-def initialize(x: "float[:]") -> None:
+def initialize(x: State) -> None:
     """No energy yet."""
-    x[0] = 0.0
+    x.W_shaft = 0.0
 
 
-def outputs(y: "float[:]", x: "float[:]", V_in: float, T_brush: float, omega_b_set: float, V_nominal: float) -> None:
+def outputs(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     """Write speed, power and energy."""
-    omega_b = omega_b_set * V_in / V_nominal
-    P_shaft = -T_brush * omega_b
-    P_electrical = P_shaft
-    W_shaft = x[0]
-    W_electrical = x[0]
-    y[0] = omega_b
-    y[1] = P_electrical
-    y[2] = P_shaft
-    y[3] = W_electrical
-    y[4] = W_shaft
+    y.omega_b = p.omega_b_set * u.V_in / p.V_nominal
+    y.P_shaft = -u.T_brush * y.omega_b
+    y.P_electrical = y.P_shaft
+    y.W_shaft = x.W_shaft
+    y.W_electrical = x.W_shaft
 
 
-def step(
-    h: float, y: "float[:]", x: "float[:]", V_in: float, T_brush: float, omega_b_set: float, V_nominal: float,
-) -> None:
+def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     """Count the energy of a step at constant torque and speed."""
-    x[0] = x[0] - T_brush * omega_b_set * V_in / V_nominal * h
-    outputs(y, x, V_in, T_brush, omega_b_set, V_nominal)
+    x.W_shaft = x.W_shaft - u.T_brush * p.omega_b_set * u.V_in / p.V_nominal * h
+    outputs(u, p, x, y)

@@ -37,6 +37,7 @@ class Field:
     depends: tuple[str, ...] = ()
     sampled: bool = False
     columns: tuple[Any, ...] = ()
+    begins: str = ""  # with this field: another name for it and what follows
     name: str = ""
     kind: type[Any] = float
 
@@ -88,6 +89,11 @@ def value(
     `columns` declares what the columns of an array mean; an FMU can be built with its first rows as outputs.
     """
     return Field("value", unit, description, shape, columns=columns)
+
+
+def overlay(unit: str, description: str, begins: str, size: int) -> Any:
+    """In a packed record: a name for fields that lie side by side, `size` values from the field `begins` on."""
+    return Field("value", unit, description, size, begins=begins)
 
 
 class Record:
@@ -163,8 +169,8 @@ def cells_of(record: type[Any]) -> dict[str, int]:
     for name, field in fields_of(record).items():
         if field.is_record or (field.is_array and not packed):
             continue
-        places[name] = at
-        at += field.size
+        places[name] = places[field.begins] if field.begins else at
+        at += 0 if field.begins else field.size
     return places
 
 
@@ -184,7 +190,7 @@ def dimensions(field: Field) -> int:
 def cell_count(record: type[Any]) -> int:
     """Length of the record's array of cells."""
     fields = fields_of(record)
-    return sum(fields[name].size for name in cells_of(record))
+    return sum(fields[name].size for name in cells_of(record) if not fields[name].begins)
 
 
 def storage(record: type[Record], name: str) -> Iterator[tuple[str, Shape | Callable[[Any], Shape], Field | None]]:

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from ..declare.record import Vector
+from ..declare.record import Matrix, Vector
 from ..lowered import Part
 from .errors import refuse
 
@@ -64,7 +64,7 @@ def parts_of(kernel: ModuleType) -> tuple[list[Source], dict[str, type[Any]]]:
 def declared(path: Path, node: ast.ImportFrom, module: ModuleType) -> dict[str, type[Any]]:
     """The declarations that an import brings: records and array types; none if it brings functions."""
     named = {alias.name: getattr(module, alias.name) for alias in node.names}
-    types = {name: one for name, one in named.items() if isinstance(one, type) or one is Vector}
+    types = {name: one for name, one in named.items() if isinstance(one, type) or one in (Vector, Matrix)}
     if types and len(types) != len(named):
         refuse(path, node, "an import brings functions or declarations, not both; write two")
     if any(alias.asname for alias in node.names):

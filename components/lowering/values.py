@@ -154,7 +154,17 @@ class Values:
             written = bool(called.uses[name].written or called.uses[name].whole)
             if text in seen and (written or seen[text]):
                 self.no(node, f"{text} is given twice, and {called.node.name} writes to it")
+            for other in seen:  # x.motion beside x
+                inner, outer = (text, other) if len(text) > len(other) else (other, text)
+                within = inner.startswith(f"{outer}.") and self.reaches(node, called, outer, inner)
+                if within and (written or seen[other]):
+                    self.no(node, f"{inner} is given twice, also in {outer}, and {called.node.name} writes to it")
             seen[text] = written or seen.get(text, False)
+
+    def reaches(self, node: ast.Call, called: Function, outer: str, inner: str) -> bool:
+        """Does a called function use a record in a record that it is given, beside what it is given by itself?"""
+        given = {ast.unparse(a): name for a, name in zip(node.args, called.parameters, strict=True)}
+        return inner.split(".")[1] in called.uses[given[outer]].read
 
 
 def called_name(node: ast.expr | None) -> str:

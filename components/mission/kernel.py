@@ -1,27 +1,26 @@
-"""A cleaning pass as set-points over time, and the friction of the hull along it.
+"""A cleaning pass as set-points over time, and the friction of the hull along it."""
 
-start: position at time 0. memory: [0] number of the next sample (-1 before the first), [1..3] position set-point,
-[4..6] its velocity, [7] force set-point, [8] phase, [9] friction scale.
-"""
+from ..declare.record import Vector
+from ..library.sampling import first_sample, is_due
+from .parameters import Parameters
+from .records import Inputs, Outputs, State, Stretch, Times
 
-from math import ceil
 
-
-def friction_at(s: float, fouling_place: "float[:]", fouling_scale: "float[:]") -> float:
+def friction_at(s: float, p: Parameters) -> float:
     """The friction scale at the place s of the pass; beyond the ends of the table its first or last value."""
-    scale = fouling_scale[0]
+    scale = p.fouling_scale[0]
     for k in range(7):
-        width = fouling_place[k + 1] - fouling_place[k]
-        if s >= fouling_place[k + 1]:
-            scale = fouling_scale[k + 1]
-        elif s > fouling_place[k] and width > 0.0:
-            part = (s - fouling_place[k]) / width
-            scale = fouling_scale[k] + part * (fouling_scale[k + 1] - fouling_scale[k])
+        width = p.fouling_place[k + 1] - p.fouling_place[k]
+        if s >= p.fouling_place[k + 1]:
+            scale = p.fouling_scale[k + 1]
+        elif s > p.fouling_place[k] and width > 0.0:
+            part = (s - p.fouling_place[k]) / width
+            scale = p.fouling_scale[k] + part * (p.fouling_scale[k + 1] - p.fouling_scale[k])
     return scale
 
 
-def stretch(t: float, begin: float, length: float, v: float) -> tuple[float, float, float]:
-    """Way, speed and end of a stretch that begins at `begin` and is covered at the speed v."""
+def stretch(t: float, begin: float, length: float, v: float) -> Stretch:
+    """Where one is at time t on a stretch that begins at `begin` and is covered at the speed v."""
     end = begin + abs(length) / v
     way = 0.0
     speed = 0.0
@@ -32,102 +31,98 @@ def stretch(t: float, begin: float, length: float, v: float) -> tuple[float, flo
         if length < 0.0:
             speed = -v
         way = speed * (t - begin)
-    return way, speed, end
+    return Stretch(way, speed, end)
 
 
-def set_points(
-    t: float, memory: "float[:]", start: "float[:]", along: "float[:]", into_hull: "float[:]", t_start: float,
-    standoff: float, depth: float, v_approach: float, t_settle: float, length: float, v_clean: float, t_release: float,
-    v_leave: float, leave: float, F_n: float,
-) -> None:
-    """Phases: 0 wait, 1 approach, 2 at the hull before the pass, 3 pass, 4 after it, 5 release, 6 leave, 7 done."""
-    down, v_down, touched = stretch(t, t_start, standoff + depth, v_approach)
-    way, speed, passed = stretch(t, touched + t_settle, length, v_clean)
-    release = passed + t_settle
-    up, v_up, done = stretch(t, release + t_release, -leave - depth, v_leave)
+def force_at(t: float, at: Times, p: Parameters) -> float:
+    """The force set-point: F_n from the approach on, and back to 0 before leaving."""
+    F_n = 0.0
+    if t >= p.t_start and t < at.release:
+        F_n = p.F_n
+    elif t >= at.release and t < at.leave:
+        F_n = p.F_n * (at.leave - t) / p.t_release
+    return F_n
+
+
+def phase_at(t: float, at: Times, p: Parameters) -> float:
+    """0 wait, 1 approach, 2 at the hull before the pass, 3 pass, 4 after it, 5 release, 6 leave, 7 done."""
+    phase = 0.0
+    if t >= p.t_start:
+        phase = 1.0
+    if t >= at.touched:
+        phase = 2.0
+    if t >= at.clean:
+        phase = 3.0
+    if t >= at.passed:
+        phase = 4.0
+    if t >= at.release:
+        phase = 5.0
+    if t >= at.leave:
+        phase = 6.0
+    if t >= at.done:
+        phase = 7.0
+    return phase
+
+
+def set_points(t: float, p: Parameters, x: State) -> None:
+    """The sample at time t."""
+    down = stretch(t, p.t_start, p.standoff + p.depth, p.v_approach)
+    along = stretch(t, down.end + p.t_settle, p.length, p.v_clean)
+    release = along.end + p.t_settle
+    up = stretch(t, release + p.t_release, -p.leave - p.depth, p.v_leave)
+    at = Times(
+        touched=down.end,
+        clean=down.end + p.t_settle,
+        passed=along.end,
+        release=release,
+        leave=release + p.t_release,
+        done=up.end,
+    )
     for i in range(3):
-        memory[1 + i] = start[i] + (down + up) * into_hull[i] + way * along[i]
-        memory[4 + i] = (v_down + v_up) * into_hull[i] + speed * along[i]
-    memory[7] = 0.0
-    if t >= t_start and t < release:
-        memory[7] = F_n
-    elif t >= release and t < release + t_release:
-        memory[7] = F_n * (release + t_release - t) / t_release
-    memory[8] = 0.0
-    if t >= t_start:
-        memory[8] = 1.0
-    if t >= touched:
-        memory[8] = 2.0
-    if t >= touched + t_settle:
-        memory[8] = 3.0
-    if t >= passed:
-        memory[8] = 4.0
-    if t >= release:
-        memory[8] = 5.0
-    if t >= release + t_release:
-        memory[8] = 6.0
-    if t >= done:
-        memory[8] = 7.0
+        x.position[i] = x.start[i] + (down.way + up.way) * p.into_hull[i] + along.way * p.along[i]
+        x.velocity[i] = (down.speed + up.speed) * p.into_hull[i] + along.speed * p.along[i]
+    x.F_n = force_at(t, at, p)
+    x.phase = phase_at(t, at, p)
 
 
-def initialize(
-    start: "float[:]", memory: "float[:]", x_n: float, y_n: float, z_n: float, fouling_place: "float[:]",
-    fouling_scale: "float[:]",
-) -> None:
+def way_along(u: Inputs, along: Vector, start: Vector) -> float:
+    """How far along the pass the vehicle is."""
+    return along[0] * (u.x_n - start[0]) + along[1] * (u.y_n - start[1]) + along[2] * (u.z_n - start[2])
+
+
+def initialize(u: Inputs, p: Parameters, x: State) -> None:
     """The pass begins where the vehicle is."""
-    start[0] = x_n
-    start[1] = y_n
-    start[2] = z_n
-    memory[0] = -1.0
+    x.start[0] = u.x_n
+    x.start[1] = u.y_n
+    x.start[2] = u.z_n
     for i in range(3):
-        memory[1 + i] = start[i]
-        memory[4 + i] = 0.0
-    memory[7] = 0.0
-    memory[8] = 0.0
-    memory[9] = friction_at(0.0, fouling_place, fouling_scale)
+        x.position[i] = x.start[i]
+        x.velocity[i] = 0.0
+    x.sample = -1.0
+    x.F_n = 0.0
+    x.phase = 0.0
+    x.friction_scale = friction_at(0.0, p)
 
 
-def outputs(
-    y: "float[:]", memory: "float[:]", start: "float[:]", v_ref: "float[:]", along: "float[:]", x_n: float, y_n: float,
-    z_n: float,
-) -> None:
+def outputs(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     """Write the set-points of the last sample, and where on the pass the vehicle is."""
-    x_ref = memory[1]
-    y_ref = memory[2]
-    z_ref = memory[3]
+    y.x_ref = x.position[0]
+    y.y_ref = x.position[1]
+    y.z_ref = x.position[2]
     for i in range(3):
-        v_ref[i] = memory[4 + i]
-    F_n_ref = memory[7]
-    phase = memory[8]
-    friction_scale = memory[9]
-    s = along[0] * (x_n - start[0]) + along[1] * (y_n - start[1]) + along[2] * (z_n - start[2])
-    y[0] = x_ref
-    y[1] = y_ref
-    y[2] = z_ref
-    for i in range(3):
-        y[3 + i] = v_ref[i]
-    y[6] = F_n_ref
-    y[7] = phase
-    y[8] = friction_scale
-    y[9] = s
+        y.v_ref[i] = x.velocity[i]
+    y.F_n_ref = x.F_n
+    y.phase = x.phase
+    y.friction_scale = x.friction_scale
+    y.s = way_along(u, p.along, x.start)
 
 
-def step(
-    t: float, h: float, y: "float[:]", memory: "float[:]", start: "float[:]", v_ref: "float[:]", x_n: float, y_n: float,
-    z_n: float, T_s: float, along: "float[:]", into_hull: "float[:]", t_start: float, standoff: float, depth: float,
-    v_approach: float, t_settle: float, length: float, v_clean: float, t_release: float, v_leave: float, leave: float,
-    F_n: float, fouling_place: "float[:]", fouling_scale: "float[:]",
-) -> None:
+def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     """Set-points of the samples in [t, t + h), held in between; the friction is that of the place at t."""
-    # A sample belongs to the step that starts at it, whatever the rounding of t.
-    margin = 1e-6 * T_s
-    if memory[0] < 0.0:
-        memory[0] = ceil((t - margin) / T_s) * 1.0
-    while memory[0] * T_s < t + h - margin:
-        set_points(
-            memory[0] * T_s, memory, start, along, into_hull, t_start, standoff, depth, v_approach, t_settle, length,
-            v_clean, t_release, v_leave, leave, F_n)
-        memory[0] = memory[0] + 1.0
-    s = along[0] * (x_n - start[0]) + along[1] * (y_n - start[1]) + along[2] * (z_n - start[2])
-    memory[9] = friction_at(s, fouling_place, fouling_scale)
-    outputs(y, memory, start, v_ref, along, x_n, y_n, z_n)
+    if x.sample < 0.0:
+        x.sample = first_sample(t, p.T_s)
+    while is_due(x.sample, t, h, p.T_s):
+        set_points(x.sample * p.T_s, p, x)
+        x.sample += 1.0
+    x.friction_scale = friction_at(way_along(u, p.along, x.start), p)
+    outputs(u, p, x, y)

@@ -1,18 +1,21 @@
 """Kinetic and potential energy of the vehicle."""
 
+from .parameters import Parameters
+from .records import Motion, Scratch, State
 
-def kinetic(x: "float[:]", R: "float[:]", current: "float[:]", M: "float[:,:]", added_mass: "float[:]") -> float:
-    """Kinetic energy: rigid body over ground plus added mass through the water, with nu over ground in x."""
+
+def kinetic(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
+    """Kinetic energy: rigid body over ground plus added mass through the water, with z over ground."""
     E = 0.0
     for i in range(6):
         for j in range(6):
-            E = E + 0.5 * x[7 + i] * M[i, j] * x[7 + j]
+            E += 0.5 * z.nu[i] * x.M[i, j] * z.nu[j]
     for i in range(3):
-        v_r = x[7 + i] - (R[i] * current[0] + R[3 + i] * current[1] + R[6 + i] * current[2])
-        E = E + 0.5 * added_mass[i] * (v_r * v_r - x[7 + i] * x[7 + i])
+        v_r = z.v[i] - (s.R[0, i] * x.current[0] + s.R[1, i] * x.current[1] + s.R[2, i] * x.current[2])
+        E += 0.5 * p.added_mass[i] * (v_r * v_r - z.v[i] * z.v[i])
     return E
 
 
-def potential(x: "float[:]", R: "float[:]", lever: "float[:]", net_buoyancy: float) -> float:
+def potential(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
     """Energy of weight and buoyancy, zero with the body origin at depth 0 and the lever level."""
-    return net_buoyancy * x[2] - lever[0] * R[6] - lever[1] * R[7] - lever[2] * R[8]
+    return p.net_buoyancy * z.position[2] - x.lever[0] * s.R[2, 0] - x.lever[1] * s.R[2, 1] - x.lever[2] * s.R[2, 2]

@@ -2,201 +2,142 @@
 
 World frame: north, east, down. Body frame: forward, starboard, down. The current is uniform and constant over a step:
 the equations hold in the frame that moves with the water, where the velocity is the relative velocity nu_r.
-
-x: [0..2] position, [3..6] quaternion body to world (scalar first), [7..12] nu over ground (nu_r inside a step),
-   [13..17] energies: thrusters, tool, external wrench, current, damping.
-thrust_state: thrust of each thruster. current: that of the last step. energy_start: kinetic and potential at start.
-D: linear (row 0) and quadratic (row 1) damping. lever: W r_g - B r_b, the moment of weight and buoyancy per vertical.
 """
 
-from math import ceil
-
+from ..library.integration import equal_steps
+from ..library.rotation import quaternion
+from ..library.thrust import allocation_matrix
+from ..library.vectors import copy
 from .energy import kinetic, potential
-from .frames import change_frame, euler_angles, quaternion, rotation
-from .inertia import inverse, mass_matrix
+from .frames import change_frame, euler_angles, rotation
+from .inertia import mass_matrix
 from .motion import rates
-from .propulsion import allocation, thrust_of, thruster_wrench
+from .parameters import Parameters
+from .propulsion import thruster_wrench, thrusts
+from .records import Inputs, Motion, Outputs, Scratch, State
 from .runge_kutta import runge_kutta
 from .tool import tool_motion, tool_wrench
 
 
-def setup(
-    B: "float[:,:]", M: "float[:,:]", M_inv: "float[:,:]", m: float, I: "float[:]", I_products: "float[:]",
-    r_g: "float[:]", added_mass: "float[:]", added_inertia: "float[:]", thruster_position: "float[:]",
-    thruster_direction: "float[:]", D: "float[:,:]", lever: "float[:]", D_force: "float[:]", D_moment: "float[:]",
-    D_force_quadratic: "float[:]", D_moment_quadratic: "float[:]", W: float, net_buoyancy: float, r_b: "float[:]",
-    work: "float[:]",
-) -> None:
-    """Allocation matrix B, mass matrix M = M_RB + M_A about the body origin and its inverse, D and lever."""
+def setup(p: Parameters, x: State, s: Scratch) -> None:
+    """Allocation matrix B, mass matrix M and its inverse, the lever of weight and buoyancy, the tool's mounting."""
     for i in range(3):
-        D[0, i] = D_force[i]
-        D[0, 3 + i] = D_moment[i]
-        D[1, i] = D_force_quadratic[i]
-        D[1, 3 + i] = D_moment_quadratic[i]
-        lever[i] = W * r_g[i] - (W + net_buoyancy) * r_b[i]
-    allocation(B, thruster_position, thruster_direction, work)
-    mass_matrix(M, m, I, I_products, r_g, added_mass, added_inertia)
-    inverse(M, M_inv, work)
+        x.lever[i] = p.W * p.r_g[i] - (p.W + p.net_buoyancy) * p.r_b[i]
+        for j in range(3):
+            x.R_tool[i, j] = p.R_tool_body[3 * i + j]
+    allocation_matrix(x.B, p.thruster_position, p.thruster_direction)
+    mass_matrix(p, x, s)
 
 
-def initialize(
-    x: "float[:]", thrust_state: "float[:]", current: "float[:]", energy_start: "float[:]", R: "float[:]",
-    v_c: "float[:]", M: "float[:,:]", added_mass: "float[:]", lever: "float[:]", net_buoyancy: float,
-    position_start: "float[:]", attitude_start: "float[:]", velocity_start: "float[:]", rates_start: "float[:]",
-) -> None:
+def initialize(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """Initial pose and velocity, thrusters at rest, no work done."""
+    place(x.motion, p, s)
     for i in range(3):
-        x[i] = position_start[i]
-        x[7 + i] = velocity_start[i]
-        x[10 + i] = rates_start[i]
-        current[i] = v_c[i]
-    quaternion(x, attitude_start[0], attitude_start[1], attitude_start[2])
-    for i in range(5):
-        x[13 + i] = 0.0
+        x.current[i] = u.v_c[i]
     for j in range(8):
-        thrust_state[j] = 0.0
-    rotation(R, x)
-    energy_start[0] = kinetic(x, R, current, M, added_mass) + potential(x, R, lever, net_buoyancy)
+        x.thrust[j] = 0.0
+    rotation(s.R, x.motion)
+    x.E_start = kinetic(x.motion, p, x, s) + potential(x.motion, p, x, s)
 
 
-def outputs(
-    x: "float[:]", y: "float[:]", thrust_state: "float[:]", current: "float[:]", energy_start: "float[:]",
-    quat: "float[:]", thrust: "float[:]", F_control: "float[:]", M_control: "float[:]", F_disturb: "float[:]",
-    M_disturb: "float[:]", tau_external: "float[:]", tau_control: "float[:]", tau_disturb: "float[:]", R: "float[:]",
-    v_water: "float[:]", force: "float[:]", stage: "float[:]", k: "float[:]", work: "float[:]", u_thruster: "float[:]",
-    F_x: float, F_y: float, F_z: float, M_x: float, M_y: float, M_z: float, F_external: "float[:]",
-    M_external: "float[:]", v_c: "float[:]", B: "float[:,:]", M: "float[:,:]", M_inv: "float[:,:]",
-    added_mass: "float[:]", D: "float[:,:]", lever: "float[:]", net_buoyancy: float, k_T_forward: float,
-    k_T_reverse: float, r_tool: "float[:]", R_tool_body: "float[:]", R_brush: float, hull_point: "float[:]",
-    hull_normal: "float[:]",
-) -> None:
+def place(z: Motion, p: Parameters, s: Scratch) -> None:
+    """The motion at the start."""
+    for i in range(3):
+        z.position[i] = p.position_start[i]
+        z.v[i] = p.velocity_start[i]
+        z.omega[i] = p.rates_start[i]
+    quaternion(s.q_start, p.attitude_start[0], p.attitude_start[1], p.attitude_start[2])
+    for i in range(4):
+        z.q[i] = s.q_start[i]
+    z.W_thruster = 0.0
+    z.W_tool = 0.0
+    z.W_external = 0.0
+    z.W_current = 0.0
+    z.W_damping = 0.0
+
+
+def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
-    thruster_wrench(tau_control, B, thrust_state, u_thruster, k_T_forward, k_T_reverse, 1.0)
-    tool_wrench(tau_disturb, r_tool, R_tool_body, F_x, F_y, F_z, M_x, M_y, M_z)
-    for i in range(3):
-        tau_external[i] = F_external[i]
-        tau_external[3 + i] = M_external[i]
-    for i in range(18):
-        stage[i] = x[i]
-    change_frame(stage, R, v_c, -1.0)
-    rates(
-        k, stage, R, v_water, force, tau_control, tau_disturb, tau_external, v_c, M, M_inv, added_mass, D, lever,
-        net_buoyancy)
-    P_thruster = k[13]
-    P_tool = k[14]
-    P_damping = k[17]
-
-    x_n = x[0]
-    y_n = x[1]
-    z_n = x[2]
-    phi, theta, psi = euler_angles(R, x)
-    u = x[7]
-    v = x[8]
-    w = x[9]
-    p = x[10]
-    q = x[11]
-    r = x[12]
-    for i in range(4):
-        quat[i] = x[3 + i]
+    thruster_wrench(1.0, u, p, x, s)
+    tool_wrench(u, p, x, s)
+    copy(18, s.stage, x.motion)
+    change_frame(s.stage, -1.0, u, s)
+    rates(s.k, s.stage, u, p, x, s)
+    write_powers(s.k, y)
+    write_motion(x.motion, y, s)
     for i in range(8):
-        thrust[i] = thrust_state[i]
+        y.thrust[i] = x.thrust[i]
     for i in range(3):
-        F_control[i] = tau_control[i]
-        M_control[i] = tau_control[3 + i]
-        F_disturb[i] = tau_disturb[i]
-        M_disturb[i] = tau_disturb[3 + i]
+        y.F_control[i] = s.F_control[i]
+        y.M_control[i] = s.M_control[i]
+        y.F_disturb[i] = s.F_disturb[i]
+        y.M_disturb[i] = s.M_disturb[i]
+    tool = tool_motion(x.motion, p, x, s)
+    y.delta = tool.delta
+    y.delta_dot = tool.delta_dot
+    y.v_rov = tool.v_rov
+    y.misalignment = tool.misalignment
+    y.E_kinetic = kinetic(x.motion, p, x, s)
+    y.E_potential = potential(x.motion, p, x, s)
+    write_works(x.motion, y)
+    done = y.W_thruster + y.W_tool + y.W_external + y.W_current - y.W_damping
+    y.energy_residual = x.E_start + done - y.E_kinetic - y.E_potential
 
-    delta, delta_dot, v_rov, misalignment = tool_motion(
-        x, R, r_tool, R_tool_body, R_brush, hull_point, hull_normal, work)
 
-    W_thruster = x[13]
-    W_tool = x[14]
-    W_external = x[15]
-    W_current = x[16]
-    W_damping = x[17]
-    E_kinetic = kinetic(x, R, current, M, added_mass)
-    E_potential = potential(x, R, lever, net_buoyancy)
-    work_done = W_thruster + W_tool + W_external + W_current - W_damping
-    energy_residual = energy_start[0] + work_done - E_kinetic - E_potential
+def write_powers(k: Motion, y: Outputs) -> None:
+    """The powers from the rates of the works."""
+    y.P_thruster = k.W_thruster
+    y.P_tool = k.W_tool
+    y.P_damping = k.W_damping
 
-    y[0] = x_n
-    y[1] = y_n
-    y[2] = z_n
-    y[3] = phi
-    y[4] = theta
-    y[5] = psi
-    y[6] = u
-    y[7] = v
-    y[8] = w
-    y[9] = p
-    y[10] = q
-    y[11] = r
+
+def write_motion(z: Motion, y: Outputs, s: Scratch) -> None:
+    """Pose and velocities."""
+    y.x_n = z.position[0]
+    y.y_n = z.position[1]
+    y.z_n = z.position[2]
+    angles = euler_angles(s.R, z)
+    y.phi = angles.phi
+    y.theta = angles.theta
+    y.psi = angles.psi
+    y.u = z.v[0]
+    y.v = z.v[1]
+    y.w = z.v[2]
+    y.p = z.omega[0]
+    y.q = z.omega[1]
+    y.r = z.omega[2]
     for i in range(4):
-        y[12 + i] = quat[i]
-    y[16] = delta
-    y[17] = delta_dot
-    y[18] = v_rov
-    y[19] = misalignment
-    for i in range(8):
-        y[20 + i] = thrust[i]
-    for i in range(3):
-        y[28 + i] = F_control[i]
-    for i in range(3):
-        y[31 + i] = M_control[i]
-    for i in range(3):
-        y[34 + i] = F_disturb[i]
-    for i in range(3):
-        y[37 + i] = M_disturb[i]
-    y[40] = P_thruster
-    y[41] = P_tool
-    y[42] = P_damping
-    y[43] = W_thruster
-    y[44] = W_tool
-    y[45] = W_external
-    y[46] = W_current
-    y[47] = W_damping
-    y[48] = E_kinetic
-    y[49] = E_potential
-    y[50] = energy_residual
+        y.quat[i] = z.q[i]
 
 
-def step(
-    h: float, x: "float[:]", y: "float[:]", thrust_state: "float[:]", current: "float[:]", energy_start: "float[:]",
-    quat: "float[:]", thrust: "float[:]", F_control: "float[:]", M_control: "float[:]", F_disturb: "float[:]",
-    M_disturb: "float[:]", tau_external: "float[:]", tau_control: "float[:]", tau_disturb: "float[:]", R: "float[:]",
-    v_water: "float[:]", force: "float[:]", stage: "float[:]", k: "float[:]", increment: "float[:]", work: "float[:]",
-    u_thruster: "float[:]", F_x: float, F_y: float, F_z: float, M_x: float, M_y: float, M_z: float,
-    F_external: "float[:]", M_external: "float[:]", v_c: "float[:]", B: "float[:,:]", M: "float[:,:]",
-    M_inv: "float[:,:]", added_mass: "float[:]", D: "float[:,:]", lever: "float[:]", net_buoyancy: float,
-    k_T_forward: float, k_T_reverse: float, thruster_lag: float, r_tool: "float[:]", R_tool_body: "float[:]",
-    R_brush: float, hull_point: "float[:]", hull_normal: "float[:]", max_step: float,
-) -> None:
+def write_works(z: Motion, y: Outputs) -> None:
+    """The works."""
+    y.W_thruster = z.W_thruster
+    y.W_tool = z.W_tool
+    y.W_external = z.W_external
+    y.W_current = z.W_current
+    y.W_damping = z.W_damping
+
+
+def change_current(z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """A change of the current changes the energy of the added mass at once: work of the water on the vehicle."""
+    rotation(s.R, z)
+    z.W_current = z.W_current - kinetic(z, p, x, s)
+    for i in range(3):
+        x.current[i] = u.v_c[i]
+    z.W_current = z.W_current + kinetic(z, p, x, s)
+
+
+def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Advance by h in equal Runge-Kutta steps of at most max_step."""
-    count = max(1, ceil(h / max_step - 1e-6))
+    count = equal_steps(h, p.max_step)
     dt = h / count
-    if thruster_lag <= 0.0:
-        for j in range(8):
-            thrust_state[j] = thrust_of(u_thruster[j], k_T_forward, k_T_reverse)
-    tool_wrench(tau_disturb, r_tool, R_tool_body, F_x, F_y, F_z, M_x, M_y, M_z)
-    for i in range(3):
-        tau_external[i] = F_external[i]
-        tau_external[3 + i] = M_external[i]
-
-    # A change of the current changes the energy of the added mass at once: work of the water on the vehicle.
-    rotation(R, x)
-    x[16] = x[16] - kinetic(x, R, current, M, added_mass)
-    for i in range(3):
-        current[i] = v_c[i]
-    x[16] = x[16] + kinetic(x, R, current, M, added_mass)
-
-    change_frame(x, R, v_c, -1.0)
+    if p.thruster_lag <= 0.0:
+        thrusts(0.0, u, p, x)
+    tool_wrench(u, p, x, s)
+    change_current(x.motion, u, p, x, s)
+    change_frame(x.motion, -1.0, u, s)
     for _ in range(count):
-        runge_kutta(
-            dt, x, thrust_state, stage, k, increment, R, v_water, force, tau_control, tau_disturb, tau_external,
-            u_thruster, v_c, B, M, M_inv, added_mass, D, lever, net_buoyancy, k_T_forward, k_T_reverse, thruster_lag)
-    change_frame(x, R, v_c, 1.0)
-    outputs(
-        x, y, thrust_state, current, energy_start, quat, thrust, F_control, M_control, F_disturb, M_disturb,
-        tau_external, tau_control, tau_disturb, R, v_water, force, stage, k, work, u_thruster, F_x, F_y, F_z, M_x, M_y,
-        M_z, F_external, M_external, v_c, B, M, M_inv, added_mass, D, lever, net_buoyancy, k_T_forward, k_T_reverse,
-        r_tool, R_tool_body, R_brush, hull_point, hull_normal)
+        runge_kutta(dt, u, p, x, s)
+    change_frame(x.motion, 1.0, u, s)
+    outputs(u, p, x, y, s)

@@ -2,46 +2,39 @@
 
 from math import atan2, sqrt
 
-from .frames import cross_add
+from ..library.vectors import cross_add
+from .parameters import Parameters
+from .records import Inputs, Motion, Scratch, State, ToolMotion
 
 
-def tool_wrench(
-    tau_disturb: "float[:]", r_tool: "float[:]", R_tool_body: "float[:]", F_x: float, F_y: float, F_z: float,
-    M_x: float, M_y: float, M_z: float,
-) -> None:
+def tool_wrench(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """The tool's force and moment, given in the tool frame, as a wrench about the body origin (Eq. 21)."""
-    for r in range(3):
-        k = 3 * r
-        tau_disturb[r] = R_tool_body[k] * F_x + R_tool_body[k + 1] * F_y + R_tool_body[k + 2] * F_z  # Eq. 21
-        tau_disturb[3 + r] = R_tool_body[k] * M_x + R_tool_body[k + 1] * M_y + R_tool_body[k + 2] * M_z
-    cross_add(tau_disturb, 3, r_tool[0], r_tool[1], r_tool[2], tau_disturb[0], tau_disturb[1], tau_disturb[2])
-
-
-def tool_motion(
-    x: "float[:]", R: "float[:]", r_tool: "float[:]", R_tool_body: "float[:]", R_brush: float, hull_point: "float[:]",
-    hull_normal: "float[:]", work: "float[:]",
-) -> tuple[float, float, float, float]:
-    """Penetration delta, its rate, hull speed v_rov along x_t, and misalignment of z_t with the normal into the hull.
-
-    work: [0..2] tool point minus body origin, world; [3..5] its velocity, body, and [6..8] world; [9..11] z_t, world.
-    """
     for i in range(3):
-        work[i] = R[3 * i] * r_tool[0] + R[3 * i + 1] * r_tool[1] + R[3 * i + 2] * r_tool[2]
-        work[3 + i] = x[7 + i]
-        work[9 + i] = R[3 * i] * R_tool_body[2] + R[3 * i + 1] * R_tool_body[5] + R[3 * i + 2] * R_tool_body[8]
-        work[12 + i] = 0.0
-    cross_add(work, 3, x[10], x[11], x[12], r_tool[0], r_tool[1], r_tool[2])
-    delta = R_brush
+        s.F_disturb[i] = x.R_tool[i, 0] * u.F_x + x.R_tool[i, 1] * u.F_y + x.R_tool[i, 2] * u.F_z  # Eq. 21
+        s.M_disturb[i] = x.R_tool[i, 0] * u.M_x + x.R_tool[i, 1] * u.M_y + x.R_tool[i, 2] * u.M_z  # Eq. 21
+    cross_add(
+        s.M_disturb, p.r_tool[0], p.r_tool[1], p.r_tool[2], s.F_disturb[0], s.F_disturb[1], s.F_disturb[2])
+
+
+def tool_motion(z: Motion, p: Parameters, x: State, s: Scratch) -> ToolMotion:
+    """Penetration, its rate, hull speed along x_t, and misalignment of z_t with the normal into the hull."""
+    for i in range(3):
+        s.arm[i] = s.R[i, 0] * p.r_tool[0] + s.R[i, 1] * p.r_tool[1] + s.R[i, 2] * p.r_tool[2]
+        s.z_t[i] = s.R[i, 0] * x.R_tool[0, 2] + s.R[i, 1] * x.R_tool[1, 2] + s.R[i, 2] * x.R_tool[2, 2]
+        s.v_tool[i] = z.v[i]
+        s.tilt[i] = 0.0
+    cross_add(s.v_tool, z.omega[0], z.omega[1], z.omega[2], p.r_tool[0], p.r_tool[1], p.r_tool[2])
+    delta = p.R_brush
     delta_dot = 0.0
     v_rov = 0.0
     facing = 0.0
     for i in range(3):
-        work[6 + i] = R[3 * i] * work[3] + R[3 * i + 1] * work[4] + R[3 * i + 2] * work[5]
-        delta = delta - hull_normal[i] * (x[i] + work[i] - hull_point[i])
-        delta_dot = delta_dot - hull_normal[i] * work[6 + i]
-        v_rov = v_rov - R_tool_body[3 * i] * work[3 + i]
-        facing = facing - hull_normal[i] * work[9 + i]
+        v_world = s.R[i, 0] * s.v_tool[0] + s.R[i, 1] * s.v_tool[1] + s.R[i, 2] * s.v_tool[2]
+        delta = delta - p.hull_normal[i] * (z.position[i] + s.arm[i] - p.hull_point[i])
+        delta_dot = delta_dot - p.hull_normal[i] * v_world
+        v_rov = v_rov - x.R_tool[i, 0] * s.v_tool[i]
+        facing = facing - p.hull_normal[i] * s.z_t[i]
     # atan2 of sine and cosine is exact near zero, where acos is not.
-    cross_add(work, 12, work[9], work[10], work[11], hull_normal[0], hull_normal[1], hull_normal[2])
-    misalignment = atan2(sqrt(work[12] * work[12] + work[13] * work[13] + work[14] * work[14]), facing)
-    return delta, delta_dot, v_rov, misalignment
+    cross_add(s.tilt, s.z_t[0], s.z_t[1], s.z_t[2], p.hull_normal[0], p.hull_normal[1], p.hull_normal[2])
+    sine = sqrt(s.tilt[0] * s.tilt[0] + s.tilt[1] * s.tilt[1] + s.tilt[2] * s.tilt[2])
+    return ToolMotion(delta, delta_dot, v_rov, misalignment=atan2(sine, facing))

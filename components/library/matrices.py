@@ -1,0 +1,32 @@
+"""Small square matrices."""
+
+from ..declare.record import Matrix
+
+
+def invert(A: Matrix, A_inv: Matrix, size: int) -> None:
+    """A_inv = A^-1 by Gauss-Jordan without pivoting, which a positive definite matrix does not need; A is used up."""
+    for i in range(size):
+        for j in range(size):
+            A_inv[i, j] = 0.0
+        A_inv[i, i] = 1.0
+    for i in range(size):
+        pivot = A[i, i]
+        for j in range(size):
+            A[i, j] = A[i, j] / pivot
+            A_inv[i, j] = A_inv[i, j] / pivot
+        for k in range(size):
+            if k != i:
+                factor = A[k, i]
+                for j in range(size):
+                    A[k, j] = A[k, j] - factor * A[i, j]
+                    A_inv[k, j] = A_inv[k, j] - factor * A_inv[i, j]
+
+
+def of_blocks(M: Matrix, upper: Matrix, coupling: Matrix, lower: Matrix) -> None:
+    """The symmetric 6 by 6 matrix of two diagonal blocks and the upper right one."""
+    for i in range(3):
+        for j in range(3):
+            M[i, j] = upper[i, j]
+            M[i, 3 + j] = coupling[i, j]
+            M[3 + i, j] = coupling[j, i]
+            M[3 + i, 3 + j] = lower[i, j]
