@@ -6,6 +6,9 @@ are named scalars and cells of arrays. The compiled form lives in a per-user cac
 never taken.
 """
 
+# mypy: disable-error-code="no-untyped-call, attr-defined, unused-ignore"
+# Numba has no types.
+
 from __future__ import annotations
 
 import hashlib
@@ -16,6 +19,8 @@ from types import FunctionType, ModuleType
 from typing import Any
 
 import numba
+from numba.core import cgutils
+from numba.extending import intrinsic
 
 from .kernel_cache import CheckedCache, stored
 from .lowered import Lowered, lowered
@@ -65,6 +70,39 @@ def compiled(kernel: ModuleType) -> ModuleType:
             dispatcher._cache = CheckedCache(function)
             setattr(module, key, dispatcher)
     return module
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def lent(_: Any, array: Any) -> Any:
+    """The same array without an owner, so that nobody counts references to it; the caller keeps it."""
+
+    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        made = cgutils.create_struct_proxy(signature.args[0])(context, builder, value=arguments[0])
+        made.meminfo = cgutils.get_null_value(made.meminfo.type)
+        made.parent = cgutils.get_null_value(made.parent.type)
+        return made._getvalue()
+
+    return array(array), code
+
+
+def entry(functions: ModuleType, function: str, arguments: list[str], given: str) -> Any:
+    """A compiled kernel function that takes its arguments out of a few arrays: `given` names, `arguments` says how.
+
+    Unpacking dozens of arrays from Python for every call would cost more than most kernels.
+    """
+    text = f"def {function}_from({given}):\n    {function}({', '.join(arguments)})\n"
+    name = f"{functions.__name__}_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
+    if name not in vars(functions):
+        namespace = {function: getattr(functions, function), "__name__": functions.__name__, "lent": lent}
+        if numba.config.DISABLE_JIT:
+            namespace["lent"] = lambda array: array
+        exec(compile(text, str(stored(name, text)), "exec"), namespace)
+        made = namespace[f"{function}_from"]
+        dispatcher: Any = numba.njit(error_model="numpy")(made)
+        if hasattr(dispatcher, "_cache"):
+            dispatcher._cache = CheckedCache(made)
+        setattr(functions, name, dispatcher)
+    return getattr(functions, name)
 
 
 def _shown_at_source(function: FunctionType, source: Lowered) -> FunctionType:

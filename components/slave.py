@@ -19,7 +19,7 @@ from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from .interface import Array, Variable, parameter_variables
-from .kernels import argument_names, compiled, precompile
+from .kernels import argument_names, compiled, entry, precompile
 from .model_description import model_description
 from .options import ROWS
 from .state import State, from_bytes, to_bytes
@@ -140,12 +140,18 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
         parameters = self.parameters(**chosen)
         self.store = {a.name: np.zeros(a.shape_for(parameters)) for a in self.arrays}
+        self.block = np.zeros(sum(a.shape for a in self.arrays if isinstance(a.shape, int)))
+        first = 0
+        for a in self.arrays:  # vectors of fixed size lie in one block
+            if isinstance(a.shape, int):
+                self.store[a.name] = self.block[first : first + a.shape]
+                first += a.shape
         for stage in ("setup", "initialize", "outputs"):
             if hasattr(self.functions, stage):
                 function, arguments, _ = self.bind(stage)
                 function(*arguments)
         self.show_rows()
-        self.step_function, self.arguments, self.dynamic = self.bind("step")
+        self.step_function, self.arguments = self.bind_step()
         if hasattr(self.functions, "outputs"):
             self.outputs_bound = self.bind("outputs")
         precompile(self.step_function, self.arguments)
@@ -195,6 +201,30 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                     dynamic.append((position, self.index[argument]))
         return getattr(self.functions, name), arguments, dynamic
 
+    def bind_step(self) -> tuple[Callable[..., None], list[Any]]:
+        """The kernel's step as a function of all values, the block of vectors and the other arrays."""
+        declared = {v.name: v for v in self.variables()}
+        fixed = [a for a in self.arrays if isinstance(a.shape, int)]
+        others = [a.name for a in self.arrays if not isinstance(a.shape, int)]
+        ends = np.cumsum([0, *(int(str(a.shape)) for a in fixed)]).tolist()
+        places = {a.name: f"lent(block[{begin}:{end}])" for a, begin, end in zip(fixed, ends, ends[1:], strict=False)}
+        first = self.index[self.outputs[0].name]
+        places |= {"y": f"lent(values[{first}:{first + len(self.y)}])"} | {name: f"lent({name})" for name in others}
+        texts = []
+        for name in argument_names(self.kernel, "step"):
+            at = self.index.get(name, 0)
+            if name in places or name in self.store:
+                texts.append(places.get(name, name))
+            elif name in ("t", "h") or (declared[name].kind == "Real" and not declared[name].size):
+                texts.append(f"values[{at}]")
+            elif declared[name].size:
+                texts.append(f"lent(values[{at}:{at + declared[name].size}])")
+            else:
+                texts.append(f"int(values[{at}])" if declared[name].kind == "Integer" else f"values[{at}] != 0.0")
+        used = [name for name in others if f"lent({name})" in texts]
+        function = entry(self.functions, "step", texts, ", ".join(["values", "block", *used]))
+        return function, [self.values, self.block, *(self.store[name] for name in used)]
+
     def setup_experiment(self, start_time: float, stop_time: float | None, tolerance: float | None) -> None:
         self.cells[-2] = start_time  # outputs at the start may depend on it
         self.ready = False
@@ -224,12 +254,10 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 self.out_of_turn("do a step")
             if step_size <= 0.0:
                 raise ValueError("the step size must be positive")
-            arguments, cells = self.arguments, self.cells
+            cells = self.cells
             cells[-2] = current_time
             cells[-1] = step_size
-            for position, vr in self.dynamic:
-                arguments[position] = cells[vr]
-            self.step_function(*arguments)
+            self.step_function(*self.arguments)
             cells[-2] = current_time + step_size
             self.stale = False
             if ROWS:

@@ -131,6 +131,15 @@ class Packed(Record):
         return len(self._cells)
 
 
+class Rows(Packed):
+    """A packed record as a matrix: each of its arrays, all of one size, is a row; scalars fill further rows.
+
+    In hot code that is faster than one vector: the index of an element needs no sum.
+    """
+
+    rows = True
+
+
 _FIELDS: dict[type[Any], dict[str, Field]] = {}
 _VIEWS: dict[type[Any], type[Any]] = {}
 
@@ -161,6 +170,13 @@ def _of_parameter(f: dataclasses.Field[Any]) -> Field:
     return Field("parameter", name=f.name, kind=kind, shape=len(default) if isinstance(default, tuple) else 0, **known)
 
 
+def width(record: type[Any]) -> int:
+    """Length of the rows of a record that lies in a matrix, else 0."""
+    if not getattr(record, "rows", False):
+        return 0
+    return max(field.size for field in fields_of(record).values())
+
+
 def cells_of(record: type[Any]) -> dict[str, int]:
     """Where the fields that share the record's array of cells begin in it."""
     places: dict[str, int] = {}
@@ -169,6 +185,8 @@ def cells_of(record: type[Any]) -> dict[str, int]:
     for name, field in fields_of(record).items():
         if field.is_record or (field.is_array and not packed):
             continue
+        if field.is_array and width(record):
+            at = -(-at // width(record)) * width(record)  # begins a row
         places[name] = places[field.begins] if field.begins else at
         at += 0 if field.begins else field.size
     return places
@@ -190,18 +208,30 @@ def dimensions(field: Field) -> int:
 def cell_count(record: type[Any]) -> int:
     """Length of the record's array of cells."""
     fields = fields_of(record)
-    return sum(fields[name].size for name in cells_of(record) if not fields[name].begins)
+    count = max((at + fields[name].size for name, at in cells_of(record).items()), default=0)
+    return -(-count // width(record)) * width(record) if width(record) else count
 
 
-def storage(record: type[Record], name: str) -> Iterator[tuple[str, Shape | Callable[[Any], Shape], Field | None]]:
-    """The arrays that a record lies in: name, shape, and the field if it is one's own. `name`: that of the cells."""
+def cells_shape(record: type[Any]) -> Shape:
+    """Shape of the record's array of cells."""
+    count, columns = cell_count(record), width(record)
+    return (count // columns, columns) if columns else count
+
+
+def storage(
+    record: type[Record], name: str, before: str = ""
+) -> Iterator[tuple[str, Shape | Callable[[Any], Shape], Field | None]]:
+    """The arrays that a record lies in: name, shape, and the field if it is one's own.
+
+    `name`: that of the cells; `before`: what the others' names begin with, `now_` for those of a record `now`.
+    """
     if cells_of(record):
-        yield name, cell_count(record), None
+        yield name, cells_shape(record), None
     for key, field in fields_of(record).items():
         if field.is_record:
-            yield key, cell_count(field.kind), field
+            yield from ((inner, shape, one) for inner, shape, one in storage(field.kind, key, f"{key}_"))
         elif field.is_array and not record.packed:
-            yield key, field.shape, field
+            yield before + key, field.shape, field
 
 
 def cells_name(record: type[Any]) -> str:
@@ -222,10 +252,12 @@ def _view(record: type[Record]) -> type[Any]:
     fields, places = fields_of(record), cells_of(record)
 
     def fill(self: Any, cells: Any, arrays: Mapping[str, Any]) -> None:
+        cells = cells if cells is None else cells.reshape(-1)
         object.__setattr__(self, "_cells", cells)
         for name, field in fields.items():
             if field.is_record:
-                object.__setattr__(self, name, over(field.kind, arrays[name], {}))
+                inner = {key: arrays[f"{name}_{key}"] for key in fields_of(field.kind) if f"{name}_{key}" in arrays}
+                object.__setattr__(self, name, over(field.kind, arrays.get(name), inner))
             elif field.is_array:
                 whole = arrays[name] if name not in places else cells[places[name] : places[name] + field.size]
                 object.__setattr__(self, name, whole.reshape(field.shape) if name in places else whole)

@@ -5,123 +5,97 @@ Both read what `constants` filled in.
 
 from math import cos, pi, sin, sqrt
 
+from ..declare.record import Matrix
 from .contact import friction_coefficient, normal_force
 from .modes import stiffness
+from .parameters import Parameters
+from .records import Constants, Inputs, Modes, Placement, Reach, Stage, Stiffness
 
 
-def hub_radius(R_brush: float, L: float, alpha: float) -> float:
+def hub_radius(p: Parameters) -> float:
     """R_h for which the undeformed tip lies on R_brush."""
-    return sqrt(R_brush * R_brush - L * L * sin(alpha) * sin(alpha)) - L * cos(alpha)
+    return sqrt(p.R_brush * p.R_brush - p.L * p.L * sin(p.alpha) * sin(p.alpha)) - p.L * cos(p.alpha)
 
 
-def constants(
-    omega_b: float, delta_dot: float, v_rov: float, friction_scale: float, L: float, d: float, rho: float, rho_w: float,
-    C_a: float, N_m: int, bristles_per_filament: float, R_brush: float, alpha: float, k_c: float, c_c: float,
-    Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float, v_eps: float, centrifugal: bool,
-    omega_r: "float[:]", modes: "float[:,:]", S: "float[:,:]", K: "float[:,:]", c: "float[:]",
-) -> None:
-    """Fill K and c, what is constant over a step."""
-    R_h = hub_radius(R_brush, L, alpha)
-    chi = rho / (rho + C_a * rho_w)
-    speed_2 = 0.0
-    if centrifugal:
-        speed_2 = omega_b * omega_b
-    c[0] = R_h * cos(alpha) + L  # straight tip along e_a
-    c[1] = -R_h * sin(alpha)  # straight tip along e_t
-    c[2] = bristles_per_filament * rho * 0.25 * pi * d * d / chi * L  # modal mass M of a bundle
-    c[3] = chi  # share of the bristle in it
-    c[4] = speed_2  # omega_b^2 as far as it acts on the filaments
-    c[5] = stiffness(speed_2, N_m, L, chi, R_h * sin(alpha), omega_r, modes, S, K)
-    c[6] = omega_b
-    c[7] = delta_dot
-    c[8] = v_rov
-    c[9] = k_c
-    c[10] = c_c
-    c[11] = Delta_s
-    c[12] = friction_scale * mu_s
-    c[13] = friction_scale * mu_c
-    c[14] = v_0
-    c[15] = k_v
-    c[16] = v_eps
+def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix) -> None:
+    """Fill c and k, what is constant over a step."""
+    R_h = hub_radius(p)
+    c.x_a = R_h * cos(p.alpha) + p.L
+    c.x_t = -R_h * sin(p.alpha)
+    c.chi = p.rho / (p.rho + p.C_a * p.rho_w)
+    c.M = p.bristles_per_filament * p.rho * 0.25 * pi * p.d * p.d / c.chi * p.L
+    c.speed_2 = 0.0
+    if p.centrifugal:
+        c.speed_2 = u.omega_b * u.omega_b
+    c.omega_max = stiffness(R_h * sin(p.alpha), k, p, c, m, S)
+    c.mu_s = u.friction_scale * p.mu_s
+    c.mu_c = u.friction_scale * p.mu_c
 
 
-def free_acceleration(
-    p: int, v: int, a: int, N_m: int, modes: "float[:,:]", K: "float[:,:]", work: "float[:,:]",
-) -> None:
-    """Row a of work = eta'' without tip force (Eq. 4) at eta, eta_dot in rows p, v."""
-    for r in range(N_m):
-        acceleration = K[6, r] - modes[0, r] * work[v, r]  # Eq. 4
-        for s in range(N_m):
-            acceleration = acceleration - K[r, s] * work[p, s]
-        work[a, r] = acceleration
+def free_acceleration(f: Stage, p: Parameters, m: Modes, k: Stiffness) -> None:
+    """The accelerations without tip force (Eq. 4)."""
+    for r in range(p.N_m):
+        acceleration = k.load[r] - m.damping[r] * f.eta_dot[r]  # Eq. 4
+        for s in range(p.N_m):
+            acceleration = acceleration - k.K[r, s] * f.eta[s]
+        f.a[r] = acceleration
 
 
-def tip_force(
-    p: int, v: int, a: int, N_m: int, sin_psi: float, cos_psi: float, h_plane: float, foreshortening: bool,
-    modes: "float[:,:]", G: "float[:,:]", c: "float[:]", work: "float[:,:]",
-) -> tuple[float, float]:
-    """Add the tip force to eta'' in row a; row a + 6 = forces and powers at eta, eta_dot in rows p, v.
-
-    Returns Delta (a bound from above while out of reach) and the rate lambda [1/s] that limits the micro-step.
-    """
-    x_a = c[0]
-    M = c[2]
-    omega_b = c[6]
-    delta_dot = c[7]
-    v_rov = c[8]
-    k_c = c[9]
+def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, G: Matrix) -> Reach:
+    """Add the tip force to the accelerations; fills in forces and powers."""
     F_n = 0.0
     F_f = 0.0
     moment = 0.0
     P_friction = 0.0
     P_contact = 0.0
     P_damping = 0.0
-    rate = c[5]
+    rate = c.omega_max
     y = 0.0
     y_dot = 0.0
-    for r in range(N_m):
-        y = y + modes[1, r] * work[p, r]  # Eq. 2 at x = L
-        y_dot = y_dot + modes[1, r] * work[v, r]
-        P_damping = P_damping + M * modes[0, r] * work[v, r] * work[v, r]
-        work[9, r] = 0.0
-    x_t = c[1] + y
-    Delta = x_a * cos_psi + x_t * sin_psi - h_plane
-    if Delta > 0.0 or cos_psi < 0.0:  # else foreshortening only takes the tip farther away
+    for r in range(p.N_m):
+        y = y + m.Y_L[r] * f.eta[r]  # Eq. 2 at x = L
+        y_dot = y_dot + m.Y_L[r] * f.eta_dot[r]
+        P_damping = P_damping + c.M * m.damping[r] * f.eta_dot[r] * f.eta_dot[r]
+        f.g[r] = 0.0
+    x_t = c.x_t + y
+    Delta = c.x_a * at.cos_psi + x_t * at.sin_psi - at.h_plane
+    if Delta > 0.0 or at.cos_psi < 0.0:  # else foreshortening only takes the tip farther away
         shortening = 0.0
         shortening_dot = 0.0
         mobility = 0.0
-        for r in range(N_m):
+        for r in range(p.N_m):
             g = 0.0
-            if foreshortening:
-                for s in range(N_m):
-                    g = g + G[r, s] * work[p, s]
-            shortening = shortening + 0.5 * g * work[p, r]
-            shortening_dot = shortening_dot + g * work[v, r]
-            work[9, r] = g
-            mobility = mobility + (modes[1, r] * modes[1, r] + g * g) / M
-        x = (x_a - shortening) * sin_psi - x_t * cos_psi
-        z = (x_a - shortening) * cos_psi + x_t * sin_psi
-        Delta = z - h_plane  # Eq. 8
+            if p.foreshortening:
+                for s in range(p.N_m):
+                    g = g + G[r, s] * f.eta[s]
+            shortening = shortening + 0.5 * g * f.eta[r]
+            shortening_dot = shortening_dot + g * f.eta_dot[r]
+            f.g[r] = g
+            mobility = mobility + (m.Y_L[r] * m.Y_L[r] + g * g) / c.M
+        x = (c.x_a - shortening) * at.sin_psi - x_t * at.cos_psi
+        z = (c.x_a - shortening) * at.cos_psi + x_t * at.sin_psi
+        Delta = z - at.h_plane  # Eq. 8
         if Delta > 0.0:
-            Delta_dot = delta_dot - omega_b * x - shortening_dot * cos_psi + y_dot * sin_psi
-            v_s = omega_b * z - v_rov - shortening_dot * sin_psi - y_dot * cos_psi  # Eq. 10
-            F_n, F_e, damping = normal_force(Delta, Delta_dot, k_c, c[10], c[11])  # Eq. 7
-            mu, slope = friction_coefficient(v_s, c[12], c[13], c[14], c[15], c[16])
-            F_f = mu * F_n  # Eq. 9
-            F_a = -F_f * sin_psi - F_n * cos_psi  # Eq. 6
-            F_t = F_f * cos_psi - F_n * sin_psi  # Eq. 6
-            for r in range(N_m):
-                work[a, r] = work[a, r] + (F_t * modes[1, r] - F_a * work[9, r]) / M  # Eq. 5, by virtual work
+            Delta_dot = u.delta_dot - u.omega_b * x - shortening_dot * at.cos_psi + y_dot * at.sin_psi
+            v_s = u.omega_b * z - u.v_rov - shortening_dot * at.sin_psi - y_dot * at.cos_psi  # Eq. 10
+            normal = normal_force(Delta, Delta_dot, p)  # Eq. 7
+            friction = friction_coefficient(v_s, p, c)
+            F_n = normal.F_n
+            F_f = friction.mu * F_n  # Eq. 9
+            F_a = -F_f * at.sin_psi - F_n * at.cos_psi  # Eq. 6
+            F_t = F_f * at.cos_psi - F_n * at.sin_psi  # Eq. 6
+            for r in range(p.N_m):
+                f.a[r] = f.a[r] + (F_t * m.Y_L[r] - F_a * f.g[r]) / c.M  # Eq. 5, by virtual work
             moment = x * F_n - z * F_f
             P_friction = F_f * v_s
-            P_contact = (F_n - F_e) * Delta_dot
-            rise = 1.5 * k_c * sqrt(Delta) * (1.0 + abs(mu))
-            fall = slope * F_n + damping * (1.0 + abs(mu))
+            P_contact = (F_n - normal.F_e) * Delta_dot
+            rise = 1.5 * p.k_c * sqrt(Delta) * (1.0 + abs(friction.mu))
+            fall = friction.slope * F_n + normal.damping * (1.0 + abs(friction.mu))
             rate = sqrt(rate * rate + rise * mobility) + fall * mobility
-    work[a + 6, 0] = F_f
-    work[a + 6, 1] = F_n
-    work[a + 6, 2] = moment
-    work[a + 6, 3] = P_friction
-    work[a + 6, 4] = P_contact
-    work[a + 6, 5] = P_damping
-    return Delta, rate
+    f.F_f = F_f
+    f.F_n = F_n
+    f.moment = moment
+    f.P_friction = P_friction
+    f.P_contact = P_contact
+    f.P_damping = P_damping
+    return Reach(Delta, rate)

@@ -1,196 +1,166 @@
 """Filament brush: modal filaments with contact and friction (Eqs. 1-13) and their sum over the brush (Eqs. 14-15).
 
-Frames and symbols are those of README.md. Tables filled by `setup`, column r - 1 for mode r:
-  modes[q, r]: q = 0 2 zeta_r omega_r, 1 Y_r(L), 2 Y_r'(L), 3 int Y_r dx, 4 int x Y_r dx, 5 Y_r''(0), 6 Y_r'''(0)
-  G[r, s] = int Y_r' Y_s' dx;  S[r, s] = centrifugal stiffness over omega_b^2 and the modal mass
-State: eta, eta_dot [n, N_m], the next micro-step h_next [n], and total: 0 theta_b, 1 J_x, 2 J_z, 3 J_T, 4 W_hub,
-  5 W_hull, 6 W_damping, 7 W_friction, 8 W_contact; at the end of the last step 9 E_contact, 10 E_centrifugal over
-  omega_b^2, 11 omega_b^2; largest |y|/L 12 in the last step and 13 since the start;
-  14 number and 15 shortest of the micro-steps
-Scratch: K[r, s] stiffness and K[6, r] load per modal mass; c the constants of a step (see `constants`); P, Q, A the
-  map of free flight and its making; filament [n, 4]: phi, F_n, F_f, tip deflection; work rows 0 eta, 1 eta_dot, 2 and
-  3 the same at a Runge-Kutta stage, 4..8 accelerations of stages 1..5, 9 G eta, 10..14 the stages' F_f, F_n, moment
-  about the brush axis and powers of friction, contact loss and damping
+Frames and symbols are those of README.md, names and units those of records.py.
 """
 
 from math import cos, pi, sin
 
 from .contact import contact_energy
-from .filament import constants, free_acceleration, hub_radius, tip_force
+from .filament import constants, hub_radius
 from .free_flight import advance_free, free_flight, tip_speed_bound
-from .micro_steps import advance_touching
-from .modes import centrifugal_energy, mode_table, slope_integrals
-from .reactions import brush_sums
+from .micro_steps import advance_touching, evaluate
+from .modes import centrifugal_energy, deflection, mode_table, slope_integrals
+from .parameters import Parameters
+from .reactions import brush_sums, give, take
+from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
 
 
-def setup(
-    L: float, d: float, E: float, rho: float, rho_w: float, C_a: float, R_brush: float, alpha: float, zeta: "float[:]",
-    lambda_r: "float[:]", omega_r: "float[:]", modes: "float[:,:]", G: "float[:,:]", S: "float[:,:]",
-    work: "float[:,:]",
-) -> None:
-    """Fill lambda_r, omega_r, modes, G and S for six modes."""
-    A = 0.25 * pi * d * d
-    EI_zz = E * pi * d * d * d * d / 64.0
-    m = (rho + C_a * rho_w) * A
-    r_A = hub_radius(R_brush, L, alpha) * cos(alpha)
-    mode_table(L, EI_zz, m, zeta, lambda_r, omega_r, modes)
-    slope_integrals(L, r_A, rho, A, m, lambda_r, G, S, work)
+def setup(p: Parameters, x: State, s: Scratch) -> None:
+    """The numbers of six modes."""
+    A = 0.25 * pi * p.d * p.d
+    EI_zz = p.E * pi * p.d * p.d * p.d * p.d / 64.0
+    mass = (p.rho + p.C_a * p.rho_w) * A
+    r_A = hub_radius(p) * cos(p.alpha)
+    mode_table(EI_zz, mass, p, x.modes)
+    slope_integrals(r_A, A, mass, p, x, s)
 
 
-def initialize(
-    n: int, N_m: int, theta_b_0: float, h_min: float, h_max: float, eta: "float[:,:]", eta_dot: "float[:,:]",
-    h_next: "float[:]", total: "float[:]",
-) -> None:
+def initialize(p: Parameters, x: State) -> None:
     """Straight filaments at rest in the turning brush. Energy counts from here; what is pressed in is hull work."""
-    for k in range(15):
-        total[k] = 0.0
-    total[0] = theta_b_0
-    total[15] = h_max
-    for i in range(n):
-        h_next[i] = h_min
-        for r in range(N_m):
-            eta[i, r] = 0.0
-            eta_dot[i, r] = 0.0
+    x.theta_b = p.theta_b_0
+    x.J_x = 0.0
+    x.J_z = 0.0
+    x.J_T = 0.0
+    x.W_hub = 0.0
+    x.W_hull = 0.0
+    x.W_damping = 0.0
+    x.W_friction = 0.0
+    x.W_contact = 0.0
+    x.E_contact = 0.0
+    x.E_per_speed_2 = 0.0
+    x.speed_2 = 0.0
+    x.deflection_ratio = 0.0
+    x.deflection_ratio_max = 0.0
+    x.micro_steps = 0.0
+    x.h_micro_min = p.h_max
+    for i in range(p.n):
+        x.h_next[i] = p.h_min
+        for r in range(p.N_m):
+            x.eta[i, r] = 0.0
+            x.eta_dot[i, r] = 0.0
 
 
-def outputs(
-    omega_b: float, delta: float, delta_dot: float, v_rov: float, friction_scale: float, L: float, d: float, E: float,
-    rho: float, rho_w: float, C_a: float, N_m: int, n: int, bristles_per_filament: float, R_brush: float, alpha: float,
-    k_c: float, c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float, v_eps: float,
-    foreshortening: bool, centrifugal: bool, mode_acceleration: bool, lambda_r: "float[:]", omega_r: "float[:]",
-    modes: "float[:,:]", G: "float[:,:]", S: "float[:,:]", K: "float[:,:]", c: "float[:]", work: "float[:,:]",
-    eta: "float[:,:]", eta_dot: "float[:,:]", total: "float[:]", filament: "float[:,:]", kinetic_fraction: "float[:]",
-    y: "float[:]",
-) -> None:
-    """Write y and the table `filament` from the state and the inputs."""
-    constants(
-        omega_b, delta_dot, v_rov, friction_scale, L, d, rho, rho_w, C_a, N_m, bristles_per_filament, R_brush, alpha,
-        k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, centrifugal, omega_r, modes, S, K, c)
-    EI = bristles_per_filament * E * pi * d * d * d * d / 64.0
-    (F_x, F_z, T_brush, contact_count, F_y_eq11, M_b_eq12, F_z_eq13, T_brush_eq15, P_damping, P_friction, P_contact,
-     E_kinetic, E_strain, E_contact) = brush_sums(
-        total[0], R_brush - delta, L, EI, N_m, n, R_brush, alpha, k_c, foreshortening, mode_acceleration, omega_r,
-        modes, G, K, c, work, eta, eta_dot, filament, kinetic_fraction)
+def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Write the outputs and the table `filament` from the state and the inputs."""
+    write_outputs(u.delta, u, p, x, y, s)
+
+
+def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """The outputs at a penetration, which goes on within a step."""
+    constants(s.c, s.k, u, p, x.modes, x.S)
+    brush_sums(delta, u, p, x, y, s)
     for r in range(6):
-        kinetic_fraction[r] = kinetic_fraction[r] / max(E_kinetic, 1e-30)
-    theta_b = total[0]
-    J_x = total[1]
-    J_z = total[2]
-    J_T = total[3]
-    W_hub = total[4]
-    W_hull = total[5]
-    W_damping = total[6]
-    W_friction = total[7]
-    W_contact = total[8]
-    P_hub = -omega_b * T_brush
-    P_hull = F_x * v_rov - F_z * delta_dot
-    E_centrifugal = c[4] * total[10]
+        y.kinetic_fraction[r] = y.kinetic_fraction[r] / max(y.E_kinetic, 1e-30)
+    y.theta_b = x.theta_b
+    y.J_x = x.J_x
+    y.J_z = x.J_z
+    y.J_T = x.J_T
+    y.W_hub = x.W_hub
+    y.W_hull = x.W_hull
+    y.W_damping = x.W_damping
+    y.W_friction = x.W_friction
+    y.W_contact = x.W_contact
+    y.P_hub = -u.omega_b * y.T_brush
+    y.P_hull = y.F_x * u.v_rov - y.F_z * u.delta_dot
+    accounts(s.c, x, y)
+    y.deflection_ratio = x.deflection_ratio
+    y.deflection_ratio_max = x.deflection_ratio_max
+    y.micro_steps = x.micro_steps
+    y.h_micro_min = x.h_micro_min
+    write_modes(x.modes, y)
+    y.R_h = hub_radius(p)
+    y.J_filaments = filament_inertia(s.c, p)
+
+
+def accounts(c: Constants, x: State, y: Outputs) -> None:
+    """What the integration created: stored energy less what was supplied and not lost."""
+    y.E_centrifugal = c.speed_2 * x.E_per_speed_2
     # inputs that jump do work at once; it is booked when the next step begins
-    jump = E_contact - total[9] + E_centrifugal - total[10] * total[11]
-    supplied = W_hub + W_hull + jump - W_damping - W_friction - W_contact
-    energy_residual = E_kinetic + E_strain + E_centrifugal + E_contact - supplied
-    deflection_ratio = total[12]
-    deflection_ratio_max = total[13]
-    micro_steps = total[14]
-    h_micro_min = total[15]
-    R_h = hub_radius(R_brush, L, alpha)
-    J_filaments = n * c[2] * c[3] * (R_h * R_h + R_h * cos(alpha) * L + L * L / 3.0)
-
-    y[0] = F_x
-    y[1] = F_z
-    y[2] = T_brush
-    y[3] = contact_count
-    y[4] = deflection_ratio
-    y[5] = deflection_ratio_max
-    y[6] = theta_b
-    y[7] = J_x
-    y[8] = J_z
-    y[9] = J_T
-    y[10] = F_y_eq11
-    y[11] = M_b_eq12
-    y[12] = F_z_eq13
-    y[13] = T_brush_eq15
-    y[14] = P_hub
-    y[15] = P_hull
-    y[16] = P_damping
-    y[17] = P_friction
-    y[18] = P_contact
-    y[19] = E_kinetic
-    y[20] = E_strain
-    y[21] = E_centrifugal
-    y[22] = E_contact
-    y[23] = W_hub
-    y[24] = W_hull
-    y[25] = W_damping
-    y[26] = W_friction
-    y[27] = W_contact
-    y[28] = energy_residual
-    y[29] = micro_steps
-    y[30] = h_micro_min
-    for r in range(6):
-        y[31 + r] = kinetic_fraction[r]
-    for r in range(6):
-        y[37 + r] = lambda_r[r]
-    for r in range(6):
-        y[43 + r] = omega_r[r]
-    y[49] = R_h
-    y[50] = J_filaments
+    jump = y.E_contact - x.E_contact + y.E_centrifugal - x.E_per_speed_2 * x.speed_2
+    supplied = x.W_hub + x.W_hull + jump - x.W_damping - x.W_friction - x.W_contact
+    y.energy_residual = y.E_kinetic + y.E_strain + y.E_centrifugal + y.E_contact - supplied
 
 
-def step(
-    h: float, omega_b: float, delta: float, delta_dot: float, v_rov: float, friction_scale: float, L: float, d: float,
-    E: float, rho: float, rho_w: float, C_a: float, N_m: int, n: int, bristles_per_filament: float, R_brush: float,
-    alpha: float, k_c: float, c_c: float, Delta_s: float, mu_s: float, mu_c: float, v_0: float, k_v: float,
-    v_eps: float, foreshortening: bool, centrifugal: bool, mode_acceleration: bool, h_min: float, h_max: float,
-    tolerance: float, lambda_r: "float[:]", omega_r: "float[:]", modes: "float[:,:]", G: "float[:,:]", S: "float[:,:]",
-    K: "float[:,:]", P: "float[:,:]", Q: "float[:,:]", A: "float[:,:]", c: "float[:]", work: "float[:,:]",
-    eta: "float[:,:]", eta_dot: "float[:,:]", h_next: "float[:]", total: "float[:]", filament: "float[:,:]",
-    kinetic_fraction: "float[:]", y: "float[:]",
-) -> None:
+def write_modes(m: Modes, y: Outputs) -> None:
+    """Eigenvalues and frequencies."""
+    for r in range(6):
+        y.lambda_r[r] = m.lambda_r[r]
+        y.omega_r[r] = m.omega_r[r]
+
+
+def filament_inertia(c: Constants, p: Parameters) -> float:
+    """Moment of inertia of all filaments about the brush axis."""
+    R_h = hub_radius(p)
+    return p.n * c.M * c.chi * (R_h * R_h + R_h * cos(p.alpha) * p.L + p.L * p.L / 3.0)
+
+
+def advance_filament(i: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
+    """Advance filament i by h, in micro-steps if it can reach the hull."""
+    E_end = 0.0
+    psi = x.theta_b + 2.0 * pi * i / p.n - p.alpha
+    take(i, s.now, p, x)
+    at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
+    reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
+    E_start = contact_energy(reach.Delta, p)
+    if reach.Delta + h * (abs(u.omega_b) * p.R_brush + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k)) < 0.0:
+        x.W_damping = x.W_damping + modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+    else:
+        touched = advance_touching(psi, h, x.h_next[i], reach.rate, u, p, x, s)
+        x.h_next[i] = touched.h_next
+        E_end = contact_energy(touched.Delta, p)
+    give(i, s.now, p, x)
+    x.deflection_ratio = max(x.deflection_ratio, abs(deflection(s.now, p, x.modes)) / p.L)
+    return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, x.modes, x.S))
+
+
+def modal_mass(c: Constants) -> float:
+    """Modal mass of a bundle."""
+    return c.M
+
+
+def book_step(E_start: float, E_end: float, E_per_speed_2: float, speed_2: float, x: State) -> None:
+    """Work of the jumps of omega_b and delta before this step, and what the next one begins with."""
+    x.W_hub = x.W_hub + (speed_2 - x.speed_2) * x.E_per_speed_2
+    x.W_hull = x.W_hull + E_start - x.E_contact
+    x.E_contact = E_end
+    x.E_per_speed_2 = E_per_speed_2
+    x.speed_2 = speed_2
+
+
+def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Advance the brush by h at constant omega_b, v_rov and delta_dot; delta goes on from its value at the start."""
-    constants(
-        omega_b, delta_dot, v_rov, friction_scale, L, d, rho, rho_w, C_a, N_m, bristles_per_filament, R_brush, alpha,
-        k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, centrifugal, omega_r, modes, S, K, c)
-    free_flight(h, N_m, c[5], modes, K, P, Q, A)
-    J_x = total[1]
-    J_z = total[2]
-    J_T = total[3]
+    constants(s.c, s.k, u, p, x.modes, x.S)
+    free_flight(h, p, s.c, x.modes, s.k, s)
+    J_x = x.J_x
+    J_z = x.J_z
+    J_T = x.J_T
     E_start = 0.0
     E_end = 0.0
-    E_centrifugal = 0.0
-    total[12] = 0.0
-    for i in range(n):
-        psi = total[0] + 2.0 * pi * i / n - alpha
-        for r in range(N_m):
-            work[0, r] = eta[i, r]
-            work[1, r] = eta_dot[i, r]
-        free_acceleration(0, 1, 4, N_m, modes, K, work)
-        Delta, rate = tip_force(0, 1, 4, N_m, sin(psi), cos(psi), R_brush - delta, foreshortening, modes, G, c, work)
-        E_start = E_start + contact_energy(Delta, k_c)
-        if Delta + h * (abs(omega_b) * R_brush + abs(delta_dot) + tip_speed_bound(N_m, K, work)) < 0.0:
-            advance_free(N_m, c[2], K, P, work, total)
-        else:
-            h_next[i], Delta = advance_touching(
-                psi, h, h_next[i], rate, Delta, R_brush - delta, N_m, L, foreshortening, h_min, h_max, tolerance,
-                omega_r, modes, G, K, c, work, total)
-            E_end = E_end + contact_energy(Delta, k_c)
-        E_centrifugal = E_centrifugal + centrifugal_energy(N_m, L, modes, S, c, work)
-        y_tip = 0.0
-        for r in range(N_m):
-            eta[i, r] = work[0, r]
-            eta_dot[i, r] = work[1, r]
-            y_tip = y_tip + modes[1, r] * work[0, r]
-        total[12] = max(total[12], abs(y_tip) / L)
-    total[0] = total[0] + omega_b * h
-    # work of the hub and of the hull, and of the jumps of omega_b and delta before this step
-    total[4] = total[4] - omega_b * (total[3] - J_T) + (c[4] - total[11]) * total[10]
-    total[5] = total[5] + v_rov * (total[1] - J_x) - delta_dot * (total[2] - J_z) + E_start - total[9]
-    total[9] = E_end
-    total[10] = E_centrifugal
-    total[11] = c[4]
-    total[13] = max(total[12], total[13])
-    outputs(
-        omega_b, delta + delta_dot * h, delta_dot, v_rov, friction_scale, L, d, E, rho, rho_w, C_a, N_m, n,
-        bristles_per_filament, R_brush, alpha, k_c, c_c, Delta_s, mu_s, mu_c, v_0, k_v, v_eps, foreshortening,
-        centrifugal, mode_acceleration, lambda_r, omega_r, modes, G, S, K, c, work, eta, eta_dot, total, filament,
-        kinetic_fraction, y)
+    E_per_speed_2 = 0.0
+    x.deflection_ratio = 0.0
+    for i in range(p.n):
+        filament = advance_filament(i, h, u, p, x, s)
+        E_start = E_start + filament.E_start
+        E_end = E_end + filament.E_end
+        E_per_speed_2 = E_per_speed_2 + filament.E_per_speed_2
+    x.theta_b = x.theta_b + u.omega_b * h
+    x.W_hub = x.W_hub - u.omega_b * (x.J_T - J_T)
+    x.W_hull = x.W_hull + u.v_rov * (x.J_x - J_x) - u.delta_dot * (x.J_z - J_z)
+    book_step(E_start, E_end, E_per_speed_2, acting_speed_2(s.c), x)
+    x.deflection_ratio_max = max(x.deflection_ratio, x.deflection_ratio_max)
+    write_outputs(u.delta + u.delta_dot * h, u, p, x, y, s)
+
+
+def acting_speed_2(c: Constants) -> float:
+    """omega_b^2 as far as it acts on the filaments."""
+    return c.speed_2

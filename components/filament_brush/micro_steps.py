@@ -2,86 +2,125 @@
 
 from math import cos, sin, sqrt
 
+from ..declare.record import Matrix
+from ..library.integration import runge_kutta_sum
 from .filament import free_acceleration, tip_force
+from .modes import deflection
+from .parameters import Parameters
+from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Stiffness, Touched, Trial
 
 
-def runge_kutta(
-    psi: float, tau: float, h_s: float, h_plane: float, N_m: int, foreshortening: bool, omega_r: "float[:]",
-    modes: "float[:,:]", G: "float[:,:]", K: "float[:,:]", c: "float[:]", work: "float[:,:]",
-) -> tuple[float, float, float]:
-    """Micro-step h_s from rows 0, 1 of work to rows 2, 3; returns the velocity error, and Delta and rate at the end.
+def placement(psi: float, tau: float, u: Inputs, p: Parameters) -> Placement:
+    """How the filament stands at tau, which stood at psi when the step began."""
+    angle = psi + u.omega_b * tau
+    return Placement(sin(angle), cos(angle), h_plane=p.R_brush - u.delta - u.delta_dot * tau)
 
-    psi, h_plane: as at tau = 0. Stage 1 is known. The error estimate is the difference to the third-order companion
-    that takes k5, the rate at the end of the step, for k4.
-    """
-    sin_psi = 0.0
-    cos_psi = 0.0
-    for r in range(N_m):
-        work[3, r] = work[1, r]
-    for k in range(5, 8):
-        c_h = 0.5 * h_s
-        if k == 7:
-            c_h = h_s
-        if k != 6:
-            sin_psi = sin(psi + c[6] * (tau + c_h))
-            cos_psi = cos(psi + c[6] * (tau + c_h))
-        for r in range(N_m):
-            work[2, r] = work[0, r] + c_h * work[3, r]
-            work[3, r] = work[1, r] + c_h * work[k - 1, r]
-        free_acceleration(2, 3, k, N_m, modes, K, work)
-        tip_force(2, 3, k, N_m, sin_psi, cos_psi, h_plane - c[7] * (tau + c_h), foreshortening, modes, G, c, work)
+
+def evaluate(
+    f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, G: Matrix,
+) -> Reach:
+    """The right-hand side: accelerations, forces and powers from deflection and rates."""
+    free_acceleration(f, p, m, k)
+    reach = tip_force(f, at, u, p, c, m, G)
+    return reach
+
+
+def predict(f: Stage, begin: Stage, before: Stage, h: float, p: Parameters) -> None:
+    """A stage of Runge-Kutta: from the begin over h at the rates of the stage before."""
+    for r in range(p.N_m):
+        f.eta[r] = begin.eta[r] + h * before.eta_dot[r]
+        f.eta_dot[r] = begin.eta_dot[r] + h * before.a[r]
+
+
+def finish(
+    end: Stage, now: Stage, second: Stage, third: Stage, fourth: Stage, h_s: float, p: Parameters, m: Modes,
+) -> float:
+    """The end of the micro-step; returns the squared error of the deflections as velocities."""
     w = h_s / 6.0
     error = 0.0
-    for r in range(N_m):
-        v_4 = work[3, r]
-        work[2, r] = work[0, r] + h_s * (work[1, r] + w * (work[4, r] + work[5, r] + work[6, r]))
-        work[3, r] = work[1, r] + w * (work[4, r] + 2.0 * (work[5, r] + work[6, r]) + work[7, r])
-        e = omega_r[r] * w * (work[3, r] - v_4)
+    for r in range(p.N_m):
+        end.eta[r] = now.eta[r] + h_s * (now.eta_dot[r] + w * (now.a[r] + second.a[r] + third.a[r]))
+        end.eta_dot[r] = now.eta_dot[r] + w * (now.a[r] + 2.0 * (second.a[r] + third.a[r]) + fourth.a[r])
+        e = m.omega_r[r] * w * (end.eta_dot[r] - fourth.eta_dot[r])
         error = error + e * e
-    free_acceleration(2, 3, 8, N_m, modes, K, work)
-    Delta, rate = tip_force(
-        2, 3, 8, N_m, sin_psi, cos_psi, h_plane - c[7] * (tau + h_s), foreshortening, modes, G, c, work)
-    for r in range(N_m):
-        e = w * (work[8, r] - work[7, r])
-        error = error + e * e
-    return sqrt(error), Delta, rate
+    return error
 
 
-def integral(q: int, h_s: float, work: "float[:,:]") -> float:
-    """Integral over a micro-step of what column q of the stages' rows 10..13 of work holds."""
-    return h_s / 6.0 * (work[10, q] + 2.0 * (work[11, q] + work[12, q]) + work[13, q])
+def with_velocities(error: float, end: Stage, fourth: Stage, h_s: float, p: Parameters) -> float:
+    """The squared error of the velocities on top."""
+    total = error
+    for r in range(p.N_m):
+        e = h_s / 6.0 * (end.a[r] - fourth.a[r])
+        total = total + e * e
+    return total
 
 
-def accept(h_s: float, N_m: int, L: float, modes: "float[:,:]", work: "float[:,:]", total: "float[:]") -> None:
-    """Book impulses and losses of a micro-step and make its end the start of the next."""
-    total[1] = total[1] - integral(0, h_s, work)
-    total[2] = total[2] - integral(1, h_s, work)
-    total[3] = total[3] + integral(2, h_s, work)
-    total[6] = total[6] + integral(5, h_s, work)
-    total[7] = total[7] + integral(3, h_s, work)
-    total[8] = total[8] + integral(4, h_s, work)
-    total[14] = total[14] + 1.0
-    y = 0.0
-    for r in range(N_m):
-        work[0, r] = work[2, r]
-        work[1, r] = work[3, r]
-        work[4, r] = work[8, r]
-        y = y + modes[1, r] * work[0, r]
-    for q in range(6):
-        work[10, q] = work[14, q]
-    total[12] = max(total[12], abs(y) / L)
+def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Trial:
+    """Micro-step h_s from `now`, where stage 1 is known, to `end`; psi as at tau = 0.
+
+    The error estimate is the difference to the third-order companion that takes k5, the rate at the end of the step,
+    for k4.
+    """
+    half = placement(psi, tau + 0.5 * h_s, u, p)
+    whole = placement(psi, tau + h_s, u, p)
+    predict(s.second, s.now, s.now, 0.5 * h_s, p)
+    reach = evaluate(s.second, half, u, p, s.c, x.modes, s.k, x.G)
+    predict(s.third, s.now, s.second, 0.5 * h_s, p)
+    reach = evaluate(s.third, half, u, p, s.c, x.modes, s.k, x.G)
+    predict(s.fourth, s.now, s.third, h_s, p)
+    reach = evaluate(s.fourth, whole, u, p, s.c, x.modes, s.k, x.G)
+    error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, x.modes)
+    reach = evaluate(s.end, whole, u, p, s.c, x.modes, s.k, x.G)
+    error = with_velocities(error, s.end, s.fourth, h_s, p)
+    return Trial(sqrt(error), reach.Delta, reach.rate)
+
+
+def book(h_s: float, now: Stage, second: Stage, third: Stage, fourth: Stage, x: State) -> None:
+    """Impulses and losses of a micro-step."""
+    x.J_x = x.J_x - runge_kutta_sum(h_s, now.F_f, second.F_f, third.F_f, fourth.F_f)
+    x.J_z = x.J_z - runge_kutta_sum(h_s, now.F_n, second.F_n, third.F_n, fourth.F_n)
+    x.J_T = x.J_T + runge_kutta_sum(h_s, now.moment, second.moment, third.moment, fourth.moment)
+    x.W_damping = x.W_damping + runge_kutta_sum(
+        h_s, now.P_damping, second.P_damping, third.P_damping, fourth.P_damping)
+    x.W_friction = x.W_friction + runge_kutta_sum(
+        h_s, now.P_friction, second.P_friction, third.P_friction, fourth.P_friction)
+    x.W_contact = x.W_contact + runge_kutta_sum(
+        h_s, now.P_contact, second.P_contact, third.P_contact, fourth.P_contact)
+    x.micro_steps = x.micro_steps + 1.0
+
+
+def adopt(now: Stage, end: Stage, p: Parameters) -> None:
+    """The end of a micro-step is the begin of the next."""
+    for r in range(p.N_m):
+        now.eta[r] = end.eta[r]
+        now.eta_dot[r] = end.eta_dot[r]
+        now.a[r] = end.a[r]
+    now.F_f = end.F_f
+    now.F_n = end.F_n
+    now.moment = end.moment
+    now.P_friction = end.P_friction
+    now.P_contact = end.P_contact
+    now.P_damping = end.P_damping
+
+
+def accept(h_s: float, p: Parameters, x: State, s: Scratch) -> None:
+    """Book a micro-step and make its end the start of the next."""
+    book(h_s, s.now, s.second, s.third, s.fourth, x)
+    adopt(s.now, s.end, p)
+    x.deflection_ratio = max(x.deflection_ratio, abs(deflection(s.now, p, x.modes)) / p.L)
 
 
 def advance_touching(
-    psi: float, h: float, h_goal: float, rate: float, Delta: float, h_plane: float, N_m: int, L: float,
-    foreshortening: bool, h_min: float, h_max: float, tolerance: float, omega_r: "float[:]", modes: "float[:,:]",
-    G: "float[:,:]", K: "float[:,:]", c: "float[:]", work: "float[:,:]", total: "float[:]",
-) -> tuple[float, float]:
-    """Advance rows 0, 1 of work over h; h_goal: first micro-step to try; returns the next one and Delta at the end.
+    psi: float, h: float, h_first: float, rate_first: float, u: Inputs, p: Parameters, x: State, s: Scratch,
+) -> Touched:
+    """Advance `now` over h from the axis angle psi; h_first: first micro-step to try.
 
-    psi, h_plane: axis angle and hull distance at the start, where rate, Delta and rows 4, 10 of work are known.
+    At the start the rate and, in `now`, accelerations and forces are known.
     """
-    v_tolerance = tolerance * omega_r[0] * L
+    v_tolerance = p.tolerance * omega_1(x.modes) * p.L
+    h_goal = h_first
+    rate = rate_first
+    Delta = 0.0
     tau = 0.0
     running = True
     while running:
@@ -91,25 +130,31 @@ def advance_touching(
             h_s = left
         elif 2.0 * h_s > left:  # two equal steps rather than a last tiny one
             h_s = 0.5 * left
-        error, Delta, rate_end = runge_kutta(psi, tau, h_s, h_plane, N_m, foreshortening, omega_r, modes, G, K, c, work)
-        error = error / v_tolerance
+        trial = runge_kutta(psi, tau, h_s, u, p, x, s)
+        Delta = trial.Delta
+        error = trial.error / v_tolerance
         h_new = 2.0 * h_s
         if error > 0.04:
             h_new = h_s * max(0.9 / sqrt(sqrt(error)), 0.2)
-        if h_new < h_min:
-            h_new = min(h_min, 1.7 * h_new)  # below h_min for ten times the tolerance
-        if h_s * rate_end > 4.0 and h_s > 1e-9:  # contact or sticking began: the step is outside the stability limit
-            h_goal = max(2.0 / rate_end, 0.25 * h_s)
-        elif (error > 1.0 and h_s > 1.000001 * h_min) or (error > 10.0 and h_s > 1e-9):
+        if h_new < p.h_min:
+            h_new = min(p.h_min, 1.7 * h_new)  # below h_min for ten times the tolerance
+        if h_s * trial.rate > 4.0 and h_s > 1e-9:  # contact or sticking began: the step is outside the stability limit
+            h_goal = max(2.0 / trial.rate, 0.25 * h_s)
+        elif (error > 1.0 and h_s > 1.000001 * p.h_min) or (error > 10.0 and h_s > 1e-9):
             h_goal = h_new
         else:
             if h_s < left:
-                total[15] = min(total[15], h_s)
+                x.h_micro_min = min(x.h_micro_min, h_s)
             if h_new < h_s or h_new > h_goal:
                 h_goal = h_new
-            h_goal = min(h_goal, h_max)
-            accept(h_s, N_m, L, modes, work, total)
-            rate = rate_end
+            h_goal = min(h_goal, p.h_max)
+            accept(h_s, p, x, s)
+            rate = trial.rate
             running = h_s < left
             tau = tau + h_s
-    return h_goal, Delta
+    return Touched(h_goal, Delta)
+
+
+def omega_1(m: Modes) -> float:
+    """The lowest frequency at rest."""
+    return m.omega_r[0]

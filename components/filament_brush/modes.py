@@ -1,6 +1,11 @@
-"""Bending modes of a cantilever: shapes (Eq. 3), the table of their values, slope integrals and stiffness (Eq. 4)."""
+"""Bending modes of a cantilever: shapes (Eq. 3), their numbers, slope integrals and stiffness (Eq. 4)."""
 
 from math import cos, cosh, exp, pi, sin, sinh, sqrt
+
+from ..declare.record import Matrix
+from ..library.quadrature import gauss_legendre
+from .parameters import Parameters
+from .records import Constants, Modes, Scratch, Stage, State, Stiffness
 
 
 def eigenvalue(r: int) -> float:
@@ -23,99 +28,91 @@ def mode_slope(lam: float, xi: float) -> float:
     one_minus_sigma = (exp(-lam) + cos(lam) + sin(lam)) / (cosh(lam) + cos(lam))
     growing = 0.5 * one_minus_sigma * exp(lam * xi)
     decaying = 0.5 * (1.0 + sigma) * exp(-lam * xi)
-    return lam * (growing - decaying + sin(lam * xi) + sigma * cos(lam * xi))
+    return lam * (growing - decaying + sin(lam * xi) + sigma * cos(lam * xi))  # Eq. 3
 
 
-def mode_table(
-    L: float, EI_zz: float, m: float, zeta: "float[:]", lambda_r: "float[:]", omega_r: "float[:]", modes: "float[:,:]",
-) -> None:
-    """Fill lambda_r, omega_r and modes for six modes, from the closed forms of Eq. 3 at root and tip."""
+def mode_table(EI_zz: float, mass: float, p: Parameters, m: Modes) -> None:
+    """Numbers of six modes, from the closed forms of Eq. 3 at root and tip; EI_zz and mass per length of a bristle."""
     sign = 1.0
     for r in range(6):
         lam = eigenvalue(r + 1)
-        beta = lam / L
+        beta = lam / p.L
         sigma = mode_sigma(lam)
-        lambda_r[r] = lam
-        omega_r[r] = beta * beta * sqrt(EI_zz / m)  # below Eq. 4
-        modes[0, r] = 2.0 * zeta[r] * omega_r[r]  # Eq. 4
-        modes[1, r] = 2.0 * sign  # Y_r(L)
-        modes[2, r] = 2.0 * sign * sigma * beta  # Y_r'(L)
-        modes[3, r] = 2.0 * sigma / beta  # int Y_r dx
-        modes[4, r] = 2.0 / (beta * beta)  # int x Y_r dx
-        modes[5, r] = 2.0 * beta * beta  # Y_r''(0)
-        modes[6, r] = -2.0 * sigma * beta * beta * beta  # Y_r'''(0)
+        m.lambda_r[r] = lam
+        m.omega_r[r] = beta * beta * sqrt(EI_zz / mass)  # below Eq. 4
+        m.damping[r] = 2.0 * p.zeta[r] * m.omega_r[r]  # Eq. 4
+        m.Y_L[r] = 2.0 * sign
+        m.slope_L[r] = 2.0 * sign * sigma * beta
+        m.int_Y[r] = 2.0 * sigma / beta
+        m.int_xY[r] = 2.0 / (beta * beta)
+        m.curvature_0[r] = 2.0 * beta * beta
+        m.shear_0[r] = -2.0 * sigma * beta * beta * beta
         sign = -sign
 
 
-def gauss_legendre(work: "float[:,:]") -> None:
-    """Five points of -1 .. 1 in row 0 of work, their weights in row 1."""
-    a = sqrt(10.0 / 7.0)
-    b = sqrt(70.0)
-    work[0, 0] = 0.0
-    work[0, 1] = sqrt(5.0 - 2.0 * a) / 3.0
-    work[0, 2] = -work[0, 1]
-    work[0, 3] = sqrt(5.0 + 2.0 * a) / 3.0
-    work[0, 4] = -work[0, 3]
-    work[1, 0] = 128.0 / 225.0
-    work[1, 1] = (322.0 + 13.0 * b) / 900.0
-    work[1, 2] = work[1, 1]
-    work[1, 3] = (322.0 - 13.0 * b) / 900.0
-    work[1, 4] = work[1, 3]
+def slope_integrals(r_A: float, A: float, mass: float, p: Parameters, x: State, s: Scratch) -> None:
+    """G_rs = int Y_r' Y_s' dx and S_rs = int N Y_r' Y_s' dx/(m L omega_b^2), N the centrifugal tension.
 
-
-def slope_integrals(
-    L: float, r_A: float, rho: float, A: float, m: float, lambda_r: "float[:]", G: "float[:,:]", S: "float[:,:]",
-    work: "float[:,:]",
-) -> None:
-    """G_rs = int Y_r' Y_s' dx and S_rs = int N Y_r' Y_s' dx/(m L omega_b^2), N the centrifugal tension; r_A: root."""
+    r_A: radius of the root; A: section of a bristle; mass: what moves with it, per length.
+    """
     for r in range(6):
-        for s in range(6):
-            G[r, s] = 0.0
-            S[r, s] = 0.0
-    gauss_legendre(work)
+        for q in range(6):
+            x.G[r, q] = 0.0
+            x.S[r, q] = 0.0
+    gauss_legendre(s.nodes, s.weights)
     for k in range(96):  # intervals; mode 6 is resolved to rounding
         for j in range(5):
-            xi = (k + 0.5 + 0.5 * work[0, j]) / 96.0
-            weight = 0.5 * work[1, j] / 96.0
-            x = xi * L
-            tension = r_A * (L - x) + 0.5 * (L * L - x * x)  # N(x) / (rho A omega_b^2)
+            xi = (k + 0.5 + 0.5 * s.nodes[j]) / 96.0
+            weight = 0.5 * s.weights[j] / 96.0
+            at = xi * p.L
+            tension = r_A * (p.L - at) + 0.5 * (p.L * p.L - at * at)  # N(x) / (rho A omega_b^2)
+            slopes_at(xi, x.modes, p, s)
             for r in range(6):
-                work[2, r] = mode_slope(lambda_r[r], xi) / L
-            for r in range(6):
-                for s in range(6):
-                    product = weight * L * work[2, r] * work[2, s]
-                    G[r, s] = G[r, s] + product
-                    S[r, s] = S[r, s] + product * tension * rho * A / (m * L)
+                for q in range(6):
+                    product = weight * p.L * s.slopes[r] * s.slopes[q]
+                    x.G[r, q] = x.G[r, q] + product
+                    x.S[r, q] = x.S[r, q] + product * tension * p.rho * A / (mass * p.L)
 
 
-def stiffness(
-    speed_2: float, N_m: int, L: float, chi: float, offset: float, omega_r: "float[:]", modes: "float[:,:]",
-    S: "float[:,:]", K: "float[:,:]",
-) -> float:
-    """Fill K at speed omega_b = sqrt(speed_2); returns a bound on the highest natural frequency [rad/s].
+def slopes_at(xi: float, m: Modes, p: Parameters, s: Scratch) -> None:
+    """Y_r' of six modes at xi = x/L."""
+    for r in range(6):
+        s.slopes[r] = mode_slope(m.lambda_r[r], xi) / p.L
 
-    chi: share of the bristle in the moving mass (the water's share feels no centrifugal force).
+
+def stiffness(offset: float, k: Stiffness, p: Parameters, c: Constants, m: Modes, S: Matrix) -> float:
+    """Fill k at the speed of c; returns a bound on the highest natural frequency [rad/s].
+
+    offset: distance of the filament's axis from the brush axis. c.chi: share of the bristle in the moving mass (the
+    water's share feels no centrifugal force).
     """
     highest = 0.0
-    for r in range(N_m):
+    for r in range(p.N_m):
         row = 0.0
-        for s in range(N_m):
-            K[r, s] = speed_2 * S[r, s]
+        for s in range(p.N_m):
+            K_rs = c.speed_2 * S[r, s]
             if r == s:
-                K[r, s] = K[r, s] + omega_r[r] * omega_r[r] - speed_2 * chi  # in-plane softening
-            row = row + abs(K[r, s])
+                K_rs = K_rs + m.omega_r[r] * m.omega_r[r] - c.speed_2 * c.chi  # in-plane softening
+            k.K[r, s] = K_rs
+            row = row + abs(K_rs)
         highest = max(highest, row)  # the largest row sum bounds every eigenvalue
-        K[6, r] = -speed_2 * chi * offset * modes[3, r] / L
+        k.load[r] = -c.speed_2 * c.chi * offset * m.int_Y[r] / p.L
     return sqrt(highest)
 
 
-def centrifugal_energy(
-    N_m: int, L: float, modes: "float[:,:]", S: "float[:,:]", c: "float[:]", work: "float[:,:]",
-) -> float:
-    """Centrifugal potential of the deflection in row 0 of work, over omega_b^2."""
+def centrifugal_energy(f: Stage, p: Parameters, c: Constants, m: Modes, S: Matrix) -> float:
+    """Centrifugal potential of a deflection, over omega_b^2."""
     energy = 0.0
-    for r in range(N_m):
-        energy = energy - c[3] * work[0, r] * (c[1] * modes[3, r] / L + 0.5 * work[0, r])
-        for s in range(N_m):
-            energy = energy + 0.5 * S[r, s] * work[0, r] * work[0, s]
-    return c[2] * energy
+    for r in range(p.N_m):
+        energy = energy - c.chi * f.eta[r] * (c.x_t * m.int_Y[r] / p.L + 0.5 * f.eta[r])
+        for s in range(p.N_m):
+            energy = energy + 0.5 * S[r, s] * f.eta[r] * f.eta[s]
+    return c.M * energy
+
+
+def deflection(f: Stage, p: Parameters, m: Modes) -> float:
+    """Deflection y of the tip."""
+    y = 0.0
+    for r in range(p.N_m):
+        y = y + m.Y_L[r] * f.eta[r]  # Eq. 2
+    return y

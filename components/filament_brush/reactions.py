@@ -3,111 +3,150 @@
 from math import cos, floor, pi, sin
 
 from .contact import contact_energy
-from .filament import free_acceleration, tip_force
+from .micro_steps import evaluate
+from .modes import deflection
+from .parameters import Parameters
+from .records import Base, Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State
 
 
-def base_reactions(
-    F_a: float, F_t: float, shortening: float, q: float, r_A: float, offset: float, mode_acceleration: bool, N_m: int,
-    L: float, EI: float, m: float, omega_r: "float[:]", modes: "float[:,:]", work: "float[:,:]",
-) -> tuple[float, float, float]:
-    """Base shear (Eq. 11), base moment (Eq. 12) and tip deflection from eta, eta_dot, eta'' in rows 0, 1, 4 of work.
+def bending_stiffness(p: Parameters) -> float:
+    """EI of a bundle."""
+    return p.bristles_per_filament * p.E * pi * p.d * p.d * p.d * p.d / 64.0
+
+
+def base_reactions(f: Stage, load: Load, p: Parameters, c: Constants, m: Modes) -> Base:
+    """Base shear (Eq. 11), base moment (Eq. 12) and tip deflection.
 
     The plain sum is what the paper prints. Mode acceleration sums over modes only what inertia and damping give and
     takes the loads as they are, so that it is exact in statics: (F_a, F_t) at the tip and, along the filament, the
     centrifugal load q (r_A + x, y - offset).
     """
+    EI = bending_stiffness(p)
     shear = 0.0
     moment = 0.0
-    y = 0.0
-    for r in range(N_m):
-        shear = shear + EI * modes[6, r] * work[0, r]  # Eq. 11
-        moment = moment + EI * modes[5, r] * work[0, r]  # Eq. 12
-        y = y + modes[1, r] * work[0, r]  # Eq. 2
-    if mode_acceleration:
-        shear = -F_t + q * L * offset
-        moment = F_t * (L - shortening) - q * 0.5 * L * L * offset
-        if shortening > 0.0:
-            moment = moment - F_a * y
-        for r in range(N_m):
-            inertia = m * (work[4, r] + modes[0, r] * work[1, r])
-            shear = shear + (inertia - q * work[0, r]) * modes[3, r]
-            moment = moment - inertia * modes[4, r] - q * r_A * modes[3, r] * work[0, r]
-        if F_t != 0.0:
-            y = y + F_t * L * L * L / (3.0 * EI)
-            for r in range(N_m):
-                y = y - F_t * modes[1, r] * modes[1, r] / (m * L * omega_r[r] * omega_r[r])
-    return shear, moment, y
+    for r in range(p.N_m):
+        shear = shear + EI * m.shear_0[r] * f.eta[r]  # Eq. 11
+        moment = moment + EI * m.curvature_0[r] * f.eta[r]  # Eq. 12
+    y = deflection(f, p, m)
+    if p.mode_acceleration:
+        mass = c.M / p.L
+        q = c.M * c.chi * c.speed_2 / p.L
+        r_A = c.x_a - p.L
+        offset = -c.x_t
+        shear = -load.F_t + q * p.L * offset
+        moment = load.F_t * (p.L - load.shortening) - q * 0.5 * p.L * p.L * offset
+        if load.shortening > 0.0:
+            moment = moment - load.F_a * y
+        for r in range(p.N_m):
+            inertia = mass * (f.a[r] + m.damping[r] * f.eta_dot[r])
+            shear = shear + (inertia - q * f.eta[r]) * m.int_Y[r]
+            moment = moment - inertia * m.int_xY[r] - q * r_A * m.int_Y[r] * f.eta[r]
+        if load.F_t != 0.0:
+            y = y + load.F_t * p.L * p.L * p.L / (3.0 * EI)
+            for r in range(p.N_m):
+                y = y - load.F_t * m.Y_L[r] * m.Y_L[r] / (mass * p.L * m.omega_r[r] * m.omega_r[r])
+    return Base(shear, moment, y)
 
 
-def brush_sums(
-    theta_b: float, h_plane: float, L: float, EI: float, N_m: int, n: int, R_brush: float, alpha: float, k_c: float,
-    foreshortening: bool, mode_acceleration: bool, omega_r: "float[:]", modes: "float[:,:]", G: "float[:,:]",
-    K: "float[:,:]", c: "float[:]", work: "float[:,:]", eta: "float[:,:]", eta_dot: "float[:,:]",
-    filament: "float[:,:]", kinetic_fraction: "float[:]",
-) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
-    """Forces, torques, powers and energies of the whole brush; fills the table `filament`.
-
-    kinetic_fraction holds the kinetic energy of each mode afterwards.
-    """
-    M = c[2]
-    F_x = 0.0
-    F_z = 0.0
-    T_brush = 0.0
-    contact_count = 0.0
-    F_y_eq11 = 0.0
-    M_b_eq12 = 0.0
-    F_z_eq13 = 0.0
-    T_brush_eq15 = 0.0
-    P_damping = 0.0
-    P_friction = 0.0
-    P_contact = 0.0
-    E_kinetic = 0.0
-    E_strain = 0.0
-    E_contact = 0.0
+def clear_sums(y: Outputs) -> None:
+    """Nothing yet."""
+    y.F_x = 0.0
+    y.F_z = 0.0
+    y.T_brush = 0.0
+    y.contact_count = 0.0
+    y.F_y_eq11 = 0.0
+    y.M_b_eq12 = 0.0
+    y.F_z_eq13 = 0.0
+    y.T_brush_eq15 = 0.0
+    y.P_damping = 0.0
+    y.P_friction = 0.0
+    y.P_contact = 0.0
+    y.E_kinetic = 0.0
+    y.E_strain = 0.0
+    y.E_contact = 0.0
     for r in range(6):
-        kinetic_fraction[r] = 0.0
-    for i in range(n):
-        phi = theta_b + 2.0 * pi * i / n
-        psi = phi - alpha
-        sin_psi = sin(psi)
-        cos_psi = cos(psi)
-        for r in range(N_m):
-            work[0, r] = eta[i, r]
-            work[1, r] = eta_dot[i, r]
-        free_acceleration(0, 1, 4, N_m, modes, K, work)
-        Delta, _ = tip_force(0, 1, 4, N_m, sin_psi, cos_psi, h_plane, foreshortening, modes, G, c, work)
-        F_f = work[10, 0]
-        F_n = work[10, 1]
-        F_x = F_x - F_f  # Eq. 14
-        F_z = F_z - F_n  # Eq. 14
-        T_brush = T_brush + work[10, 2]
-        P_friction = P_friction + work[10, 3]
-        P_contact = P_contact + work[10, 4]
-        P_damping = P_damping + work[10, 5]
-        if F_n > 0.0:
-            contact_count = contact_count + 1.0
-        E_contact = E_contact + contact_energy(Delta, k_c)
-        slope = 0.0
-        shortening = 0.0
-        for r in range(N_m):
-            kinetic = 0.5 * M * work[1, r] * work[1, r]
-            kinetic_fraction[r] = kinetic_fraction[r] + kinetic
-            E_kinetic = E_kinetic + kinetic
-            E_strain = E_strain + 0.5 * M * omega_r[r] * omega_r[r] * work[0, r] * work[0, r]
-            slope = slope + modes[2, r] * work[0, r]
-            shortening = shortening + 0.5 * work[9, r] * work[0, r]
-        shear, moment, y_tip = base_reactions(
-            -F_f * sin_psi - F_n * cos_psi, F_f * cos_psi - F_n * sin_psi, shortening, M * c[3] * c[4] / L, c[0] - L,
-            -c[1], mode_acceleration, N_m, L, EI, M / L, omega_r, modes, work)
-        F_y_eq11 = F_y_eq11 + shear
-        M_b_eq12 = M_b_eq12 + moment
-        F_z_eq13 = F_z_eq13 + F_n * slope - F_f  # Eq. 13
-        # Eq. 15: cos(phi) = cos(psi + alpha)
-        T_brush_eq15 = T_brush_eq15 + R_brush * shear * (cos_psi * cos(alpha) - sin_psi * sin(alpha))
-        filament[i, 0] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
-        filament[i, 1] = F_n
-        filament[i, 2] = F_f
-        filament[i, 3] = y_tip
-    return (
-        F_x, F_z, T_brush, contact_count, F_y_eq11, M_b_eq12, F_z_eq13, T_brush_eq15, P_damping, P_friction, P_contact,
-        E_kinetic, E_strain, E_contact)
+        y.kinetic_fraction[r] = 0.0
+
+
+def add_tip(f: Stage, y: Outputs) -> None:
+    """Add the forces and powers at a tip (Eq. 14)."""
+    y.F_x = y.F_x - f.F_f  # Eq. 14
+    y.F_z = y.F_z - f.F_n  # Eq. 14
+    y.T_brush = y.T_brush + f.moment
+    y.P_friction = y.P_friction + f.P_friction
+    y.P_contact = y.P_contact + f.P_contact
+    y.P_damping = y.P_damping + f.P_damping
+    if f.F_n > 0.0:
+        y.contact_count = y.contact_count + 1.0
+
+
+def add_energies(f: Stage, p: Parameters, c: Constants, m: Modes, y: Outputs) -> float:
+    """Add the energies of a filament, kinetic_fraction being that of each mode; returns the foreshortening."""
+    shortening = 0.0
+    for r in range(p.N_m):
+        kinetic = 0.5 * c.M * f.eta_dot[r] * f.eta_dot[r]
+        y.kinetic_fraction[r] = y.kinetic_fraction[r] + kinetic
+        y.E_kinetic = y.E_kinetic + kinetic
+        y.E_strain = y.E_strain + 0.5 * c.M * m.omega_r[r] * m.omega_r[r] * f.eta[r] * f.eta[r]
+        shortening = shortening + 0.5 * f.g[r] * f.eta[r]
+    return shortening
+
+
+def add_base(
+    f: Stage, at: Placement, shortening: float, p: Parameters, c: Constants, m: Modes, y: Outputs,
+) -> float:
+    """Add the reactions at a filament's base (Eqs. 11-13, 15); returns the tip deflection."""
+    slope = 0.0
+    for r in range(p.N_m):
+        slope = slope + m.slope_L[r] * f.eta[r]
+    load = Load(
+        F_a=-f.F_f * at.sin_psi - f.F_n * at.cos_psi,
+        F_t=f.F_f * at.cos_psi - f.F_n * at.sin_psi,
+        shortening=shortening,
+    )
+    base = base_reactions(f, load, p, c, m)
+    y.F_y_eq11 = y.F_y_eq11 + base.shear
+    y.M_b_eq12 = y.M_b_eq12 + base.moment
+    y.F_z_eq13 = y.F_z_eq13 + f.F_n * slope - f.F_f  # Eq. 13
+    # Eq. 15: cos(phi) = cos(psi + alpha)
+    cos_phi = at.cos_psi * cos(p.alpha) - at.sin_psi * sin(p.alpha)
+    y.T_brush_eq15 = y.T_brush_eq15 + p.R_brush * base.shear * cos_phi  # Eq. 15
+    return base.y
+
+
+def tell(i: int, phi: float, y_tip: float, f: Stage, s: Scratch) -> None:
+    """The row of a filament in the table of all."""
+    s.filament[i, 0] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
+    s.filament[i, 1] = f.F_n
+    s.filament[i, 2] = f.F_f
+    s.filament[i, 3] = y_tip
+
+
+def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Forces, torques, powers and energies of the whole brush; fills the table `filament`."""
+    clear_sums(y)
+    for i in range(p.n):
+        phi = x.theta_b + 2.0 * pi * i / p.n
+        psi = phi - p.alpha
+        at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - delta)
+        take(i, s.now, p, x)
+        reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
+        add_tip(s.now, y)
+        y.E_contact = y.E_contact + contact_energy(reach.Delta, p)
+        shortening = add_energies(s.now, p, s.c, x.modes, y)
+        y_tip = add_base(s.now, at, shortening, p, s.c, x.modes, y)
+        tell(i, phi, y_tip, s.now, s)
+
+
+def take(i: int, f: Stage, p: Parameters, x: State) -> None:
+    """Filament i from the state."""
+    for r in range(p.N_m):
+        f.eta[r] = x.eta[i, r]
+        f.eta_dot[r] = x.eta_dot[i, r]
+
+
+def give(i: int, f: Stage, p: Parameters, x: State) -> None:
+    """Filament i back into the state."""
+    for r in range(p.N_m):
+        x.eta[i, r] = f.eta[r]
+        x.eta_dot[i, r] = f.eta_dot[r]

@@ -1,6 +1,6 @@
 """Small square matrices."""
 
-from ..declare.record import Matrix
+from ..declare.record import Matrix, Vector
 
 
 def invert(A: Matrix, A_inv: Matrix, size: int) -> None:
@@ -30,3 +30,22 @@ def of_blocks(M: Matrix, upper: Matrix, coupling: Matrix, lower: Matrix) -> None
             M[i, 3 + j] = coupling[i, j]
             M[3 + i, j] = coupling[j, i]
             M[3 + i, 3 + j] = lower[i, j]
+
+
+def multiply(size: int, A: Matrix, B: Matrix, C: Matrix) -> None:
+    """C = A B for the leading square blocks."""
+    for i in range(size):
+        for j in range(size):
+            total = 0.0
+            for k in range(size):
+                total = total + A[i, k] * B[k, j]
+            C[i, j] = total
+
+
+def rows_times(out: Vector, A: Matrix, first: int, last: int, v: Vector, size: int) -> None:
+    """The product of the rows first .. last-1 of A with a vector of `size` components."""
+    for r in range(first, last):
+        total = 0.0
+        for j in range(size):
+            total = total + A[r, j] * v[j]
+        out[r - first] = total

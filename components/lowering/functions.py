@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ..declare.record import cells_of, fields_of
+from ..declare.record import cells_of, fields_of, storage
 from .errors import meant, refuse
 from .source import Source, is_record
 
@@ -75,10 +75,16 @@ class Function:
         )
 
     def passed(self, name: str) -> list[str]:
-        """The fields of a record that are passed one by one, in declared order."""
+        """The fields of a record that are passed one by one, in declared order; of a record in it all its arrays."""
         use, cells = self.uses[name], cells_of(self.parameters[name])
         together = set(cells) if self.in_cells(name) else set()
-        return [key for key in fields_of(self.parameters[name]) if key in (use.read | use.written) - together]
+        fields = fields_of(self.parameters[name])
+        found: list[str] = []
+        for key in fields:
+            if key in (use.read | use.written) - together:
+                inner = storage(fields[key].kind, key, f"{key}_") if fields[key].is_record else [(key, 0, None)]
+                found += [one for one, _, _ in inner]
+        return found
 
 
 def functions_of(parts: list[Source], records: dict[str, type[Any]]) -> dict[str, Function]:

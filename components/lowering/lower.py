@@ -10,7 +10,7 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from ..declare.record import Field, cells_name, cells_of, dimensions, fields_of
+from ..declare.record import Field, cells_name, cells_of, dimensions, fields_of, storage, width
 from ..lowered import Lowered, Part
 from .allowed import check
 from .edits import Edits
@@ -71,8 +71,13 @@ class _Rewriter:
                 found.append(f"{name}: {kind}")
                 continue
             if self.f.in_cells(name):
-                found.append(f"{name}: 'float[:]'")
-            found += [f"{name}_{key}: {_type(fields_of(kind)[key])}" for key in self.f.passed(name)]
+                found.append(f"{name}: {_cells_type(kind)}")
+            types = {key: _type(field) for key, field in fields_of(kind).items() if not field.is_record}
+            for key, field in fields_of(kind).items():
+                if field.is_record:
+                    inner = storage(field.kind, key, f"{key}_")
+                    types |= {one: _type(own) if own else _cells_type(field.kind) for one, _, own in inner}
+            found += [f"{name}_{key}: {types[key]}" for key in self.f.passed(name)]
         return found
 
     def visit(self, node: ast.AST) -> None:
@@ -154,7 +159,7 @@ class _Rewriter:
         name = node.value.id
         cells = cells_of(self.f.locals.get(name) or self.f.records[name])
         if node.attr in cells and self._in_cells(name):
-            return f"{name}[{cells[node.attr]}]"
+            return _cell(name, self.f.records[name], node.attr)
         return f"{name}_{node.attr}"
 
     def _element(self, node: ast.Subscript, of: ast.Attribute) -> None:
@@ -166,7 +171,10 @@ class _Rewriter:
             self.edits.replace(of, f"{of.value.id}_{of.attr}")
             self.visit(node.slice)
             return
-        if isinstance(node.slice, ast.Tuple):
+        if width(record):
+            self.edits.replace(of, f"{of.value.id}[{at // width(record)}, ", until=node.slice, inside=False)
+            self.visit(node.slice)
+        elif isinstance(node.slice, ast.Tuple):
             row, column = node.slice.elts
             shape = fields_of(record)[of.attr].shape
             assert isinstance(shape, tuple)
@@ -200,14 +208,22 @@ class _Rewriter:
         texts = [own] if called.in_cells(name) else []
         for key in called.passed(name):
             whole = key in cells and (nested or self._in_cells(own))
-            texts.append(f"{own}[{cells[key]}]" if whole else f"{own}_{key}")
+            texts.append(_cell(own, record, key) if whole else f"{own}_{key}")
         self.edits.replace(node, ", ".join(texts))
+
+
+def _cell(name: str, record: type[Any], key: str) -> str:
+    """A scalar among a record's cells."""
+    at, columns = cells_of(record)[key], width(record)
+    return f"{name}[{at // columns}, {at % columns}]" if columns else f"{name}[{at}]"
+
+
+def _cells_type(record: type[Any]) -> str:
+    return "'float[:,:]'" if width(record) else "'float[:]'"
 
 
 def _type(field: Field) -> str:
     """The annotation of a field that is passed by itself."""
-    if field.is_record:
-        return "'float[:]'"
     if field.is_array:
         return "'float[:,:]'" if dimensions(field) == 2 else "'float[:]'"
     return field.kind.__name__

@@ -19,9 +19,10 @@ def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) 
         s.moment[i] = s.moment[i] + s.M_control[i] + s.M_disturb[i] + u.M_external[i]
     join(s.tau, s.force, s.moment)
     for i in range(6):
-        k.nu[i] = 0.0
+        nu_dot = 0.0
         for j in range(6):
-            k.nu[i] = k.nu[i] + x.M_inv[i, j] * s.tau[j]  # Eq. 19
+            nu_dot += x.M_inv[i, j] * s.tau[j]  # Eq. 19
+        k.nu[i] = nu_dot
     powers(k, z, u, p, s)
 
 
@@ -42,24 +43,26 @@ def kinematics(k: Motion, z: Motion, u: Inputs, s: Scratch) -> None:
 
 def water(k: Motion, z: Motion, p: Parameters, s: Scratch) -> None:
     """Damping and net buoyancy: -D nu_r - g of Eq. 19, and the power lost."""
-    k.W_damping = 0.0
+    P_damping = 0.0
     for i in range(3):
         D_v = (p.D_force[i] + p.D_force_quadratic[i] * abs(z.v[i])) * z.v[i]
         D_omega = (p.D_moment[i] + p.D_moment_quadratic[i] * abs(z.omega[i])) * z.omega[i]
-        k.W_damping = k.W_damping + D_v * z.v[i] + D_omega * z.omega[i]
+        P_damping = P_damping + D_v * z.v[i] + D_omega * z.omega[i]
         # W - B acts along world z, which is the last row of R in the body frame.
         s.force[i] = -D_v - s.R[2, i] * p.net_buoyancy
         s.moment[i] = -D_omega
         # Force of the water on the vehicle, without the acceleration and Coriolis terms yet.
         s.hydrodynamic[i] = -D_v
+    k.W_damping = P_damping
 
 
 def coriolis(z: Motion, x: State, s: Scratch) -> None:
     """Take C nu_r = (omega x a, v_r x a + omega x b) off, with the momenta a (linear) and b (angular) of M nu_r."""
     for i in range(6):
-        s.momenta[i] = 0.0
+        momentum = 0.0
         for j in range(6):
-            s.momenta[i] = s.momenta[i] + x.M[i, j] * z.nu[j]
+            momentum += x.M[i, j] * z.nu[j]
+        s.momenta[i] = momentum
     split(s.momenta, s.a, s.b)
     cross_add(s.force, s.a[0], s.a[1], s.a[2], z.omega[0], z.omega[1], z.omega[2])
     cross_add(s.moment, s.a[0], s.a[1], s.a[2], z.v[0], z.v[1], z.v[2])
@@ -71,13 +74,17 @@ def powers(k: Motion, z: Motion, u: Inputs, p: Parameters, s: Scratch) -> None:
     cross_add(
         s.hydrodynamic, p.added_mass[0] * z.v[0], p.added_mass[1] * z.v[1], p.added_mass[2] * z.v[2], z.omega[0],
         z.omega[1], z.omega[2])
-    k.W_current = 0.0
-    k.W_thruster = 0.0
-    k.W_tool = 0.0
-    k.W_external = 0.0
+    P_current = 0.0
+    P_thruster = 0.0
+    P_tool = 0.0
+    P_external = 0.0
     for i in range(3):
-        k.W_current = k.W_current + s.v_water[i] * (s.hydrodynamic[i] - p.added_mass[i] * k.v[i])
+        P_current += s.v_water[i] * (s.hydrodynamic[i] - p.added_mass[i] * k.v[i])
         over_ground = z.v[i] + s.v_water[i]
-        k.W_thruster = k.W_thruster + s.F_control[i] * over_ground + s.M_control[i] * z.omega[i]
-        k.W_tool = k.W_tool + s.F_disturb[i] * over_ground + s.M_disturb[i] * z.omega[i]
-        k.W_external = k.W_external + u.F_external[i] * over_ground + u.M_external[i] * z.omega[i]
+        P_thruster = P_thruster + s.F_control[i] * over_ground + s.M_control[i] * z.omega[i]
+        P_tool = P_tool + s.F_disturb[i] * over_ground + s.M_disturb[i] * z.omega[i]
+        P_external = P_external + u.F_external[i] * over_ground + u.M_external[i] * z.omega[i]
+    k.W_current = P_current
+    k.W_thruster = P_thruster
+    k.W_tool = P_tool
+    k.W_external = P_external

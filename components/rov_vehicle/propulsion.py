@@ -1,6 +1,6 @@
 """Thrusters: thrust, lag and wrench (Eq. 20)."""
 
-from ..library.vectors import split
+from ..library.matrices import rows_times
 from .parameters import Parameters
 from .records import Inputs, Scratch, State
 
@@ -16,13 +16,10 @@ def thrust_of(u: float, p: Parameters) -> float:
 
 def thruster_wrench(decay: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """B F (Eq. 20) with the thrusts after a time in which the distance to their steady values fell by `decay`."""
-    for r in range(6):
-        s.tau_control[r] = 0.0
     for j in range(8):
-        F = decay * x.thrust[j] + (1.0 - decay) * thrust_of(u.u_thruster[j], p)
-        for r in range(6):
-            s.tau_control[r] = s.tau_control[r] + x.B[r, j] * F  # Eq. 20
-    split(s.tau_control, s.F_control, s.M_control)
+        s.F[j] = decay * x.thrust[j] + (1.0 - decay) * thrust_of(u.u_thruster[j], p)
+    rows_times(s.F_control, x.B, 0, 3, s.F, 8)  # Eq. 20
+    rows_times(s.M_control, x.B, 3, 6, s.F, 8)  # Eq. 20
 
 
 def thrusts(decay: float, u: Inputs, p: Parameters, x: State) -> None:

@@ -2,6 +2,7 @@
 
 from math import exp, sqrt
 
+from ..library.integration import runge_kutta_stage
 from ..library.vectors import add_scaled, clear, copy
 from .motion import rates
 from .parameters import Parameters
@@ -32,8 +33,7 @@ def runge_kutta(dt: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> No
         ahead = 0.5 * dt
         if stage == 2:
             ahead = dt
-        add_scaled(18, s.increment, s.increment, weight, s.k)
-        add_scaled(18, s.stage, x.motion, ahead, s.k)
+        runge_kutta_stage(18, x.motion, s.k, weight, ahead, s.increment, s.stage)
     add_scaled(18, x.motion, x.motion, dt / 6.0, s.increment)
     normalize(x.motion)
     thrusts(decay, u, p, x)

@@ -118,7 +118,11 @@ class Instance:
         fields = fields_of(record)
         if all(f.role == "input" for f in fields.values()):
             return record(*[self.values[name] for name in fields])
-        return over(record, self.values.get(cells_name(record)), self.arrays)
+        return self.record(record)
+
+    def record(self, kind: type[Any]) -> Any:
+        """State, scratch or outputs as plain Python sees them."""
+        return over(kind, self.values.get(cells_name(kind)), self.arrays)
 
     def start(self) -> None:
         """setup, initialize and outputs, as far as the kernel has them."""

@@ -83,25 +83,30 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     b, v = brush.constants(), vehicle.constants()
     motor_rates, motor_parameters = motor.functions.rates, motor.given("rates", behind=6)
     N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
-    constants, free_acceleration, tip_force = (
-        getattr(brush.functions, name) for name in ("constants", "free_acceleration", "tip_force")
-    )
+    constants, evaluate = brush.functions.constants, brush.functions.evaluate
+    of_brush = brush.given("constants", behind=5)
     vehicle_rates, tool_wrench, thruster_wrench, thrust_of = (
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
     n, N_m = b.n, b.N_m
 
     @njit(error_model="numpy")  # not cached: Numba would not notice that a kernel changed
-    def rates(t: float, state: np.ndarray, u_thruster: np.ndarray, V_in: float) -> np.ndarray:
+    def rates(
+        t: float,
+        state: np.ndarray,
+        u_thruster: np.ndarray,
+        V_in: float,
+        of_thrusters: Any,
+        of_tool: Any,
+        of_vehicle: Any,
+    ) -> np.ndarray:
         rate = np.zeros_like(state)
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, c, work = np.zeros(b.K.shape), np.zeros(b.c.shape), np.zeros(b.work.shape)
-        constants(
-            omega_b, b.delta_dot, b.v_rov, b.friction_scale, b.L, b.d, b.rho, b.rho_w, b.C_a, N_m,
-            b.bristles_per_filament, b.R_brush, b.alpha, b.k_c, b.c_c, b.Delta_s, b.mu_s, b.mu_c, b.v_0, b.k_v,
-            b.v_eps, b.centrifugal, b.omega_r, b.modes, b.S, K, c)  # fmt: skip
+        K, load, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros(8), np.zeros((5, 6))
+        constants(c, K, load, omega_b, b.friction_scale, *of_brush)
+        x_a, x_t, M, omega_max, mu_s, mu_c = c[0], c[1], c[2], c[5], c[6], c[7]
         F_x, F_z, T_brush = 0.0, 0.0, 0.0
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
@@ -109,14 +114,16 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
             eta = ETA + filament * N_m
             eta_dot = eta + n * N_m
             for r in range(N_m):
-                work[0, r], work[1, r] = state[eta + r], state[eta_dot + r]
-            free_acceleration(0, 1, 4, N_m, b.modes, K, work)
-            tip_force(0, 1, 4, N_m, np.sin(psi), np.cos(psi), h_plane, b.foreshortening, b.modes, b.G, c, work)
+                stage[0, r], stage[1, r] = state[eta + r], state[eta_dot + r]
+            evaluate(
+                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, N_m, b.k_c, b.c_c, b.v_0,
+                b.k_v, b.v_eps, b.Delta_s, b.foreshortening, x_a, x_t, M, omega_max, mu_s, mu_c, b.modes, K, load,
+                b.G)  # fmt: skip
             for r in range(N_m):
-                rate[eta + r], rate[eta_dot + r] = work[1, r], work[4, r]
-            F_x -= work[10, 0]
-            F_z -= work[10, 1]
-            T_brush += work[10, 2]
+                rate[eta + r], rate[eta_dot + r] = stage[1, r], stage[2, r]
+            F_x -= stage[4, 0]
+            F_z -= stage[4, 1]
+            T_brush += stage[4, 2]
         rate[2], rate[3], rate[4], rate[5] = omega_b, F_x, F_z, T_brush
 
         # motor
@@ -126,19 +133,21 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         # vehicle, whose housing takes T_brush
         x = ETA + 2 * n * N_m
         thrust_state = state[x + 18 :]
-        tau_control, tau_disturb, tau_external = np.zeros(6), np.zeros(6), np.zeros(6)
-        thruster_wrench(tau_control, v.B, thrust_state, u_thruster, v.k_T_forward, v.k_T_reverse, 1.0)
-        tool_wrench(tau_disturb, v.r_tool, v.R_tool_body, F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z)
-        tau_external[:3], tau_external[3:] = v.F_external, v.M_external
-        vehicle_rates(
-            rate[x : x + 18], state[x : x + 18], np.zeros(9), np.zeros(3), np.zeros(15), tau_control, tau_disturb,
-            tau_external, v.v_c, v.M, v.M_inv, v.added_mass, v.D, v.lever, v.net_buoyancy)  # fmt: skip
+        thruster_wrench(1.0, u_thruster, v.k_T_forward, v.k_T_reverse, thrust_state, *of_thrusters)
+        tool_wrench(F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z, *of_tool)
+        vehicle_rates(rate[x : x + 18], state[x : x + 18], *of_vehicle)
         for j in range(8):
             steady = thrust_of(u_thruster[j], v.k_T_forward, v.k_T_reverse)
             rate[x + 18 + j] = (steady - thrust_state[j]) / v.thruster_lag
         return rate
 
-    return rates
+    # Arrays that the kernel writes to are arguments: Numba would take them for constants.
+    arrays = vehicle.given("thruster_wrench", 5), vehicle.given("tool_wrench", 6), vehicle.given("rates", 2)
+
+    def right_hand_side(t: float, state: np.ndarray, u_thruster: np.ndarray, V_in: float) -> np.ndarray:
+        return np.asarray(rates(t, state, u_thruster, V_in, *arrays))
+
+    return right_hand_side
 
 
 @dataclass(frozen=True)
@@ -182,8 +191,8 @@ class Monolithic:
         eta, eta_dot = (brush.values[name].ravel() for name in ("eta", "eta_dot"))
         self.x = ETA + eta.size + eta_dot.size
         self.state = np.concatenate([
-            motor.values["state"][:2], brush.values["total"][:4], eta, eta_dot, vehicle.values["x"],
-            vehicle.values["thrust_state"],
+            motor.values["state"][:2], brush.values["state"][:4], eta, eta_dot, vehicle.values["motion"],
+            vehicle.values["thrust"],
         ])  # fmt: skip
         self.scale = np.ones(self.state.size)
         self.scale[ETA : ETA + eta.size] = 1e-3  # a bent filament: some mm at some m/s
@@ -208,7 +217,7 @@ class Monolithic:
     def control(self, state: np.ndarray, sample: int, T_s: float) -> tuple[np.ndarray, float]:
         """What the controller decides at a sample from the state at that instant: thruster commands and voltage."""
         vehicle, controller = self.parts["vehicle"], self.parts["controller"]
-        vehicle.values["x"][:], vehicle.values["thrust_state"][:] = state[self.x : self.x + 18], state[self.x + 18 :]
+        vehicle.values["motion"][:], vehicle.values["thrust"][:] = state[self.x : self.x + 18], state[self.x + 18 :]
         vehicle.call("outputs")
         measured = {name: vehicle[name] for name in TO_CONTROLLER}
         controller.call("step", t=sample * T_s, h=T_s, **measured)

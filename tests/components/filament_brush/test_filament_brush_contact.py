@@ -5,23 +5,27 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from lives import component
-from rovbrush.components.kernels import compiled
+from rovbrush.components.filament_brush.contact import friction_coefficient, normal_force
+from rovbrush.components.filament_brush.records import Constants
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
 
 
 def test_normal_force_never_pulls_and_starts_from_zero() -> None:
-    assert KERNEL.normal_force(1e-3, -10.0, 1e5, 100.0, 1e-4)[0] == 0.0
-    assert KERNEL.normal_force(1e-9, 1.0, 1e5, 100.0, 1e-4)[0] < 1e-5
+    ramped, printed_law = (DECLARED.parameters(k_c=1e5, c_c=100.0, Delta_s=depth) for depth in (1e-4, 0.0))
+    assert normal_force(1e-3, -10.0, ramped).F_n == 0.0
+    assert normal_force(1e-9, 1.0, ramped).F_n < 1e-5
     printed = 1e5 * 1e-3**1.5 + 100.0 * 0.2
-    assert KERNEL.normal_force(1e-3, 0.2, 1e5, 100.0, 0.0)[0] == pytest.approx(printed, rel=1e-14)
-    assert KERNEL.normal_force(1e-3, 0.2, 1e5, 100.0, 1e-4)[0] == pytest.approx(printed, rel=1e-14)
+    assert normal_force(1e-3, 0.2, printed_law).F_n == pytest.approx(printed, rel=1e-14)
+    assert normal_force(1e-3, 0.2, ramped).F_n == pytest.approx(printed, rel=1e-14)
 
 
 def test_friction_curve_is_odd_and_its_slope_is_bounded() -> None:
     v = np.linspace(-3.0, 3.0, 6001)
-    law = np.array([KERNEL.friction_coefficient(x, 0.6, 0.4, 0.05, 0.1, 0.02) for x in v])
+    p = DECLARED.parameters(v_0=0.05, k_v=0.1, v_eps=0.02)
+    c = Constants(x_a=0.0, x_t=0.0, M=1.0, chi=1.0, speed_2=0.0, omega_max=0.0, mu_s=0.6, mu_c=0.4)
+    found = [friction_coefficient(float(x), p, c) for x in v]
+    law = np.array([(one.mu, one.slope) for one in found])
     assert law[:, 0] == pytest.approx(-law[::-1, 0], abs=1e-12)  # the grid is symmetric to rounding
     slope = np.abs(np.gradient(law[:, 0], v))
     assert np.all(slope <= 1.05 * np.maximum.reduce([law[:, 1], np.roll(law[:, 1], 1), np.roll(law[:, 1], -1)]))

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
+from rovbrush.components.filament_brush.micro_steps import advance_touching, evaluate, placement
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
+from rovbrush.components.filament_brush.records import Inputs, Scratch, State
 from rovbrush.components.kernels import compiled
 
 DECLARED = component("filament_brush")
@@ -55,18 +57,13 @@ def test_micro_steps_are_of_fourth_order(measured: Measured) -> None:
 
 def error_estimate(h: float) -> float:
     """h/6 (k5 - k4), velocity part, from the stages that one micro-step of h leaves behind."""
-    a = start(NOMINAL, n=1, theta_b_0=-0.45).arrays
-    psi, h_plane = -0.45 - P.alpha, P.R_brush - 5e-3
-    work = np.zeros((15, 6))
-    KERNEL.free_acceleration(0, 1, 4, P.N_m, a["modes"], a["K"], work)
-    Delta, rate = KERNEL.tip_force(
-        0, 1, 4, P.N_m, np.sin(psi), np.cos(psi), h_plane, True, a["modes"], a["G"], a["c"], work
-    )
-    KERNEL.advance_touching(
-        psi, h, h, rate, Delta, h_plane, P.N_m, P.L, True, h, h, 1.0,
-        a["omega_r"], a["modes"], a["G"], a["K"], a["c"], work, np.zeros(16),
-    )  # fmt: skip
-    return float(np.max(np.abs(h / 6.0 * (work[8, :3] - work[7, :3]))))
+    brush = start(NOMINAL, n=1, theta_b_0=-0.45, h_min=h, h_max=h, tolerance=1.0)
+    p, x, s = brush.parameters, brush.record(State), brush.record(Scratch)
+    u = Inputs(15.7, 5e-3, 0.0, 0.05, 1.0)
+    psi = -0.45 - p.alpha
+    reach = evaluate(s.now, placement(psi, 0.0, u, p), u, p, s.c, x.modes, s.k, x.G)
+    advance_touching(psi, h, h, reach.rate, u, p, x, s)
+    return float(np.max(np.abs(h / 6.0 * (s.end.a[:3] - s.fourth.a[:3]))))
 
 
 def test_error_estimate_belongs_to_a_third_order_companion() -> None:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
 import pytest
 from helpers import ROOT, Measured
 from lives import Instance, component
+from rovbrush.components.declare.record import cells_shape, fields_of, over
+from rovbrush.components.filament_brush.modes import stiffness
+from rovbrush.components.filament_brush.reactions import base_reactions
+from rovbrush.components.filament_brush.records import Constants, Load, Stage, State, Stiffness
 from rovbrush.components.kernels import compiled
 from scipy.integrate import quad
 
@@ -75,17 +80,27 @@ def test_slope_integrals_of_high_modes_are_symmetric_and_resolved() -> None:
     assert np.max(np.abs(G - G.T)) < 1e-12
 
 
+def constants(**known: float) -> Constants:
+    """Constants of a step, 0 unless known."""
+    return Constants(*[known.get(name, 0.0) for name in fields_of(Constants)])
+
+
+def stiffness_at(speed: float, instance: Instance) -> tuple[np.ndarray, float]:
+    """K of six modes at a speed, with the bound on the frequencies."""
+    K, x = np.zeros((6, 6)), instance.record(State)
+    k = over(Stiffness, None, {"K": K, "load": np.zeros(6)})
+    p = dataclasses.replace(instance.parameters, N_m=6)
+    return K, stiffness(0.0, k, p, constants(speed_2=speed**2, chi=1.0), x.modes, x.S)
+
+
 @pytest.mark.parametrize("row", np.loadtxt(REFERENCE / "rotating_cantilever.csv", delimiter=",", skiprows=4).tolist())
 def test_rotating_frequencies_match_the_reference_table(row: list[float], measured: Measured) -> None:
     # Zero hub radius: tips at R_brush = L. In the plane of rotation omega^2 is lower by Omega^2. Six modes.
     instance = brush(R_brush=P.L, alpha=0.0)
     unit = instance["omega_r"][0] / LAMBDA[0] ** 2
     speed = row[0] * unit
-    K = np.zeros((7, 6))
-    compiled(DECLARED.kernel).stiffness(
-        speed**2, 6, P.L, 1.0, 0.0, instance.arrays["omega_r"], instance.arrays["modes"], instance.arrays["S"], K
-    )
-    in_plane = np.sort(np.linalg.eigvalsh(K[:6]))
+    K, _ = stiffness_at(speed, instance)
+    in_plane = np.sort(np.linalg.eigvalsh(K))
     flap = np.sqrt(in_plane + speed**2) / unit
     for mode in (0, 1):
         error = flap[mode] / row[1 + mode] - 1.0
@@ -95,12 +110,9 @@ def test_rotating_frequencies_match_the_reference_table(row: list[float], measur
 
 def test_frequency_bound_is_above_all_frequencies() -> None:
     instance = brush()
-    K = np.zeros((7, 6))
     for speed in (0.0, 15.7, 500.0):
-        bound = compiled(DECLARED.kernel).stiffness(
-            speed**2, 6, P.L, 1.0, 0.0, instance.arrays["omega_r"], instance.arrays["modes"], instance.arrays["S"], K
-        )
-        assert np.sqrt(np.max(np.linalg.eigvalsh(K[:6]))) <= bound
+        K, bound = stiffness_at(speed, instance)
+        assert np.sqrt(np.max(np.linalg.eigvalsh(K))) <= bound
 
 
 @pytest.mark.parametrize(("N_m", "share"), [(3, 1.207), (4, 0.843)])
@@ -123,13 +135,12 @@ def static_reactions(N_m: int, mode_acceleration: bool) -> tuple[float, float, f
     instance = brush(N_m=N_m)
     EI = P.E * np.pi * P.d**4 / 64.0
     m = P.rho * np.pi * P.d**2 / 4.0
-    modes, omega_r, work = instance.arrays["modes"], instance.arrays["omega_r"], np.zeros((15, 6))
-    load = 0.01
-    work[0, :N_m] = load * modes[1, :N_m] / (m * P.L * omega_r[:N_m] ** 2)
-    shear, moment, y = compiled(DECLARED.kernel).base_reactions(
-        0.0, load, 0.0, 0.0, 0.0, 0.0, mode_acceleration, N_m, P.L, EI, m, omega_r, modes, work
-    )
-    return shear / load, moment / (load * P.L), y / (load * P.L**3 / (3.0 * EI))
+    modes, load = instance.record(State).modes, 0.01
+    f = over(Stage, np.zeros(cells_shape(Stage)), {})
+    f.eta[:N_m] = load * modes.Y_L[:N_m] / (m * P.L * modes.omega_r[:N_m] ** 2)
+    p = dataclasses.replace(instance.parameters, bristles_per_filament=1.0, mode_acceleration=mode_acceleration)
+    base = base_reactions(f, Load(0.0, load, 0.0), p, constants(M=m * P.L, chi=1.0, x_a=P.L), modes)
+    return base.shear / load, base.moment / (load * P.L), base.y / (load * P.L**3 / (3.0 * EI))
 
 
 def test_a_pressed_filament_at_rest_obeys_beam_statics(measured: Measured) -> None:
@@ -159,12 +170,12 @@ def test_large_deflection_stays_close_to_the_elastica() -> None:
     # The bounds are the README's: linear bending is too soft, foreshortening of second order slightly too small.
     table = np.loadtxt(REFERENCE / "elastica_tip_load.csv", delimiter=",", skiprows=3)
     instance = brush(N_m=6)
-    modes, omega_r, G = instance.arrays["modes"], instance.arrays["omega_r"], instance.arrays["G"]
+    modes, G = instance.record(State).modes, instance.arrays["G"]
     m = P.rho * np.pi * P.d**2 / 4.0
     EI = P.E * np.pi * P.d**4 / 64.0
     for row, softness, shortness in zip(table[:2], (0.03, 0.11), (0.012, 0.035), strict=True):
-        eta = row[0] * EI / P.L**2 * modes[1] / (m * P.L * omega_r**2)
-        w = float(modes[1] @ eta) / P.L
+        eta = row[0] * EI / P.L**2 * modes.Y_L / (m * P.L * modes.omega_r**2)
+        w = float(modes.Y_L @ eta) / P.L
         s = 0.5 * float(eta @ G @ eta) / P.L
         assert 1.0 < w / row[1] < 1.0 + softness
         assert 1.0 - shortness < s * (row[1] / w) ** 2 / row[2] < 1.0  # at equal deflection

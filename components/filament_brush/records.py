@@ -1,0 +1,231 @@
+"""What the brush is given, what it tells and what it remembers, each with unit and description."""
+
+from __future__ import annotations
+
+from ..declare.record import Matrix, Packed, Record, Rows, Vector, calculated, input_, output, value
+from ..interface import output as column
+
+REACH = ("omega_b", "delta", "delta_dot")  # what decides where the tips are and how they move
+ALL = (*REACH, "v_rov", "friction_scale")
+MODES = 6  # as many as there can be; N_m of them are used
+COLUMNS = (
+    column("filament_phi", "rad", "angle from +z_t of filament i"),
+    column("filament_F_n", "N", "normal force of filament i"),
+    column("filament_F_f", "N", "friction of filament i"),
+    column("filament_y", "m", "bending of filament i"),
+)
+
+
+class Inputs(Record):
+    """How the brush turns, and where the hull is and how it moves."""
+
+    omega_b: float = input_("rad/s", "brush speed about +y_t")
+    delta: float = input_("m", "penetration of the undeformed brush into the hull")
+    delta_dot: float = input_("m/s", "rate of delta; within a step delta goes on at this rate")
+    v_rov: float = input_("m/s", "speed of the hull past the tool along +x_t")
+    friction_scale: float = input_("1", "factor on mu_s and mu_c (fouling)", start=1.0, minimum=0.0)
+
+
+class Outputs(Packed):
+    """Forces on the brush, its energies, and what tells whether the model is valid."""
+
+    F_x: float = output("N", "force on the brush along x_t", ALL)
+    F_z: float = output("N", "force on the brush along z_t", REACH)
+    T_brush: float = output("N.m", "torque on the brush about y_t", ALL)
+    contact_count: float = output("1", "filaments in contact", REACH)
+    deflection_ratio: float = output("1", "largest |y(L)|/L in the last step")
+    deflection_ratio_max: float = output("1", "largest |y(L)|/L so far")
+    theta_b: float = output("rad", "brush angle")
+    J_x: float = output("N.s", "time integral of F_x")
+    J_z: float = output("N.s", "time integral of F_z")
+    J_T: float = output("N.m.s", "time integral of T_brush")
+    F_y_eq11: float = output("N", "sum of base shears, Eq. 11", ALL)
+    M_b_eq12: float = output("N.m", "sum of base moments, Eq. 12", ALL)
+    F_z_eq13: float = output("N", "sum of axial forces, Eq. 13", ALL)
+    T_brush_eq15: float = output("N.m", "torque of Eq. 15", ALL)
+    P_hub: float = output("W", "power of the hub", ALL)
+    P_hull: float = output("W", "power of the hull", ALL)
+    P_damping: float = output("W", "power lost in damping", ALL)
+    P_friction: float = output("W", "power lost in friction", ALL)
+    P_contact: float = output("W", "power lost in contact", ALL)
+    E_kinetic: float = output("J", "kinetic energy relative to the hub")
+    E_strain: float = output("J", "strain energy")
+    E_centrifugal: float = output("J", "centrifugal potential", ("omega_b",))
+    E_contact: float = output("J", "elastic energy of the contact", ("delta",))
+    W_hub: float = output("J", "work of the hub")
+    W_hull: float = output("J", "work of the hull")
+    W_damping: float = output("J", "energy lost in damping")
+    W_friction: float = output("J", "energy lost in friction")
+    W_contact: float = output("J", "energy lost in contact")
+    energy_residual: float = output("J", "energy that the integration created", ("omega_b", "delta"))
+    micro_steps: float = output("1", "micro-steps of touching filaments so far")
+    h_micro_min: float = output("s", "shortest micro-step so far, but for those cut by a communication point")
+    kinetic_fraction: Vector = output("1", "share of each mode in the kinetic energy", size=MODES)
+    lambda_r: Vector = calculated("1", "eigenvalues", MODES)
+    omega_r: Vector = calculated("rad/s", "frequencies at rest", MODES)
+    R_h: float = calculated("m", "hub radius")
+    J_filaments: float = calculated("kg.m2", "inertia of the filaments about y_t")
+
+
+class Modes(Rows):
+    """Numbers of the bending modes, one per mode; what `setup` finds out."""
+
+    lambda_r: Vector = value("1", "eigenvalue", MODES)
+    omega_r: Vector = value("rad/s", "frequency at rest", MODES)
+    damping: Vector = value("1/s", "2 zeta_r omega_r", MODES)
+    Y_L: Vector = value("1", "Y_r at the tip", MODES)
+    slope_L: Vector = value("1/m", "Y_r' at the tip", MODES)
+    int_Y: Vector = value("m", "integral of Y_r", MODES)
+    int_xY: Vector = value("m2", "integral of x Y_r", MODES)
+    curvature_0: Vector = value("1/m2", "Y_r'' at the root", MODES)
+    shear_0: Vector = value("1/m3", "Y_r''' at the root", MODES)
+
+
+class State(Record):
+    """The filaments' deflections, the accounts, and what is constant after `setup`."""
+
+    modes: Modes = value("", "numbers of the modes")
+    G: Matrix = value("1/m", "integral of Y_r' Y_s'", (MODES, MODES))
+    S: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass", (MODES, MODES))
+    eta: Matrix = value("m", "modal deflections of each filament", lambda p: (p.n, p.N_m))
+    eta_dot: Matrix = value("m/s", "their rates", lambda p: (p.n, p.N_m))
+    h_next: Vector = value("s", "the next micro-step of each filament", lambda p: p.n)
+    theta_b: float = value("rad", "brush angle")
+    J_x: float = value("N.s", "time integral of F_x")
+    J_z: float = value("N.s", "time integral of F_z")
+    J_T: float = value("N.m.s", "time integral of T_brush")
+    W_hub: float = value("J", "work of the hub")
+    W_hull: float = value("J", "work of the hull")
+    W_damping: float = value("J", "energy lost in damping")
+    W_friction: float = value("J", "energy lost in friction")
+    W_contact: float = value("J", "energy lost in contact")
+    E_contact: float = value("J", "elastic energy of the contact at the end of the last step")
+    E_per_speed_2: float = value("kg.m2", "centrifugal potential over omega_b^2 at the end of the last step")
+    speed_2: float = value("rad2/s2", "omega_b^2 in the last step")
+    deflection_ratio: float = value("1", "largest |y|/L in the last step")
+    deflection_ratio_max: float = value("1", "largest |y|/L since the start")
+    micro_steps: float = value("1", "number of micro-steps")
+    h_micro_min: float = value("s", "shortest micro-step")
+
+
+class Stage(Rows):
+    """One filament at one instant: deflection, its rates, and what the hull does to the tip."""
+
+    eta: Vector = value("m", "modal deflections", MODES)
+    eta_dot: Vector = value("m/s", "their rates", MODES)
+    a: Vector = value("m/s2", "their accelerations", MODES)
+    g: Vector = value("1", "G eta, the gradient of the foreshortening", MODES)
+    F_f: float = value("N", "friction")
+    F_n: float = value("N", "normal force")
+    moment: float = value("N.m", "moment about the brush axis")
+    P_friction: float = value("W", "power lost in friction")
+    P_contact: float = value("W", "power lost in contact")
+    P_damping: float = value("W", "power lost in damping")
+
+
+class Stiffness(Record):
+    """The linear part of Eq. 4 at a speed, per modal mass."""
+
+    K: Matrix = value("1/s2", "stiffness", (MODES, MODES))
+    load: Vector = value("m/s2", "centrifugal load K_6r", MODES)
+
+
+class Constants(Record):
+    """What is constant over a step."""
+
+    x_a: float = value("m", "straight tip along e_a")
+    x_t: float = value("m", "straight tip along e_t")
+    M: float = value("kg", "modal mass of a bundle")
+    chi: float = value("1", "share of the bristle in it")
+    speed_2: float = value("rad2/s2", "omega_b^2 as far as it acts on the filaments")
+    omega_max: float = value("rad/s", "bound on the highest natural frequency")
+    mu_s: float = value("1", "static friction coefficient of the fouled hull")
+    mu_c: float = value("1", "Coulomb friction coefficient of the fouled hull")
+
+
+class Scratch(Record):
+    """What lives within one step."""
+
+    c: Constants = value("", "what is constant over a step")
+    k: Stiffness = value("", "stiffness at the present speed")
+    now: Stage = value("", "a filament where a micro-step begins")
+    second: Stage = value("", "at the second stage of Runge-Kutta")
+    third: Stage = value("", "at the third stage")
+    fourth: Stage = value("", "at the fourth stage")
+    end: Stage = value("", "at the end of the micro-step")
+    P: Matrix = value("1", "map of free flight over the step", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
+    Q: Matrix = value("1", "a product", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
+    A: Matrix = value("1", "the linear equations times a micro-step", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
+    nodes: Vector = value("1", "points of the quadrature", 5)
+    weights: Vector = value("1", "their weights", 5)
+    slopes: Vector = value("1/m", "Y_r' at a point", MODES)
+    filament: Matrix = value("1", "phi, F_n, F_f and tip deflection of each filament", lambda p: (p.n, 4), COLUMNS)
+
+
+class Placement(Record):
+    """How a filament stands to the hull at an instant."""
+
+    sin_psi: float = value("1", "sine of the angle of its axis from +z_t")
+    cos_psi: float = value("1", "cosine of that angle")
+    h_plane: float = value("m", "distance of the hull from the brush axis")
+
+
+class Reach(Record):
+    """How far a tip is in the hull, and how fast it can react."""
+
+    Delta: float = value("m", "penetration; a bound from above while out of reach")
+    rate: float = value("1/s", "what limits the micro-step")
+
+
+class Trial(Record):
+    """A micro-step that was tried."""
+
+    error: float = value("m/s", "error of the velocity")
+    Delta: float = value("m", "penetration at the end")
+    rate: float = value("1/s", "what limits the next micro-step")
+
+
+class Touched(Record):
+    """A filament after a step near the hull."""
+
+    h_next: float = value("s", "micro-step to try next")
+    Delta: float = value("m", "penetration at the end")
+
+
+class Advanced(Record):
+    """Energies of a filament at the begin and the end of a step."""
+
+    E_start: float = value("J", "elastic energy of the contact at the begin")
+    E_end: float = value("J", "elastic energy of the contact at the end")
+    E_per_speed_2: float = value("kg.m2", "centrifugal potential over omega_b^2 at the end")
+
+
+class Normal(Record):
+    """The normal force of a tip."""
+
+    F_n: float = value("N", "normal force")
+    F_e: float = value("N", "its elastic part")
+    damping: float = value("N.s/m", "contact damping, ramped c_c")
+
+
+class Friction(Record):
+    """The friction law at a sliding speed."""
+
+    mu: float = value("1", "F_f/F_n")
+    slope: float = value("s/m", "bound on its slope")
+
+
+class Load(Record):
+    """What a filament's base has to carry."""
+
+    F_a: float = value("N", "tip force along e_a")
+    F_t: float = value("N", "tip force along e_t")
+    shortening: float = value("m", "foreshortening")
+
+
+class Base(Record):
+    """What a filament does at its base."""
+
+    shear: float = value("N", "base shear")
+    moment: float = value("N.m", "base moment")
+    y: float = value("m", "tip deflection")
