@@ -9,6 +9,7 @@ import importlib
 import sys
 from pathlib import Path
 
+from . import theory
 from .build import COMPONENTS, HERE
 from .errors import BuildError
 from .interface import INF, Variable
@@ -87,9 +88,14 @@ def _number(value: float) -> str:
 
 
 def main(path: Path = README) -> None:
-    """Write the tables into the file at `path`."""
+    """Write the tables into the file at `path`, and the equations of each component into its README."""
     try:
         path.write_text(described(path.read_text(encoding="utf-8")), encoding="utf-8")
+        for name in COMPONENTS:
+            path = HERE / name / "README.md"
+            text = path.read_text(encoding="utf-8")
+            if theory.BEGIN in text:
+                path.write_text(theory.with_table(text, name), encoding="utf-8")
     except (OSError, BuildError) as error:
         sys.exit(f"{path}: {error}")
 

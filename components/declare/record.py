@@ -8,14 +8,18 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, ClassVar, Literal, get_type_hints
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, get_type_hints
 
 import numpy as np
 import numpy.typing as npt
 
 INF = float("inf")
-Vector = npt.NDArray[np.float64]  # one-dimensional
-Matrix = npt.NDArray[np.float64]  # two-dimensional
+if TYPE_CHECKING:  # arrays, tuples of parameters and packed records alike
+    Vector = Any
+    Matrix = Any
+else:
+    Vector = npt.NDArray[np.float64]  # one-dimensional
+    Matrix = npt.NDArray[np.float64]  # two-dimensional
 Shape = int | tuple[int, ...]
 Role = Literal["input", "output", "calculatedParameter", "parameter", "value"]
 
