@@ -177,10 +177,21 @@ class Session:
         try:
             return self.events.handled(code, self.at)
         except AskedToEndError as error:
-            self.ended, self._over = "\n".join(filter(None, [self.ended, str(error)])), True
+            self.ended = "\n".join(filter(None, [self.ended, str(error)]))
+            self._over = code != cells.PAUSED or not self._last_rows()
         except RovbrushError as error:
             self.failure = str(error)
         return True
+
+    def _last_rows(self) -> bool:
+        """Let the loop go on to the rows of the planned instant at which it pauses, and no further; False where there
+        are none behind the pause."""
+        plan = self.plan
+        operations = plan.operations(self.at.cycle)
+        tick = self.at.cycle * plan.cycle_ticks + int(operations[self.at.operation, 1])
+        self.events.end_at(min(plan.clock.start + tick, self.events.ends_at))
+        self.at.operation += 1
+        return self.at.operation < len(operations)
 
     def _asked_to_end(self) -> bool:
         """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or

@@ -57,8 +57,8 @@ def why(g: int, fmus: Sequence[Fmu]) -> str:
     if fault == cells.CHATTERS:
         cause = f"event indicator {index + 1}" if index >= 0 else _cause(index)
         return (
-            f"{at} it chatters: more than 1000 events in one step, the last of {cause}; the model needs hysteresis, or "
-            f"a mode in which it stays"
+            f"{at} it chatters: more than 1000 events in one step, the last of {cause} (the model needs hysteresis, or "
+            "a mode in which it stays there),"
         )
     if fault == cells.UNSETTLED:
         return f"{at} an event does not settle: after 100 rounds it still asks for another one"

@@ -18,13 +18,23 @@ def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:
     starts = Starts(cycle, len(schedule.index), schedule.span)
     if events is None:
         return EventRows(starts)
-    bring = {name: _table(schedule.advance(0, name, 0, part=True)) for name in events.stopped}
+    bring = {name: _table(_bring(schedule, name)) for name in events.stopped}
     together = _together(schedule, cycle, starts)
     return EventRows(starts, bring, {known: _table(_after(schedule, known)) for known in together})
 
 
 def _table(rows: Iterator[Row]) -> np.ndarray:
     return np.array(list(rows), dtype=np.int64).reshape(-1, len(COLUMNS))
+
+
+def _bring(schedule: Schedule, name: str) -> Iterator[Row]:
+    """A step of a component from where it is. Inputs that it holds and that are formed where its step ends have not
+    been formed yet when the event comes before all that: their cells are those of the step before."""
+    for c in schedule.design.into(name):
+        held = schedule.design.choices[c].transfer == "hold" and c.source[0] not in schedule.design.leaders
+        if held and not schedule.formed_at_beginning(c):
+            yield from schedule.now(c, 0)
+    yield from schedule.advance(0, name, 0, part=True)
 
 
 def _together(schedule: Schedule, cycle: np.ndarray, starts: Starts) -> list[Known]:
@@ -58,8 +68,7 @@ def _after(schedule: Schedule, known: Known) -> Iterator[Row]:
     for c, choice in design.choices.items():
         meet = {c.source[0], c.target[0]} <= known and not design.set_at_events(c)
         if choice.transfer == "hold" and meet and c not in direct:
-            yield schedule.sent(c, 0, layout.outputs[c.source])
-            yield from schedule.broken(c, 0, 0)
+            yield from schedule.now(c, 0)
     yield from schedule.settling.afresh(0, known)
     for name in design.order:
         if name in known and (schedule.inputs.get(name)):

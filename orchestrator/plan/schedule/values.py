@@ -85,6 +85,11 @@ class Values:
         ratio = value_ratio(sample, h, start) if transfer == "hold" else linear_ratio(sample, h, start, H)
         return (LINEAR, tick, target, a, b, p, 0, self.constants.at(c.gain, c.offset, ratio))
 
+    def now(self, c: Connection, tick: int) -> Iterator[Row]:
+        """Give an input what its source has now; break it."""
+        yield self.sent(c, tick, self.layout.outputs[c.source])
+        yield from self.broken(c, tick, tick)
+
     def broken(self, c: Connection, tick: int, start: int) -> Iterator[Row]:
         """What events make of an input that was just formed, for a step that begins at `start`, or as it is then."""
         for number in self.faults.get(c.target, ()):

@@ -178,8 +178,9 @@ class EventHandler:
             over = [mode.name for mode in modes if (when := mode.next_instant()) is not None and float(when) <= time]
             why = f"; {', '.join(over)} announced a next event that is not behind this instant" if over else ""
             raise RunError(
-                f"the events at t = {time:.9g} s do not settle: after {MOST_ROUNDS} rounds {names} "
-                f"still ask for another one, or values still change{why}"
+                f"the events at t = {time:.9g} s do not settle: after {MOST_ROUNDS} rounds {names} still "
+                f"ask{'s' * (len(modes) == 1)} for another one, or values still change{why}; a model has to come to a "
+                "state that asks for none"
             )
         for mode in modes:
             mode.leave_event_mode()

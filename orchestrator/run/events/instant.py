@@ -107,7 +107,7 @@ class Instant:
         if start:
             self._rows = rows = rows.copy()
             rows[rows[:, 0] == STEP_ON, 4] += start
-            rows[(rows[:, 0] == SERIES) | (rows[:, 0] == SAMPLE), 5] += start
+            rows[(rows[:, 0] == SERIES) | (rows[:, 0] == SAMPLE) | (rows[:, 0] == FAULT), 5] += start
         elif self._faults and len(broken := np.flatnonzero(rows[:, 0] == FAULT)):
             self._rows = rows = rows.copy()
             rows[broken, 5] += np.array(place.starts, dtype=np.int64)[rows[broken, 2]]

@@ -155,7 +155,7 @@ def test_a_value_that_changes_at_an_instant_is_an_event_for_a_discrete_input(tmp
 def test_events_that_do_not_settle_are_an_error_with_the_rows_until_then(tmp_path: Path, fmus: Path) -> None:
     run = simulate(plan_of(tmp_path, fmus, {"s": ("square", "100 ms", {"half": 1e-300})}, stop="1 s"))
     assert run.failure.startswith(
-        "the events at t = 1e-300 s do not settle: after 1000 rounds s still ask for another one"
+        "the events at t = 1e-300 s do not settle: after 1000 rounds s still asks for another one"
     )
 
 

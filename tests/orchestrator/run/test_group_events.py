@@ -228,3 +228,19 @@ def test_event_mode_off_and_other_algorithms_handle_events_inside(isolation: str
     iterated = run_of(tmp_path, fmus, parts, stop="2 s", algorithm="iterated")
     assert not iterated.events and iterated.plan.events is None
     assert np.array_equal(column(iterated, "ball.hits")[1], column(on, "ball.hits")[1])
+
+
+@pytest.mark.parametrize("interpreted", [False, True])
+@pytest.mark.parametrize(("at", "last_row"), [(0.55, 0.55), (0.553, 0.55), (1.0, 1.0)])
+def test_who_asks_to_end_at_an_event_leaves_the_rows_of_its_instant(
+    at: float, last_row: float, interpreted: bool, tmp_path: Path, fmus: Path
+) -> None:
+    parts = {"m": ("moody", "10 ms", {"fault": 6, "at": at}), "p": ("plant", "10 ms")}
+    with Session(plan_of(tmp_path, fmus, parts, ["m.x -> p.u (hold)"], stop="1 s"), interpreted) as session:
+        session.advance()
+        run = session.run()
+    assert not run.failure and f"asked to end the simulation at t = {at:g} s" in str(run.ended)
+    for name in ("m.x", "p.x"):
+        time, _ = column(run, name)
+        assert time[-1] == last_row and len(time) == round(100 * last_row) + 1
+    assert last(run, "m.x") == pytest.approx(last_row, abs=1e-12) and run.events[-1].time == at

@@ -26,7 +26,8 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("inputs")
     for name in ("witness", "plant", "square", "controller"):
         clocked(folder / f"{name}.fmu", name)
-    exchange_build.exchange(folder, "lag")
+    for name in ("lag", "ball"):
+        exchange_build.exchange(folder, name)
     return folder
 
 
@@ -116,3 +117,37 @@ def test_a_signal_breaks_on_its_way_to_an_input_that_is_set_at_events(kind: str,
     assert inside == {0 if kind == "loss" else 2}
     assert final(run, "w.n") == 5
     assert cells[-1][1] == 5
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+def test_the_part_of_a_step_before_an_event_holds_what_its_source_has_where_the_step_begins(
+    algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
+    """Of q' = p.x and l' = p.x - l, which both step before p: q as the faster one, l beside a ball, which has events.
+
+    l is read again at each instant, as it answers to p.x at once."""
+    parts = {
+        "p": ("plant", "10 ms", {"=u": 1.0}), "q": ("plant", "5 ms"), "l": ("lag", "10 ms"),
+        "ball": ("ball", "10 ms", {"g": 0.0}),
+    }  # fmt: skip
+    events = [set_at("123.4 ms", p_u=2.0)]
+    run = run_of(tmp_path, fmus, parts, ["p.x -> q.u (hold)", "p.x -> l.push"], stop="130 ms", algorithm=algorithm,
+                 events=events, solver={"tolerance": 1e-12})  # fmt: skip
+    lag = 0.0
+    for push, length in [*((0.01 * k, 0.01) for k in range(12)), (0.12, 0.0034), (0.1234, 0.0066)]:
+        lag = push + (lag - push) * math.exp(-length)
+    assert last(run, "q.x") == pytest.approx(0.0066 + 0.12 * 0.0034 + 0.1234 * 0.0066, abs=1e-15)
+    assert last(run, "l.x") == pytest.approx(lag, abs=1e-12)
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+def test_noise_is_that_of_the_whole_step_where_an_event_cuts_it(algorithm: str, tmp_path: Path, fmus: Path) -> None:
+    parts = {"p": ("plant", "10 ms", {"x0": 1.0}), "q": ("plant", "5 ms"), "r": ("plant", "10 ms")}
+    noise = {"at": 0, "fault": "noise", "on": "q.u", "value": 0.1, "seed": 1}
+    cuts = [set_at(f"{t} ms", r_u=1.0) for t in (3.4, 7.7, 8.8, 13.4, 26.1)]  # of another component
+    runs = [
+        run_of(tmp_path, fmus, parts, ["p.x -> q.u (hold)"], stop="30 ms", algorithm=algorithm, events=[noise, *more])
+        for more in ([], cuts)
+    ]
+    whole, cut = (Signals(run)["q.x"].values for run in runs)
+    assert cut == pytest.approx(whole, abs=1e-16) and len(set(np.diff(whole))) == len(whole) - 1

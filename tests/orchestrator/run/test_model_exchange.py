@@ -177,7 +177,7 @@ FAULTS = {
     1: "component moody: at t = .* derivative der.x. is not finite",
     2: "component moody: at t = .* fmi2GetDerivatives answered fmi2Discard",
     3: "component moody: at t = .* it chatters: more than 1000 events in one step, the last of event indicator 1",
-    4: "the events at t = 0.55 s do not settle: after 1000 rounds moody still ask for another one",
+    4: "the events at t = 0.55 s do not settle: after 1000 rounds moody still asks for another one",
     5: "component moody: at t = .* fmi2GetDerivatives answered fmi2Error",
 }
 
