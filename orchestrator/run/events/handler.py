@@ -176,11 +176,12 @@ class EventHandler:
         else:
             names = ", ".join(mode.name for mode in modes) or "the connections"
             over = [mode.name for mode in modes if (when := mode.next_instant()) is not None and float(when) <= time]
-            why = f"; {', '.join(over)} announced a next event that is not behind this instant" if over else ""
+            why = "a model has to come to a state that asks for none"
+            if over:
+                why = f"{', '.join(over)} announced a next event that is not behind this instant"
             raise RunError(
                 f"the events at t = {time:.9g} s do not settle: after {MOST_ROUNDS} rounds {names} still "
-                f"ask{'s' * (len(modes) == 1)} for another one, or values still change{why}; a model has to come to a "
-                "state that asks for none"
+                f"ask{'s' * (len(modes) == 1)} for another one, or values still change; {why}"
             )
         for mode in modes:
             mode.leave_event_mode()
