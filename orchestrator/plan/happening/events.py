@@ -55,12 +55,14 @@ class Starts:
 class EventRows:
     """Operations that are done at an event, beside those of a cycle.
 
-    `bring`: a step of each component that is stopped, as from the start of the cycle; `after`: values along all held
+    `bring`: a step of each component that is stopped, as from the start of the cycle; `form`: what its inputs that
+    change between samples are for the step that begins at an instant [ticks of the cycle]; `after`: values along all held
     connections among components that are at one instant, by which these are; `starts`: where steps begin.
     """
 
     starts: Starts
     bring: Mapping[str, np.ndarray] = field(default_factory=dict)
+    form: Mapping[str, Mapping[int, np.ndarray]] = field(default_factory=dict)
     after: Mapping[Known, np.ndarray] = field(default_factory=dict)
 
 

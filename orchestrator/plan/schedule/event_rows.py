@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
+from ...system.model import Connection
 from ..happening.events import EventRows, Known, Starts
 from .schedule import Schedule
 from .values import Row
@@ -19,8 +20,9 @@ def event_rows(schedule: Schedule, cycle: np.ndarray) -> EventRows:
     if events is None:
         return EventRows(starts)
     bring = {name: _table(_bring(schedule, name)) for name in events.stopped}
+    form = {name: rows for name in events.stopped if (rows := _form(schedule, name))}
     together = _together(schedule, cycle, starts)
-    return EventRows(starts, bring, {known: _table(_after(schedule, known)) for known in together})
+    return EventRows(starts, bring, form, {known: _table(_after(schedule, known)) for known in together})
 
 
 def _table(rows: Iterator[Row]) -> np.ndarray:
@@ -30,11 +32,34 @@ def _table(rows: Iterator[Row]) -> np.ndarray:
 def _bring(schedule: Schedule, name: str) -> Iterator[Row]:
     """A step of a component from where it is. Inputs that it holds and that are formed where its step ends have not
     been formed yet when the event comes before all that: their cells are those of the step before."""
-    for c in schedule.design.into(name):
-        held = schedule.design.choices[c].transfer == "hold" and c.source[0] not in schedule.design.leaders
-        if held and not schedule.formed_at_beginning(c):
+    for c in _unformed(schedule, name):
+        if not schedule.changes(c):
             yield from schedule.now(c, 0)
     yield from schedule.advance(0, name, 0, part=True)
+
+
+def _unformed(schedule: Schedule, name: str) -> Iterator[Connection]:
+    """Into a component, what is formed where its step ends; means are formed of whole steps alone."""
+    for c in schedule.design.into(name):
+        if not schedule.formed_at_beginning(c) and schedule.design.choices[c].transfer != "mean":
+            yield c
+
+
+def _form(schedule: Schedule, name: str) -> dict[int, np.ndarray]:
+    """By where a step of a component begins, the inputs of it that change between the samples of their sources."""
+    found: dict[int, np.ndarray] = {}
+    leaders, clock = schedule.design.leaders, schedule.clock
+    own = [c for c in _unformed(schedule, name) if schedule.changes(c)]
+    for start in range(0, schedule.span if own else 0, clock.periods[name]):
+        rows: list[Row] = []
+        for c in own:
+            h, end = clock.periods[c.source[0]], min(start + clock.periods[name], schedule.span)
+            sample = min(-(-end // h) * h, schedule.span) if c.source[0] in leaders else start // h * h
+            rows.append(schedule.formed(c, start + 1, sample, start))  # from the samples of planned instants
+            rows += schedule.broken(c, 0, 0)
+        found[start] = _table(iter(rows))
+        found[start][:, 1] = 0
+    return found
 
 
 def _together(schedule: Schedule, cycle: np.ndarray, starts: Starts) -> list[Known]:

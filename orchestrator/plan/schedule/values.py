@@ -57,10 +57,10 @@ class Values:
 
     def _form(self, c: Connection, tick: int, sample: int, start: int) -> Iterator[Row]:
         """Form an input for the step that begins at `start`, from a source last sampled at `sample`; break it."""
-        yield self._formed(c, tick, sample, start)
+        yield self.formed(c, tick, sample, start)
         yield from self.broken(c, tick, start)
 
-    def _formed(self, c: Connection, tick: int, sample: int, start: int) -> Row:
+    def formed(self, c: Connection, tick: int, sample: int, start: int) -> Row:
         """Form an input for the step that begins at `start`, from a source last sampled at `sample`."""
         transfer, layout = self.design.choices[c].transfer, self.layout
         a, b, target = layout.outputs[c.source], layout.inputs[c.target], self.index[c.target[0]]
@@ -72,8 +72,8 @@ class Values:
         if not self.system.is_real(c):
             return self.sent(c, tick, p)
         events = self.design.events
-        if events and c.source[0] in events.ahead and sample < tick and transfer != "mean":
-            a = layout.samples.get(c.source, a)  # its outputs are of a later instant already
+        if events and c.source[0] in events.stopped and sample < tick and transfer != "mean":
+            a = layout.samples.get(c.source, a)  # its outputs may be of a later instant already
         if transfer == "quadratic":
             weights = quadratic_weights(sample, self.clock.periods[c.source[0]], start, H, h)
             k = self.constants.at(c.gain, c.offset, *weights)
@@ -84,6 +84,10 @@ class Values:
             return (MEAN, tick, target, a, b, p, layout.integrals[c.target], k)
         ratio = value_ratio(sample, h, start) if transfer == "hold" else linear_ratio(sample, h, start, H)
         return (LINEAR, tick, target, a, b, p, 0, self.constants.at(c.gain, c.offset, ratio))
+
+    def changes(self, c: Connection) -> bool:
+        """Whether an input that is formed changes between the samples of its source, or is not the latest of them."""
+        return self.design.choices[c].transfer != "hold" or c.source[0] in self.design.leaders
 
     def now(self, c: Connection, tick: int) -> Iterator[Row]:
         """Give an input what its source has now; break it."""

@@ -71,7 +71,10 @@ class Instant:
             return None
         k = self.names.index(name)
         self.moments.latest = time
-        code = self._do(place.event_rows.bring[name], place, place.starts[k])
+        rows, start = place.event_rows.bring[name], place.starts[k]
+        if name in place.event_rows.form:
+            rows = np.vstack((place.event_rows.form[name][start], rows))
+        code = self._do(rows, place, start)
         self.moments.latest = FOREVER
         found = self.stopped_early(k, time) if code == cells.BAD_STATUS else None
         if found is None:

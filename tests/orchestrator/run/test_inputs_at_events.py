@@ -151,3 +151,22 @@ def test_noise_is_that_of_the_whole_step_where_an_event_cuts_it(algorithm: str, 
     ]
     whole, cut = (Signals(run)["q.x"].values for run in runs)
     assert cut == pytest.approx(whole, abs=1e-16) and len(set(np.diff(whole))) == len(whole) - 1
+
+
+@pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi"])
+@pytest.mark.parametrize("transfer", ["linear", "quadratic", "interpolate"])
+@pytest.mark.parametrize("periods", [("10 ms", "5 ms"), ("15 ms", "5 ms"), ("10 ms", "4 ms")])
+def test_an_event_of_others_leaves_what_an_input_is_between_the_samples_of_its_source(
+    periods: tuple[str, str], transfer: str, algorithm: str, tmp_path: Path, fmus: Path
+) -> None:
+    """The source is bent, by a table; the events cut the steps of all, and touch neither."""
+    table = {"time": [0.0, 0.2], "values": [0.0, 6.0]}
+    parts = {"p": ("plant", periods[0], {"=u": table}), "q": ("plant", periods[1]), "r": ("plant", periods[1])}
+    wires = [f"p.x -> q.u ({transfer})"]
+    given: dict[str, Any] = {"connections": wires, "stop": "0.2 s", "algorithm": algorithm}
+    events = [set_at(f"{time} s", r_u=1.0) for time in (0.0234, 0.0571, 0.0573, 0.1034)]
+    whole = run_of(tmp_path, fmus, parts, **given)
+    cut = stepped(plan_of(tmp_path, fmus, parts, **given, events=events))
+    for name in ("q.x", "q.u"):
+        here, there = (Signals(run)[name].values for run in (whole, cut))
+        assert np.abs(here - there).max() <= 1e-15 and np.ptp(here) > 1e-3
