@@ -15,6 +15,7 @@ from .files.unpacked import unpack
 from .fmu import Fmu
 from .kinds import FIELDS, usual_kind
 from .reading.description import described
+from .reading.states import state_names
 from .reading.terminals import as_data
 
 FLAGS = (
@@ -58,10 +59,17 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
         "capabilities": {
             key: value for key in FLAGS if (value := getattr(fmu.interface, key, None)) not in (None, False, 0, "0")
         },
-        "experiment": experiment,
+        "experiment": experiment, "equations": _equations(fmu),
         "terminals": as_data(fmu.terminals),
         "variables": [_variable(fmu, v) for v in d.modelVariables],
     }  # fmt: skip
+
+
+def _equations(fmu: Fmu) -> dict[str, int]:
+    """How many states and event indicators there are; nothing where it is not for Model Exchange."""
+    if fmu.description.modelExchange is None:
+        return {}
+    return {"states": len(state_names(fmu)), "event indicators": int(fmu.description.numberOfEventIndicators)}
 
 
 def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:

@@ -101,7 +101,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
             lines += _listed(plan, rows, f"to bring {name} to an event, as from the beginning of its step", operations)
             if name in plan.at_events.form:
                 form = np.vstack([_at(start, rows) for start, rows in plan.at_events.form[name].items()])
-                lines += _listed(plan, form, f"before that, of the step that begins at each of these: {name}", operations)
+                lines += _listed(plan, form, f"before that, by where its step begins: {name}", operations)
         for known, rows in plan.at_events.after.items():
             them = ", ".join(name for name in plan.order if name in known) or "nobody"
             lines += _listed(plan, rows, f"in each round of an event at which are {them}", operations)

@@ -42,6 +42,8 @@ def info(
     tell(f"  {'experiment':<13} {experiment or 'none stated'}")
     flags = (key if value in (True, "true") else f"{key} = {value}" for key, value in found["capabilities"].items())
     tell(f"  {'capabilities':<13} {', '.join(flags) or 'none'}")
+    if equations := found["equations"]:
+        tell(f"  {'equations':<13} {', '.join(counted(n, what.removesuffix('s')) for what, n in equations.items())}")
     if read.notes:
         tell(f"  {'standard':<13} broken in {counted(len(read.notes), 'point')}: `rovbrush check {fmu}` lists them")
     if not why and read.windows:

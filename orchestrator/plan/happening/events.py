@@ -56,8 +56,8 @@ class EventRows:
     """Operations that are done at an event, beside those of a cycle.
 
     `bring`: a step of each component that is stopped, as from the start of the cycle; `form`: what its inputs that
-    change between samples are for the step that begins at an instant [ticks of the cycle]; `after`: values along all held
-    connections among components that are at one instant, by which these are; `starts`: where steps begin.
+    change between samples are for the step that begins at an instant [ticks of the cycle]; `after`: values along all
+    held connections among components that are at one instant, by which these are; `starts`: where steps begin.
     """
 
     starts: Starts

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import exchange_build
 import fmpy
 import pytest
 from cells_fmu import cells, scalar
@@ -128,3 +130,13 @@ def test_run_takes_an_fmu_and_writes_a_table_for_each_rate(
     assert lines == ['time [s],"pump.y ""1"" [1]"', *(f"{t},100.5" for t in ("0.0", "0.001", "0.002", "0.003"))]
     assert (out / "result.csv").read_text().splitlines() == lines
     assert "every_1_ms.csv" in json.loads((out / "manifest.json").read_text())["files"]
+
+
+@needs_gcc
+def test_info_counts_the_states_and_event_indicators_of_model_exchange(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for version in (2, 3):
+        exchange_build.exchange(tmp_path, "ball", version)
+        assert rovbrush(monkeypatch, "info", tmp_path / "ball.fmu") == 0
+        assert re.search(r"equations +2 states, 1 event indicator\n", capsys.readouterr().out)
