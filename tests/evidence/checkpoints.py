@@ -76,7 +76,7 @@ def _change(chance: Random, place: Path) -> str:
     kind = chance.randrange(6)
     files = sorted(place.iterdir())
     if kind < 2:
-        path = chance.choice(files)
+        path = chance.choice([file for file in files if file.stat().st_size])
         return f"{path.name}: {_change_bytes(chance, path)}"
     if kind == 2:
         return f"{chance.choice(files).name}: {_change_file(chance, chance.choice(files))}"

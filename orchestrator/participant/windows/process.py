@@ -20,6 +20,7 @@ from .build import server
 from .memory import WHOLE, ServerMemory
 
 STARTING = 120.0  # s for wine to start; the first time it makes its folder (10 s)
+STARTS = 3  # of a process that has not come so far as to answer
 CLOSING = 2.0  # s
 LONGEST = 1 << 16  # bytes of what the FMU prints that are passed on at a time
 LOOKS = 100  # at the answer before others may run; some 5 us
@@ -49,21 +50,26 @@ class ServerProcess:
         self.memory.page.lowest = 1
         # Not this process's own: wine's services keep it for some seconds longer than anybody waits.
         self._said = tempfile.TemporaryFile("a+b")  # noqa: SIM115
-        reads, self._wakes = os.pipe()
-        self._woken, writes = os.pipe()
         # wine's processes cannot be told to end with the master; the loader that becomes one can.
         ending = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
+        self._command = [*ending, loader, windows_path(str(program)), windows_path(self._path)]
+        self._begin()
+        self._starts_left = STARTS - 1
+        self._number, self._patience = 0, MOST
+        self._there = False
+
+    def _begin(self) -> None:
+        """Start the process, which answers what is asked in the memory."""
+        reads, self._wakes = os.pipe()
+        self._woken, writes = os.pipe()
         try:
             self.process = start(
-                [*ending, loader, windows_path(str(program)), windows_path(self._path)],
-                stdin=reads,
-                stdout=writes,
-                stderr=self._said,
+                self._command, stdin=reads, stdout=writes, stderr=self._said, env=QUIET | os.environ,
                 start_new_session=True,  # Ctrl-C is for the master
-                env=QUIET | os.environ,
-            )
+            )  # fmt: skip
         except OSError as error:
-            raise FmuError(f"{fmu.path.name}: {loader} cannot be started ({error.strerror})") from error
+            loader = self._command[-3]
+            raise FmuError(f"{self.fmu.path.name}: {loader} cannot be started ({error.strerror})") from error
         finally:
             os.close(reads)
             os.close(writes)
@@ -71,8 +77,6 @@ class ServerProcess:
         os.set_blocking(self._wakes, False)
         self._answers = select.poll()
         self._answers.register(self._woken, select.POLLIN)
-        self._number, self._patience = 0, MOST
-        self._there = False
 
     def ask(self, operation: int, limit: float) -> None:
         """Have a request in the memory done within `limit` [s]. Raises ProcessLostError; the process has ended then."""
@@ -111,9 +115,9 @@ class ServerProcess:
                 nap = min(2.0 * nap, NAP)
                 if self._answers.poll(1000.0 * min(left, nap)):
                     if not self._drained() and numbers[1] != number:
-                        raise self._lost()
+                        self._begun_again()
                 elif self.process.poll() is not None and numbers[1] != number:
-                    raise self._lost()
+                    self._begun_again()
                 if numbers[2]:  # it may have fallen asleep just before it could see the request
                     self._wake()
         finally:
@@ -131,6 +135,17 @@ class ServerProcess:
     def _wake(self) -> None:
         with suppress(OSError):  # full, or nobody is there: seen when it is waited for
             os.write(self._wakes, b"\0")
+
+    def _begun_again(self) -> None:
+        """Start the process once more where wine did not get so far: its service, which ends some seconds behind the
+        last of its processes, may go just when another one comes. Raises ProcessLostError for all else."""
+        lost = self._lost()
+        if self._there or self.memory.page.crash or self.process.returncode != 1 or not self._starts_left:
+            raise lost
+        self._starts_left -= 1
+        os.close(self._wakes)
+        os.close(self._woken)
+        self._begin()
 
     def _lost(self) -> ProcessLostError:
         try:

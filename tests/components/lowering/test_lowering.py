@@ -232,7 +232,7 @@ def test_an_error_of_numba_points_at_the_line_of_the_source(tmp_path: Path) -> N
     spec.loader.exec_module(kernel)
     with pytest.raises(numba.core.errors.TypingError) as caught:
         compiled(kernel).step(1.0, 2)
-    assert f'{tmp_path / "pointing" / "kernel.py"}", line 6' in str(caught.value)
+    assert f'{Path("pointing", "kernel.py")}", line 6' in str(caught.value)  # Numba shows the path from where it runs
     assert 'return h + "no number"' in str(caught.value)
     assert lowered(kernel).place(6) == (tmp_path / "pointing" / "kernel.py", 6)
 

@@ -16,6 +16,7 @@ from first_fmi import first_fmu
 from helpers import column, edited, last, read_system
 from native_build import FAULTS2, FREE2, FREE3, NATIVE, WIRES2, WIRES3, built
 from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.fmu.files.windows import wine
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import Starting, load
 from rovbrush.orchestrator.participant.windows.instance import WindowsInstance
@@ -245,6 +246,26 @@ def test_a_library_of_this_machine_comes_first(compiled: Path, windows: Path, tm
 def test_the_plan_says_that_wine_runs_it(windows: Path, tmp_path: Path) -> None:
     plan = make_plan(read_system(tmp_path, tmp_path, {"a": (str(windows / "feedthrough3.fmu"), "1 ms")}, stop="3 ms"))
     assert plan.system.components["a"].apart == "its library is for win64, which wine runs"
+
+
+@pytest.mark.parametrize("failing", [1, 2, 3])
+def test_wine_is_started_again_where_it_did_not_come_up(
+    failing: int, windows: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its service ends some seconds behind the last process; one that comes just then ends with code 1."""
+    loader, count = tmp_path / "wine64", tmp_path / "starts"
+    loader.write_text(
+        f'#!/bin/sh\necho x >> {count}\n[ $(wc -l < {count}) -le {failing} ] && exit 1\nexec {wine("win64")} "$@"\n'
+    )
+    loader.chmod(0o755)
+    monkeypatch.setattr("rovbrush.orchestrator.participant.windows.process.require_wine", lambda *_: str(loader))
+    given: Any = tmp_path, windows, {"a": ("feedthrough2", "1 ms", FREE2)}
+    if failing == 3:
+        with pytest.raises(FmuError, match="exit code 1 before it was ready"):
+            simulate(make_plan(read_system(*given, stop="10 ms")))
+    else:
+        assert not simulate(make_plan(read_system(*given, stop="10 ms"))).failure
+    assert len(count.read_text().splitlines()) == min(failing + 1, 3)
 
 
 def test_it_goes_on_from_a_checkpoint_of_another_process(windows: Path, tmp_path: Path) -> None:
