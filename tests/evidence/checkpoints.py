@@ -110,6 +110,7 @@ def _change_bytes(chance: Random, path: Path) -> str:
 
 def _change_file(chance: Random, path: Path) -> str:
     how = chance.choice(["removed", "folder", "pipe", "link", "empty"])
+    how = "removed" if how == "empty" and not path.stat().st_size else how
     path.unlink()
     if how == "folder":
         path.mkdir()
