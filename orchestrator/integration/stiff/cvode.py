@@ -11,7 +11,6 @@ from ..advance import EVENT, REACHED, accept, after_step, note_event
 from ..cells import (
     ANEW,
     ANEW_AT,
-    CROSSING_COUNT,
     CURRENT,
     CV_ABSOLUTE,
     CV_DATA,
@@ -119,9 +118,9 @@ def advance_by_cvode(g: int, target: float) -> int:
             return FAILED
         event = first_changed(g)
         if flag == ROOT and event < 0:
-            event = first_found(g)
-            if event >= whole(g + INDICATORS) - whole(g + CROSSING_COUNT):
-                event = just_behind(g, target)
+            event = just_behind(g, target)
+            if event < 0:
+                event = first_found(g)
         keep_indicators(g)
         said = after_step(g)
         if event >= 0:
@@ -150,8 +149,8 @@ def first_found(g: int) -> int:
 
 @register_jitable
 def just_behind(g: int, target: float) -> int:
-    """Go on from a root, at which rounding may leave a watched signal short of its value, until an indicator changes:
-    which; -1 if none does before an instant."""
+    """Go on from a root, at which rounding left what is asked short of its zero, until an indicator changes: which; -1
+    if none does before an instant. An FMU that finds itself short of it would say that nothing happens."""
     time = number(g + TIME)
     h = 4.0 * EPSILON * max(abs(time), 1e-3)
     if evaluate(g, time, whole(g + X), whole(g + K1)) != OK:

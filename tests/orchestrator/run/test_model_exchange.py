@@ -289,3 +289,30 @@ def test_who_compiles_for_half_a_minute_is_told_so(
     monkeypatch.setattr("rovbrush.orchestrator.integration.compiled.is_compiled", lambda: False)
     assert rovbrush(monkeypatch, *run) == 0
     assert "the first run compiles the solver of model exchange" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("method", ["dormand-prince", "cvode"])
+@pytest.mark.parametrize("high", [0.619, *np.linspace(0.31, 0.79, 9).round(3).tolist()])
+def test_a_switch_behind_an_algebraic_loop_is_never_missed(high: float, method: str, tmp_path: Path) -> None:
+    """x' = (gain on + y - x) / tau with y = x + d y, until y reaches `high`: rounding of the loop may leave y short of
+    it where the solver has found the crossing, as it does with 0.619."""
+    d, tau, gain = 0.135, 0.760, 0.5
+    text = f"""
+format = 2
+stop_time = "1.2 s"
+connections = ["lag.y -> relay.y", "lag.y -> lag.push", "relay.on -> lag.on"]
+solver = {{ tolerance = 1e-9, method = "{method}" }}
+[components.relay]
+fmu = "relay.fmu"
+period = "20 ms"
+parameters = {{ low = -0.2, high = {high} }}
+[components.lag]
+fmu = "lag.fmu"
+period = "10 ms"
+parameters = {{ d = {d}, tau = {tau}, gain = {gain} }}
+"""
+    k, b = d / (1.0 - d) / tau, gain / tau
+    switched = math.log1p(k * high * (1.0 - d) / b) / k
+    result = load(system(tmp_path, text, "relay", "lag", version=3)).run()
+    assert int(result["relay.switches"][-1]) == 1
+    assert float(result["relay.t_switch"][-1]) == pytest.approx(switched, abs=2e-9)
