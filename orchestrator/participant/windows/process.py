@@ -21,7 +21,7 @@ from .memory import WHOLE, ServerMemory
 
 STARTING = 120.0  # s for wine to start; the first time it makes its folder (10 s)
 STARTS = 3  # of a process that has not come so far as to answer
-CLOSING = 2.0  # s
+CLOSING = 20.0  # s; wine takes its time to end a process where the machine is busy
 LONGEST = 1 << 16  # bytes of what the FMU prints that are passed on at a time
 LOOKS = 100  # at the answer before others may run; some 5 us
 # times that others may run before it is slept for the answer: more where it came in time, fewer where it did not
@@ -80,31 +80,40 @@ class ServerProcess:
 
     def ask(self, operation: int, limit: float) -> None:
         """Have a request in the memory done within `limit` [s]. Raises ProcessLostError; the process has ended then."""
-        if not self._there:
-            limit = max(limit, STARTING)
-        numbers = self.memory.numbers
+        self._put(operation)
+        if not self._there:  # however soon its first answer comes
+            self._sleep(max(limit, STARTING))
+            self._there = True
+            with suppress(OSError):  # it has mapped it
+                os.unlink(self._path)
+        elif not self._answered_soon():
+            self._sleep(limit)
+
+    def _put(self, operation: int) -> None:
+        """A request into the memory."""
         self.memory.page.operation = operation
-        self._number = number = (self._number + 1) & 0xFFFFFFFF
-        numbers[0] = number
-        if numbers[2]:
+        self._number = (self._number + 1) & 0xFFFFFFFF
+        self.memory.numbers[0] = self._number
+        if self.memory.numbers[2]:
             self._wake()
+
+    def _answered_soon(self) -> bool:
+        """Look for the answer, and let others run meanwhile; whether it came before it is worth to sleep."""
+        numbers, number = self.memory.numbers, self._number
         for _ in range(LOOKS):
             if numbers[1] == number:
-                return
+                return True
         for _ in range(self._patience):
             os.sched_yield()
             if numbers[1] == number:
                 self._patience = min(2 * self._patience, MOST)
-                return
+                return True
         self._patience = max(self._patience // 2, LEAST)
-        self._sleep(number, limit)
-        if not self._there:
-            self._there = True
-            with suppress(OSError):  # it has mapped it
-                os.unlink(self._path)
+        return False
 
-    def _sleep(self, number: int, limit: float) -> None:
-        numbers, last, nap = self.memory.numbers, time.monotonic() + limit, SHORTEST
+    def _sleep(self, limit: float) -> None:
+        """Wait for the answer for so long [s]. Raises ProcessLostError."""
+        numbers, number, last, nap = self.memory.numbers, self._number, time.monotonic() + limit, SHORTEST
         numbers[3] = 1
         try:
             while numbers[1] != number:

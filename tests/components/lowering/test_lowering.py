@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import inspect
+import os
+import re
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -232,7 +234,8 @@ def test_an_error_of_numba_points_at_the_line_of_the_source(tmp_path: Path) -> N
     spec.loader.exec_module(kernel)
     with pytest.raises(numba.core.errors.TypingError) as caught:
         compiled(kernel).step(1.0, 2)
-    assert f'{Path("pointing", "kernel.py")}", line 6' in str(caught.value)  # Numba shows the path from where it runs
+    path = os.path.relpath(tmp_path / "pointing" / "kernel.py")  # as Numba shows it, from where it runs
+    assert f'File "{path}", line 6' in re.sub(r"\x1b\[\d+m", "", str(caught.value))
     assert 'return h + "no number"' in str(caught.value)
     assert lowered(kernel).place(6) == (tmp_path / "pointing" / "kernel.py", 6)
 

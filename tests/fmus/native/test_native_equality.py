@@ -34,9 +34,6 @@ WHOLE = {"n": (1, 60), "N_m": (1, 6), "gear_stages": (1, 3), "mode": (0, 2)}
 STATED = {"h_min", "h_max", "tolerance", "max_step"}
 
 
-EXAMPLES = {"filament_brush": 2}  # the slow one
-
-
 @st.composite
 def parameters_of(draw: Any, name: str) -> dict[str, Any]:
     """A few parameters away from their defaults: by up to a third where that is admissible, switches freely."""
@@ -74,7 +71,7 @@ def test_kernel_python_fmu_and_native_fmus_give_the_same_bits(
     }
     compared = differing = 0
 
-    @settings(max_examples=EXAMPLES.get(name, 4), deadline=None, derandomize=True, database=None,
+    @settings(max_examples=4, deadline=None, derandomize=True, database=None,
               suppress_health_check=list(HealthCheck))  # fmt: skip
     @given(parameters=parameters_of(name), seed=st.integers(0, 2**32 - 1))
     def compare(parameters: dict[str, Any], seed: int) -> None:

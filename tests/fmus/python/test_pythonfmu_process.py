@@ -63,14 +63,14 @@ sys.exit(int(sys.argv[3]))
 
 
 def test_exit_codes_survive_the_end_of_the_process(tmp_path: Path, fmus: Path) -> None:
-    """The library of pythonfmu aborts now and then at exit: ten processes, with healthy and failing runs."""
+    """The library of pythonfmu aborts now and then at exit: twenty processes, with healthy and failing runs."""
     inputs = {"=u": 0.0, "=temperature": 0.0, "=speed": 0.0}
     files = []
     for mode in (0, 1):
         path = tmp_path / f"mode{mode}.toml"
         path.write_text(system_text({"p": ("plain", "1 ms", {"mode": mode, **inputs})}, stop="10 ms"))
         files.append(path)
-    cases = [(files[k % 4 == 3], (0, 3)[k % 2]) for k in range(10)]
+    cases = [(files[k % 4 == 3], (0, 3)[k % 2]) for k in range(20)]
     with ThreadPoolExecutor(2) as pool:
         runs = list(pool.map(lambda case: python(RUN, str(case[0]), str(fmus), str(case[1])), cases))
     assert [run.returncode for run in runs] == [code for _, code in cases], [

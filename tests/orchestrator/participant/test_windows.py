@@ -21,6 +21,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.opening import Starting, load
 from rovbrush.orchestrator.participant.windows.instance import WindowsInstance
 from rovbrush.orchestrator.participant.windows.memory import FROM_SERVER, TO_SERVER
+from rovbrush.orchestrator.participant.windows.process import ServerProcess
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.results.tables import Run
@@ -147,7 +148,34 @@ def test_states_travel_between_wine_and_here(compiled: Path, windows: Path) -> N
         assert there.get("u") == 4.0
     finally:
         assert not there.close() and not here.close()
-    assert isinstance(there, WindowsInstance) and there.process.process.poll() is not None  # it has ended
+    assert isinstance(there, WindowsInstance) and there.process.process.poll() == 0
+
+
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        ("exit", "its process ended by itself with exit code 3"),
+        ("hang", "its process did not answer within 1 s and was ended"),
+    ],
+)
+def test_what_was_there_long_before_it_is_asked_has_started(
+    fault: str, words: str, windows: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its first answer comes at once then, and what holds for one that starts does so no more."""
+    begin = ServerProcess.__init__
+
+    def begun_and_there(process: ServerProcess, fmu: Fmu) -> None:
+        begin(process, fmu)
+        last = time.monotonic() + 60.0
+        while not process.memory.numbers[2]:  # it sleeps, as nobody asks
+            assert time.monotonic() < last and process.process.poll() is None
+            time.sleep(0.01)
+        process._patience = 10**7  # and is waited for without sleeping
+
+    monkeypatch.setattr(ServerProcess, "__init__", begun_and_there)
+    part = (str(windows / "feedthrough2.fmu"), "1 ms", {**FREE2, "fault": FAULTS2[fault], "bad_at": 0.0045})
+    found = run(tmp_path, {"bad": part}, stop="10 ms", of={"bad": {"isolation": "process", "timeout": "1 s"}})
+    assert words in found.failure and found.end == 0.004
 
 
 def test_a_state_longer_than_the_shared_memory_goes_in_parts(windows: Path) -> None:

@@ -79,6 +79,7 @@ def test_clocks_that_cannot_tick_so_are_one_clear_error(
     [
         ({"event_mode": "off"}, {}, r'clock tick is activated in event mode, and event_mode = "off"'),
         ({}, {"algorithm": "adaptive"}, r"algorithm adaptive does not go along with events"),
+        ({}, {"algorithm": "iterated"}, r"algorithm iterated does not go along with events"),
         ({"clocks": {"tick": "10 ms"}}, {}, r"it is constant, its interval is not to be set"),
         ({"clocks": {"tack": "10 ms"}}, {}, r"has no such clock; did you mean 'tick'\?"),
         ({"clocks": {"tick": "0 s"}}, {}, r"not a positive time|is not to be set"),

@@ -122,7 +122,7 @@ def test_what_is_there_from_the_start_is_in_the_initialization() -> None:
 
 def test_a_fault_that_is_over_before_the_start_does_nothing() -> None:
     plan = ramp_into_keep({"at": "-2 s", "fault": "loss", "on": "b.u", "for": "1 s"})
-    assert told(both(plan)) == []
+    assert [row.what for row in both(plan).events] == [AT_START]
     assert np.array_equal(simulate(plan).tables[0], simulate(without_events(plan)).tables[0])
 
 
@@ -246,7 +246,7 @@ def test_a_crossing_acts_when_it_is_seen_once_or_every_time(
     saw = mock_fmu("saw", Saw, [], ["y"])
     parts = {"r": (RAMP, "0.001"), "saw": (saw, "0.001"), "i": (INTEGRAL, "0.001")}
     run = both(planned(parts, [], [{**when, "set": {"i.u": 1.0}}], "0.0125", algorithm=algorithm))
-    assert [row.time for row in told(run) if "event 1: i.u = 1" in row.what] == times
+    assert [row.time for row in told(run) if "event 1: i.u = 1" in row.what.split("; ")] == times
     first = times[0] if times else 0.0125
     assert column(run, "i.y")[1][-1] == pytest.approx(0.0125 - first, abs=1e-15)
 
