@@ -9,7 +9,6 @@ from ..clock import Clock
 from ..errors import InputError
 from ..system.model import Connection, System
 from .exchange import exchanged
-from .happening.events import ends_early
 from .schedule.formulas import Choice
 
 
@@ -25,7 +24,7 @@ def samplers_of(system: System) -> tuple[str, ...]:
     into: dict[str, list[tuple[str, str]]] = {name: [] for name in system.components}
     for c in system.connections:
         into[c.target[0]].append(c.target)
-    into = {name: ends for name, ends in into.items() if not ends_early(system.components[name])}
+    into = {name: ends for name, ends in into.items() if not system.components[name].in_events}
     for name in into:
         into[name] = into[name] or [(name, variable) for variable in system.components[name].series]
     together = exchanged(system)  # these step as a whole, after the others
@@ -57,7 +56,7 @@ def order_of(system: System, clock: Clock) -> tuple[tuple[str, ...], str]:
     order: list[str] = []
     for _, rate in groupby(sorted(system.components, key=clock.periods.__getitem__), clock.periods.__getitem__):
         names = _sources_first(list(rate), system)
-        order += sorted(names, key=lambda name: not ends_early(system.components[name]))
+        order += sorted(names, key=lambda name: not system.components[name].in_events)
     return tuple(order), "fast before slow; at one rate a source before its target, cycles cut in the order of the file"
 
 

@@ -6,13 +6,11 @@ from fractions import Fraction
 
 from ...integration import cells
 from ...integration.compiled import address_of
+from ...integration.events.rounds import CLOSE, NEVER
 from ...integration.memory import call, number, whole
 from ..base import AskedToEndError
 from ..lifecycle import DISCARD
 from .group import Group
-
-NEVER = 1e300  # s
-CLOSE = 1e-15  # of a time, by which a time event is there already
 
 
 class GroupEvents:

@@ -20,6 +20,7 @@ from ...errors import FmuError
 from ...integration import cells
 from ...integration.choice import choose
 from ...integration.compiled import address_of
+from ...integration.events.rounds import NEVER
 from ...integration.memory import call, number, put, put_whole, whole
 from ...integration.settings import TOLERANCE, SolverSettings
 from ...integration.stiff.libraries import is_there, why_missing
@@ -80,10 +81,10 @@ class Group(GroupMemory):
         g, settings = self.pointer, self.settings
         put(g + cells.TIME, time)
         put(g + cells.WINDOW, time)
-        put(g + cells.NEXT_EVENT, 1e300)
+        put(g + cells.NEXT_EVENT, NEVER)
         put(g + cells.RELATIVE, self.tolerance)
-        put(g + cells.LONGEST, settings.max_step or 1e300)
-        put(g + cells.STEP, (settings.step or 1e300) if settings.method == "rk4" else 0.0)
+        put(g + cells.LONGEST, settings.max_step or NEVER)
+        put(g + cells.STEP, (settings.step or NEVER) if settings.method == "rk4" else 0.0)
         self.chosen = choose(settings, self.tables.states)
         put_whole(g + cells.METHOD, METHODS[self.chosen.method])
         put_whole(g + cells.RESTARTS, int(settings.restart))

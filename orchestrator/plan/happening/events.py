@@ -14,7 +14,7 @@ import numpy as np
 
 from ...clock import Clock, seconds_text
 from ...loop.operations import STEP_ON
-from ...system.model import Component, Connection, System
+from ...system.model import Connection, System
 from ..exchange import exchanged
 from ..schedule.formulas import Choice
 
@@ -66,17 +66,12 @@ class EventRows:
     after: Mapping[Known, np.ndarray] = field(default_factory=dict)
 
 
-def ends_early(component: Component) -> bool:
-    """Whether an FMU may end a step before its end, at an event, or has events of its own otherwise."""
-    return component.in_events
-
-
 def events_of(
     system: System, early: tuple[str, ...], choices: Mapping[Connection, Choice], able: bool
 ) -> Events | None:
     """What there is of events; None where there can be none. `able`: whether the algorithm goes along with them; where
     it does not, FMUs have none, and those that the system states act at macro steps."""
-    sources = tuple(name for name, component in system.components.items() if ends_early(component))
+    sources = tuple(name for name, component in system.components.items() if component.in_events)
     if not sources and not (system.events and able):
         return None
     means = {c.target[0]: c.target[1] for c, choice in choices.items() if choice.transfer == "mean"}
@@ -140,7 +135,7 @@ def _may_be_event(system: System, c: Connection) -> bool:
     """Whether a new value at an instant of its source is an event of the target: a discrete input without a clock."""
     target = system.components[c.target[0]]
     sampled = c.target[1] in target.at_events and not target.clocks_of(c.target[1]) and not target.scheduled
-    return sampled and not ends_early(system.components[c.source[0]])
+    return sampled and not system.components[c.source[0]].in_events
 
 
 def event_words(events: Events, clock: Clock, order: Sequence[str], together: Collection[str]) -> list[str]:

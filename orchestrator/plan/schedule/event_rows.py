@@ -100,7 +100,7 @@ def _after(schedule: Schedule, known: Known) -> Iterator[Row]:
             yield from schedule.set_inputs(0, name)
     for name in design.order:
         if name in known and name in schedule.outputs:
-            yield from schedule._get(0, name, AT_ITS_END)
+            yield from schedule.get(0, name, AT_ITS_END)
     for c in design.inside:
         if c.target[0] in known:
             yield schedule.sent(c, 0, layout.outputs[c.source])

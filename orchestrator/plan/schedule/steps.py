@@ -65,7 +65,7 @@ class Steps(Values):
         rows = [(PUSH, tick, component, a, b, 0, 0, 0) for a, b in pushes]
         if name in self.design.rereads:
             yield from rows
-            yield from self._get(tick, name, AS_IT_BEGINS)
+            yield from self.get(tick, name, AS_IT_BEGINS)
             for key, slot in self.begins.get(name, {}).items():
                 yield (PUSH, tick, component, layout.outputs[key], slot, 0, 0, 0)
             rows = []
@@ -75,7 +75,7 @@ class Steps(Values):
             yield (step, tick, component, length, start, 0, 0, 0)
         yield from rows
         if name in self.outputs:
-            yield from self._get(tick, name, AT_ITS_END)
+            yield from self.get(tick, name, AT_ITS_END)
         for c in self.averaged.get(name, []):
             within = tick if start == tick else tick - 1  # of that step of the target
             whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))

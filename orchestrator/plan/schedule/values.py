@@ -131,9 +131,9 @@ class Values:
     def read_again(self, tick: int, name: str) -> Iterator[Row]:
         """Set a component's inputs at an instant, and get what its outputs are with them."""
         yield from self.set_inputs(tick, name)
-        yield from self._get(tick, name, AT_AN_INSTANT)
+        yield from self.get(tick, name, AT_AN_INSTANT)
 
-    def _get(self, tick: int, name: str, when: int) -> Iterator[Row]:
+    def get(self, tick: int, name: str, when: int) -> Iterator[Row]:
         """Get a component's outputs, and turn those of a foreign FMU into ours."""
         yield (GET, tick, self.index[name], when, 0, 0, 0, 0)
         for key, slot in self.foreign_outputs.get(name, {}).items():

@@ -21,6 +21,7 @@ from .read import events_of
 PREFIX, SETS = "events.", "set."
 TIMES = ("at", "until", "for", "after")
 KEYS = (*TIMES, "value", "threshold")
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")  # all else is text, of which the key knows what it means
 
 
 class Number(NamedTuple):
@@ -86,7 +87,7 @@ def with_event_numbers(system: System, values: Mapping[str, object], origin: str
 
 
 def _put(table: dict[str, Any], number: Number, value: object, label: str) -> None:
-    given = float(value) if isinstance(value, str) and re.fullmatch(r"[-+.\deE]+", value.strip()) else value
+    given = float(value) if isinstance(value, str) and NUMBER.fullmatch(value.strip()) else value
     if number.key.startswith(SETS):
         table["set"] = {**table["set"], number.key.removeprefix(SETS): given}
     elif number.key == "threshold":

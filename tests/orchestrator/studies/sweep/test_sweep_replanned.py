@@ -133,3 +133,10 @@ def test_an_fmu_alone_is_swept_over_its_sizes(tmp_path: Path) -> None:
     found = swept(path, "n=2,3", stop="100 ms", values={"x0": 1.0})
     assert math.isnan(found["x[3]_last"][0]) and math.isfinite(found["x[3]_last"][1])
     assert found["x[2]_last"][0] == found["x[2]_last"][1]
+
+
+@pytest.mark.parametrize("text", ["e", "-", ".", "1e", "+-1", "1.2.3", "nan", "inf", "1e400", "0x1", "", "one"])
+@pytest.mark.parametrize("key", ["push.at", "push.set.p.u", "enough.threshold", "enough.after"])
+def test_what_only_looks_like_a_number_of_an_event_is_one_clear_error(key: str, text: str, folder: Path) -> None:
+    with pytest.raises(InputError, match=r"event (push|enough)"):
+        load(folder / "pushed.toml", values={f"events.{key}": text})
