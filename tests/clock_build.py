@@ -62,6 +62,7 @@ MODELS: dict[str, Variables] = {
         ("u_then", 2, "output", 'variability="discrete"'), ("w", 3, "output", ""), ("n", WHOLE, "input", ""),
         ("changes", WHOLE + 1, "output", ""),
     ],
+    "liar": [("y", 0, "output", ""), ("lie", WHOLE, "parameter", "")],
     "plant": [("x", 0, "output", ""), ("u", 1, "input", ""), ("x0", 2, "parameter", 'start="0"')],
 }  # fmt: skip
 UNEVENTFUL = ("plant",)

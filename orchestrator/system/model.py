@@ -45,9 +45,7 @@ class Component:
     tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
     direct: str = "stated"  # outputs that answer to inputs at once: those that are stated, "all", or "off"
-    event_mode: Literal["offered", "off"] = (
-        "offered"  # used where offered; of Model Exchange: outside of steps
-    )
+    event_mode: Literal["offered", "off"] = "offered"  # used where offered; of Model Exchange: outside of steps
     in_events: bool = False  # whether it takes part in events by event mode, or by partitions: the plan decides
     clocks: Mapping[str, Fraction] = field(default_factory=dict)  # s, of clocks whose interval is ours to choose
 

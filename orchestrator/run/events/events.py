@@ -91,7 +91,10 @@ class Events:
             following = self.handler.paused(code) if self.handler else self._at_macro_step(code, cycle, operation)
         except RovbrushError:
             at.cycle, at.operation = cycle, operation
-            at.time = self.happened.last.time if self.happened.last else at.time
+            if self.handler:
+                at.time = self.handler.reached(cycle, operation)
+            elif self.happened.last:
+                at.time = max(at.time, self.happened.last.time)
             raise
         if following is not None:
             whole = following == len(self.plan.operations(cycle))

@@ -128,6 +128,11 @@ class EventHandler:
         self.plan_next()
         return operation
 
+    def reached(self, cycle: int, operation: int) -> float:
+        """How far all components have come [s] where the loop stands."""
+        place = Place(self.plan, cycle, operation)
+        return min(self.instant.at(name, place) for name in self.plan.order)
+
     def _go_round(self, place: Place, now: Fraction, cause: str) -> None:
         time, known = float(now), place.known(float(now))
         assert self.plan.events is not None

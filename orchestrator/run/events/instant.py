@@ -21,6 +21,7 @@ from ..ends.failure import failed_at
 from ..memory.memory import Memory
 from ..memory.moments import Moments
 
+SAME = 1e-9  # of a time, or of a step: how far off an FMU may say that it came
 RunRows = Callable[[np.ndarray, int], int]  # does operations in the loop, as of a cycle; the code that it ends with
 
 
@@ -83,7 +84,7 @@ class Instant:
 
     def stopped_early(self, component: int, end: float) -> tuple[float, str] | None:
         """How far a step to `end` [s] went that an event ended, and what happened there in words, if anything did;
-        None where that was not why it ended. The component is there then."""
+        None where that was not why it ended. The component is there then. Raises RunError where nobody can be."""
         name, status = self.names[component], int(self.control[cells.STATUS])
         found = self.instances[name].stopped()
         if found is None and status in (versions.EARLY, versions.EVENT):
@@ -94,7 +95,14 @@ class Instant:
             found = reached, f"{name} has an event" if event else ""
         if found is None:
             return None
-        self.moments.reached[component] = reached = min(found[0], end)
+        began = float(self.moments.began[component])
+        within = SAME * max(abs(end), end - began)
+        if not began - within <= found[0] <= end + within:  # nor where it is no number
+            raise RunError(
+                f"component {name}: its step from t = {began:.9g} s ended early at {found[0]:.9g} s, which is not "
+                f"between there and t = {end:.9g} s (lastSuccessfulTime){self.instances[name].log_text()}"
+            )
+        self.moments.reached[component] = reached = min(max(found[0], began), end)
         return reached, found[1]
 
     def values(self, place: Place, known: Known, time: float) -> bool:
