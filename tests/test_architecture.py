@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from helpers import ROOT
 from rovbrush.components.build import COMPONENTS
-from rovbrush.components.lowered import lowered
+from rovbrush.components.lowering.lowered import lowered
 
 COMPONENT_FILES = sorted((ROOT / "components").rglob("*.py"))
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from ..behaviour import Unit, close, read, run, same, values
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Unit, close, read, run, same, values
+from ..testing.suite import Excitation, suite
 from .fmu import ConstantSpeed
 
 

@@ -7,8 +7,8 @@ import sys
 import numpy as np
 from scipy.linalg import expm
 
-from ..behaviour import Unit, close, go_on, holds, read, run, values, where_known
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Unit, close, go_on, holds, read, run, values, where_known
+from ..testing.suite import Excitation, suite
 from . import behaviour_energy
 from .behaviour_energy import H, constants, plain, ratio, settled
 from .fmu import DcMotor

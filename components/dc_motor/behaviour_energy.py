@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Running, Unit, close, holds, read, run, values, where_known
+from ..testing.behaviour import Running, Unit, close, holds, read, run, values, where_known
 
 H = 1e-3  # s, the communication step
 LONG = 5e-3  # s, for runs into the steady state

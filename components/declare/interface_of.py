@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..errors import BuildError
-from ..interface import Array, Variable
+from .interface import Array, Variable
 from .record import Field, Record, cells_name, fields_of, storage
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Running, Unit, close, go_on, holds, read, run, same, values
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, same, values
+from ..testing.suite import Excitation, suite
 from . import behaviour_energy
 from .fmu import FilamentBrush
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..declare.interface_of import arrays_of, variables_of
-from ..slave import ComponentSlave
+from ..python.slave import ComponentSlave
 from . import kernel
 from .parameters import Parameters
 from .records import Inputs, Outputs, Scratch, State

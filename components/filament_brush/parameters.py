@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..interface import parameter
+from ..declare.interface import parameter
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..declare.interface import output as column
 from ..declare.record import Matrix, Packed, Record, Rows, Vector, calculated, input_, output, value
-from ..interface import output as column
 
 REACH = ("omega_b", "delta", "delta_dot")  # what decides where the tips are and how they move
 ALL = (*REACH, "v_rov", "friction_scale")

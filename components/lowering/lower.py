@@ -11,10 +11,10 @@ import ast
 from typing import Any
 
 from ..declare.record import Field, cells_name, cells_of, dimensions, fields_of, storage, width
-from ..lowered import Lowered, Part
 from .allowed import check
 from .edits import Edits
 from .functions import Function, functions_of
+from .lowered import Lowered, Part
 from .source import Source, is_record
 
 

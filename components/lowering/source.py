@@ -11,8 +11,8 @@ from types import ModuleType
 from typing import Any
 
 from ..declare.record import Matrix, Vector
-from ..lowered import Part
 from .errors import refuse
+from .lowered import Part
 
 
 @dataclass(frozen=True)

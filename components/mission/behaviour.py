@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Unit, close, holds, read, same, values
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Unit, close, holds, read, same, values
+from ..testing.suite import Excitation, suite
 from .fmu import Mission
 
 SET_POINTS = ("x_ref", "y_ref", "z_ref", "v_ref", "F_n_ref", "phase")  # eight columns

@@ -9,10 +9,10 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 import fmpy
 
-from ..archive import digest, documentation, write_archive
-from ..build import carried, in_source
+from ..declare.model_description import GUID_PLACEHOLDER, model_description
 from ..errors import BuildError
-from ..model_description import GUID_PLACEHOLDER, model_description
+from ..python.archive import digest, documentation, write_archive
+from ..python.build import carried, in_source
 from .compile import OPTIONS, PLATFORMS, compile_library
 from .description3 import build_description, model_description3
 from .tables import Tables

@@ -6,7 +6,7 @@ import ast
 import io
 import tokenize
 
-from ..lowered import Lowered, Part
+from ..lowering.lowered import Lowered, Part
 
 
 def with_comments(source: Lowered) -> tuple[str, list[int]]:

@@ -8,14 +8,8 @@ from __future__ import annotations
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
-from ..interface import Variable
-from ..model_description import (
-    GUID_PLACEHOLDER,
-    VERSION,
-    add_definitions,
-    type_attributes,
-    variable_attributes,
-)
+from ..declare.interface import Variable
+from ..declare.model_description import GUID_PLACEHOLDER, VERSION, add_definitions, type_attributes, variable_attributes
 
 TYPES = {"Real": "Float64", "Integer": "Int32", "Boolean": "Boolean"}
 

@@ -7,10 +7,10 @@ import textwrap
 from dataclasses import fields
 from typing import Any
 
+from ..declare.interface import Array, Variable, parameter_variables
+from ..declare.model_description import GUID_PLACEHOLDER
 from ..errors import BuildError
-from ..interface import Array, Variable, parameter_variables
-from ..kernels import argument_names
-from ..model_description import GUID_PLACEHOLDER
+from ..python.kernels import argument_names
 
 KINDS = {"Real": "REAL", "Integer": "INTEGER", "Boolean": "BOOLEAN"}
 CAUSALITIES = {"parameter": "PARAMETER", "input": "INPUT", "output": "OUTPUT", "calculatedParameter": "OUTPUT"}

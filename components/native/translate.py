@@ -15,7 +15,7 @@ from pathlib import Path
 from types import ModuleType
 
 from ..errors import BuildError
-from ..lowered import lowered
+from ..lowering.lowered import lowered
 from .comments import with_comments
 
 PYCCEL = "from pyccel.commands.console import pyccel; import sys; sys.exit(pyccel())"

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Running, Unit, close, holds, read, same, values, where_known
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Running, Unit, close, holds, read, same, values, where_known
+from ..testing.suite import Excitation, suite
 from . import behaviour_force
 from .fmu import RovController
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..behaviour import Running, Unit, close, go_on, holds, read, run, values
-from ..behaviour_suite import Excitation, suite
+from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
+from ..testing.suite import Excitation, suite
 from . import behaviour_at_rest
 from .behaviour_at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
 from .fmu import RovVehicle

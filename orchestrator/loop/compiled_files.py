@@ -1,6 +1,6 @@
 """Numba's files of the compiled loop, each with the hash of its content behind it: what is damaged is compiled anew.
 
-`components/kernel_cache.py` keeps compiled kernels in the same way; neither side imports from the other.
+`components/python/kernel_cache.py` keeps compiled kernels in the same way; neither side imports from the other.
 """
 
 from __future__ import annotations

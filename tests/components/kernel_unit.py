@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 from lives import Instance, component
-from rovbrush.components.interface import parameter_variables
-from rovbrush.components.kernels import compiled
+from rovbrush.components.declare.interface import parameter_variables
+from rovbrush.components.python.kernels import compiled
 
 
 class RunningKernel(Instance):

@@ -18,11 +18,11 @@ from typing import Any
 
 import numpy as np
 from pyccel import epyccel
+from rovbrush.components.declare.interface import Variable, parameter_variables
 from rovbrush.components.declare.record import cells_name, fields_of, over
-from rovbrush.components.interface import Variable, parameter_variables
-from rovbrush.components.kernels import argument_names, compiled, joined_source
 from rovbrush.components.lowering.source import is_record
-from rovbrush.components.slave import ComponentSlave
+from rovbrush.components.python.kernels import argument_names, compiled, joined_source
+from rovbrush.components.python.slave import ComponentSlave
 
 Range = tuple[float, float]  # an input's mean and amplitude
 

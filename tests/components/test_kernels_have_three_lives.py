@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Case, component, history, lives
-from rovbrush.components.lowered import lowered
+from rovbrush.components.lowering.lowered import lowered
 
 MEASURED = {
     "x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from helpers import ROOT
 from rovbrush.components.build import COMPONENTS
-from rovbrush.components.lowered import lowered
+from rovbrush.components.lowering.lowered import lowered
 
 PARAMETERS, LINES, COMPONENTS_OF_A_VECTOR = 8, 60, 4
 EVERYWHERE = sorted((ROOT / "components").glob("*/*.py"))

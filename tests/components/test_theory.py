@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from rovbrush.components import theory
 from rovbrush.components.build import COMPONENTS, HERE
+from rovbrush.components.describe import theory
 from rovbrush.components.errors import BuildError
 
 NUMBERED = [name for name in COMPONENTS if theory.equations(name)]

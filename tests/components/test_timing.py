@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from rovbrush.components.timing import seconds_per_step
+from rovbrush.components.python.timing import seconds_per_step
 
 
 def test_a_kernel_is_timed_with_its_values() -> None:

@@ -11,7 +11,7 @@ import fmpy
 import pytest
 from helpers import ROOT
 from rovbrush.components.build import COMPONENTS
-from rovbrush.components.describe import BEGIN, README, declared, described, main, section
+from rovbrush.components.describe.tables import BEGIN, README, declared, described, main, section
 from rovbrush.components.errors import BuildError
 from rovbrush.orchestrator.clock import duration
 

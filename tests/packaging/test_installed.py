@@ -17,7 +17,7 @@ from pathlib import Path
 
 import pytest
 from helpers import ROOT, system_text
-from rovbrush.components.model_description import VERSION
+from rovbrush.components.declare.model_description import VERSION
 
 SHIPPED = ("orchestrator", "components", "setup.py", "pyproject.toml", "README.md", "LICENSE")
 LEFT_OUT = {"orchestrator/README.md"}  # for readers of the repository

@@ -19,8 +19,8 @@ from typing import Any
 
 import numpy as np
 from numba import njit
-from rovbrush.components.kernels import argument_names, compiled
-from rovbrush.components.slave import ComponentSlave
+from rovbrush.components.python.kernels import argument_names, compiled
+from rovbrush.components.python.slave import ComponentSlave
 from rovbrush.orchestrator.system.model import Component, System
 from scipy.integrate import solve_ivp
 

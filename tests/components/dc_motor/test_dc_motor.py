@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.kernels import compiled
+from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("dc_motor")
 

@@ -12,7 +12,7 @@ from lives import Instance, component
 from rovbrush.components.filament_brush.micro_steps import advance_touching, evaluate, placement
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
 from rovbrush.components.filament_brush.records import Inputs, Scratch, State
-from rovbrush.components.kernels import compiled
+from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("filament_brush")
 P = DECLARED.parameters()

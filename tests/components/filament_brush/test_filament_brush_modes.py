@@ -13,7 +13,7 @@ from rovbrush.components.declare.record import cells_shape, fields_of, over
 from rovbrush.components.filament_brush.modes import stiffness
 from rovbrush.components.filament_brush.reactions import base_reactions
 from rovbrush.components.filament_brush.records import Constants, Load, Stage, State, Stiffness
-from rovbrush.components.kernels import compiled
+from rovbrush.components.python.kernels import compiled
 from scipy.integrate import quad
 
 DECLARED = component("filament_brush")

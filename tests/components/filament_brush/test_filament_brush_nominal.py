@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from lives import Instance, component
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
-from rovbrush.components.kernels import compiled
+from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("filament_brush")
 KERNEL = compiled(DECLARED.kernel)

@@ -8,6 +8,7 @@ from textwrap import dedent
 from typing import Any
 
 import numpy as np
+from rovbrush.components.declare.interface import parameter
 from rovbrush.components.declare.interface_of import arrays_of
 from rovbrush.components.declare.record import (
     Matrix,
@@ -22,9 +23,8 @@ from rovbrush.components.declare.record import (
     over,
     value,
 )
-from rovbrush.components.interface import parameter
-from rovbrush.components.lowered import Lowered
 from rovbrush.components.lowering.lower import lower
+from rovbrush.components.lowering.lowered import Lowered
 from rovbrush.components.lowering.source import Source
 
 PATH = Path("somewhere/kernel.py")

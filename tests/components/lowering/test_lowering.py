@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from pyccel import epyccel
 from rovbrush.components.declare.record import Packed, value
-from rovbrush.components.kernels import compiled
-from rovbrush.components.lowered import Lowered, lowered
+from rovbrush.components.lowering.lowered import Lowered, lowered
+from rovbrush.components.python.kernels import compiled
 from sample_kernel import Arguments, lower_text, plain
 
 SYMBOLIC = "-Wl,-Bsymbolic"  # the C library has a function `step` of its own

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from lives import Instance, component
-from rovbrush.components.kernels import compiled
+from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("rov_controller")
 VEHICLE = component("rov_vehicle")

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from helpers import ROOT, Measured
 from lives import Instance, component
-from rovbrush.components.kernels import compiled
+from rovbrush.components.library.thrusters import K_T
+from rovbrush.components.python.kernels import compiled
 from rovbrush.components.rov_vehicle.parameters import NOMINAL, Parameters, about_origin
-from rovbrush.components.thrusters import K_T
 
 DECLARED = component("rov_vehicle")
 REFERENCE = ROOT / "tests" / "reference"

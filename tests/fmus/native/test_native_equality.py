@@ -12,8 +12,8 @@ from driven import DrivenFmu, DrivenKernel, component, input_layout
 from helpers import Measured
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from rovbrush.components.interface import Variable, parameter_variables
-from rovbrush.components.kernels import compiled
+from rovbrush.components.declare.interface import Variable, parameter_variables
+from rovbrush.components.python.kernels import compiled
 
 STEPS = 10_000
 # Communication step [s] and ranges of the inputs; what is not named here stays at its start value.

@@ -11,7 +11,7 @@ import pint
 import pytest
 from fmpy.validation import validate_fmu
 from pythonfmu_instance import H, bounded, component_class, declared, every_component
-from rovbrush.components.interface import Variable
+from rovbrush.components.declare.interface import Variable
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 from rovbrush.orchestrator.units import parse_unit

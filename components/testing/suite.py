@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from ..declare.interface import Variable
+from ..python.slave import ComponentSlave
 from .behaviour import Running, Test, Unit, close, holds, read, same, where_known
-from .interface import Variable
-from .slave import ComponentSlave
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,9 @@ import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
-from .interface import Array, Variable, parameter_variables
+from ..declare.interface import Array, Variable, parameter_variables
+from ..declare.model_description import model_description
 from .kernels import argument_names, compiled, entry, precompile
-from .model_description import model_description
 from .options import ROWS
 from .state import State, from_bytes, to_bytes
 

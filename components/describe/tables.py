@@ -9,11 +9,11 @@ import importlib
 import sys
 from pathlib import Path
 
+from ..build import COMPONENTS, HERE
+from ..declare.interface import INF, Variable
+from ..errors import BuildError
+from ..python.slave import ComponentSlave
 from . import theory
-from .build import COMPONENTS, HERE
-from .errors import BuildError
-from .interface import INF, Variable
-from .slave import ComponentSlave
 
 README = HERE.parent / "fmus" / "README.md"
 BEGIN = "<!-- variables: written by `python -m rovbrush.components.describe` -->"
@@ -45,7 +45,7 @@ def section(name: str) -> str:
 
 def declared(name: str) -> type[ComponentSlave]:
     """The class that declares the interface of the component `name`."""
-    module = importlib.import_module(f"{__package__}.{name}.fmu")
+    module = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.fmu")
     return next(x for x in vars(module).values() if isinstance(x, type) and x.__module__ == module.__name__)
 
 
@@ -99,6 +99,3 @@ def main(path: Path = README) -> None:
     except (OSError, BuildError) as error:
         sys.exit(f"{path}: {error}")
 
-
-if __name__ == "__main__":
-    main()

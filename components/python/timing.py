@@ -23,7 +23,7 @@ def seconds_per_step(name: str, values: Mapping[str, Any], period: float, steps:
 
     `values`: parameters and inputs by the names of FMI 2.0 scalars; others keep their start values.
     """
-    module = importlib.import_module(f"{__package__}.{name}.fmu")
+    module = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.fmu")
     declared: type[ComponentSlave] = next(
         x for x in vars(module).values() if isinstance(x, type) and x.__module__ == module.__name__
     )

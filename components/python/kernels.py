@@ -22,8 +22,8 @@ import numba
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+from ..lowering.lowered import Lowered, lowered
 from .kernel_cache import CheckedCache, stored
-from .lowered import Lowered, lowered
 
 
 def joined_source(kernel: ModuleType) -> str:

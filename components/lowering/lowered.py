@@ -61,7 +61,7 @@ def lowered(kernel: ModuleType) -> Lowered:
         content = json.loads(carried.read_text(encoding="utf-8"))
         parts = [Part(carried.parent.parent / path, text) for path, text in content["parts"]]
         return Lowered(parts, content["arguments"])
-    from .lowering.lower import lower
-    from .lowering.source import parts_of
+    from .lower import lower
+    from .source import parts_of
 
     return lower(*parts_of(kernel))

@@ -13,8 +13,8 @@ import tokenize
 from dataclasses import dataclass
 from pathlib import Path
 
-from .errors import BuildError
-from .lowered import lowered
+from ..errors import BuildError
+from ..lowering.lowered import lowered
 
 BEGIN = "<!-- equations: written by `python -m rovbrush.components.describe` -->"
 END = "<!-- end of equations -->"
@@ -35,7 +35,7 @@ class Equation:
 
 def equations(name: str) -> list[Equation]:
     """The equations of a component's kernel, by number, then in the order of the text."""
-    kernel = importlib.import_module(f"{__package__}.{name}.kernel")
+    kernel = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.kernel")
     found = [one for part in lowered(kernel).parts for one in _of_file(part.path)]
     return sorted(found, key=lambda one: one.number)
 
@@ -76,7 +76,7 @@ def numbers(text: str) -> list[int]:
 
 def table(name: str) -> str:
     """The equations of a component in Markdown, each with the place where it is computed."""
-    here = Path(__file__).parent
+    here = Path(__file__).parents[1]
     rows = ["| equation | symbol | line of the kernel | where |", "| --- | --- | --- | --- |"]
     for one in equations(name):
         text = one.text.replace("|", "\\|")

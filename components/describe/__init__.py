@@ -1,0 +1,1 @@
+"""What the READMEs say of components, written from declarations and kernels: variables and equations."""

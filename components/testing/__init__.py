@@ -1,0 +1,1 @@
+"""Behaviour tests: what a component does on its interface, whoever made it."""
