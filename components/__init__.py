@@ -1,1 +1,1 @@
-"""What is simulated: four components, each written once as a plain numeric kernel and packaged as an FMU."""
+"""What is simulated: components, each written once as a kernel of equations and packaged as FMUs."""

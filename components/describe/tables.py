@@ -5,14 +5,13 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 from pathlib import Path
 
 from ..build import COMPONENTS, HERE
 from ..declare.interface import INF, Variable
 from ..errors import BuildError
-from ..python.slave import ComponentSlave
+from ..python.component import component_class
 from . import theory
 
 README = HERE.parent / "fmus" / "README.md"
@@ -33,7 +32,7 @@ def described(text: str) -> str:
 
 def section(name: str) -> str:
     """Heading, description and variable table of the component `name`, in Markdown."""
-    component = declared(name)
+    component = component_class(name)
     lines = [f"### {name}", "", f"{(component.__doc__ or '').strip()}.", ""]
     lines += [_row(COLUMNS), _row(("---",) * len(COLUMNS))]
     reference = 0
@@ -41,12 +40,6 @@ def section(name: str) -> str:
         lines.append(_row(_cells(variable, reference)))
         reference += len(variable.start)
     return "\n".join(lines)
-
-
-def declared(name: str) -> type[ComponentSlave]:
-    """The class that declares the interface of the component `name`."""
-    module = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.fmu")
-    return next(x for x in vars(module).values() if isinstance(x, type) and x.__module__ == module.__name__)
 
 
 def _row(cells: tuple[str, ...]) -> str:

@@ -6,7 +6,6 @@ An equation is a line of a kernel with a comment that begins with its number: `d
 from __future__ import annotations
 
 import ast
-import importlib
 import io
 import re
 import tokenize
@@ -15,6 +14,7 @@ from pathlib import Path
 
 from ..errors import BuildError
 from ..lowering.lowered import lowered
+from ..python.component import component_class
 
 BEGIN = "<!-- equations: written by `python -m rovbrush.components.describe` -->"
 END = "<!-- end of equations -->"
@@ -35,8 +35,7 @@ class Equation:
 
 def equations(name: str) -> list[Equation]:
     """The equations of a component's kernel, by number, then in the order of the text."""
-    kernel = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.kernel")
-    found = [one for part in lowered(kernel).parts for one in _of_file(part.path)]
+    found = [one for part in lowered(component_class(name).kernel).parts for one in _of_file(part.path)]
     return sorted(found, key=lambda one: one.number)
 
 

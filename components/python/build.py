@@ -20,11 +20,12 @@ from ..lowering.errors import KernelError
 from ..lowering.lower import lower
 from ..lowering.source import parts_of
 from .archive import digest, documentation, repack
+from .component import class_in
 
 TOP = Path(__file__).parents[1]
 SHARED = (
     "errors.py", "lowering/__init__.py", "lowering/lowered.py", "python/__init__.py", "python/kernel_cache.py",
-    "python/kernels.py", "python/options.py", "python/slave.py", "python/state.py",
+    "python/kernels.py", "python/memory.py", "python/options.py", "python/slave.py", "python/state.py",
 )  # fmt: skip
 CARRIED_FOLDERS = ("declare", "library")
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
@@ -77,10 +78,7 @@ def carried(component: Path, work: Path, rows: int = 0) -> tuple[str, type[Any]]
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
     sys.path.insert(0, str(work))
-    model = importlib.import_module(f"{package}.{component.name}.fmu")
-    declared: type[Any] = next(
-        x for x in vars(model).values() if isinstance(x, type) and x.__module__ == model.__name__
-    )
+    declared = class_in(importlib.import_module(f"{package}.{component.name}.fmu"))
     taken = {v.name for v in declared.variables() if v.causality in ("parameter", "input")}
     for name in sorted(taken & {array.name for array in declared.arrays}):
         raise BuildError(f"{component.name}: '{name}' is a parameter or an input, and an array of the state or scratch")

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -21,6 +21,7 @@ from pythonfmu.enums import Fmi2Status
 from ..declare.interface import Array, Variable, parameter_variables
 from ..declare.model_description import model_description
 from .kernels import argument_names, compiled, entry, precompile
+from .memory import Memory, arguments_of, places_of
 from .options import ROWS
 from .state import State, from_bytes, to_bytes
 
@@ -68,21 +69,10 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.functions = compiled(self.kernel)
-        self.views: dict[str, np.ndarray] = {}
-        starts = [start for v in self.variables() for start in v.start]
-        self.values = np.array([*starts, 0.0, 0.0])  # behind the last variable: time and step size
-        self.cells: Any = memoryview(self.values)  # type: ignore[arg-type]  # shares memory; reads and writes plain floats
-        self.index: dict[str, int] = {"t": len(starts), "h": len(starts) + 1}
-        first = 0
-        for v in self.variables():
-            self.index[v.name] = first
-            self.views[v.name] = self.values[first : first + len(v.start)]
-            first += len(v.start)
-        first = self.index[self.outputs[0].name]
-        self.settable = range(sum(len(v.start) for v in parameter_variables(self.parameters)), first)  # the inputs
-        self.y = self.values[first : first + sum(len(v.start) for v in self.outputs)]
+        self.memory = Memory(self.variables(), self.outputs, self.arrays)
+        self.cells: Any = memoryview(self.memory.values)  # type: ignore[arg-type]  # shares it; plain floats
+        self.settable = range(sum(len(v.start) for v in parameter_variables(self.parameters)), self.memory.first_output)
         self.modelName = self.component_name()
-        self.store: dict[str, np.ndarray] = {}
         self.ready = False
         self.stale = False  # inputs were set since the outputs were computed
         self.phase = NEW
@@ -128,34 +118,37 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
 
     def refresh(self) -> None:
         """Derived tables, initial state and outputs from the present parameters and inputs."""
-        chosen = {}
+        chosen = {v.name: self.memory.value(v) for v in self.checked_parameters()}
+        self.memory.allocate(self.parameters(**chosen))
+        for stage in ("setup", "initialize", "outputs"):
+            if hasattr(self.functions, stage):
+                function, arguments, _ = self.bind(stage)
+                function(*arguments)
+        self.memory.show_rows()
+        texts, others = places_of(self.memory, argument_names(self.kernel, "step"))
+        self.step_function = entry(self.functions, "step", texts, ", ".join(["values", "block", *others]))
+        self.arguments = [self.memory.values, self.memory.block, *(self.memory.store[name] for name in others)]
+        if hasattr(self.functions, "outputs"):
+            self.outputs_bound = self.bind("outputs")
+        precompile(self.step_function, self.arguments)
+        self.ready = True
+
+    def checked_parameters(self) -> Iterator[Variable]:
+        """The parameters one by one. Raises ValueError where one is out of its range."""
         for v in parameter_variables(self.parameters):
-            values = self.views[v.name]
+            values = self.memory.views[v.name]
             if not np.all((values >= v.minimum) & (values <= v.maximum)):
                 shown, unit = values.tolist() if v.size else values[0], "" if v.unit == "1" else f" {v.unit}"
                 raise ValueError(
                     f"{self.instance_name}.{v.name} = {shown}{unit} is out of range: "
                     f"{v.minimum:g} to {v.maximum:g}{unit} are allowed"
                 )
-            chosen[v.name] = tuple(values.tolist()) if v.size else self.scalar(v)
-        parameters = self.parameters(**chosen)
-        self.store = {a.name: np.zeros(a.shape_for(parameters)) for a in self.arrays}
-        self.block = np.zeros(sum(a.shape for a in self.arrays if isinstance(a.shape, int)))
-        first = 0
-        for a in self.arrays:  # vectors of fixed size lie in one block
-            if isinstance(a.shape, int):
-                self.store[a.name] = self.block[first : first + a.shape]
-                first += a.shape
-        for stage in ("setup", "initialize", "outputs"):
-            if hasattr(self.functions, stage):
-                function, arguments, _ = self.bind(stage)
-                function(*arguments)
-        self.show_rows()
-        self.step_function, self.arguments = self.bind_step()
-        if hasattr(self.functions, "outputs"):
-            self.outputs_bound = self.bind("outputs")
-        precompile(self.step_function, self.arguments)
-        self.ready = True
+            yield v
+
+    def bind(self, name: str) -> tuple[Callable[..., None], list[Any], list[tuple[int, int]]]:
+        """A kernel function, its arguments, and (position, value reference) of those that change from call to call."""
+        arguments, dynamic = arguments_of(self.memory, argument_names(self.kernel, name))
+        return getattr(self.functions, name), arguments, dynamic
 
     def answer(self) -> None:
         """Outputs for inputs that were set between two steps: direct feedthrough."""
@@ -165,65 +158,6 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 arguments[position] = self.cells[vr]
             function(*arguments)
         self.stale = False
-
-    def show_rows(self) -> None:
-        """Copy the rows of arrays that this FMU shows to its outputs; rows that the array does not have stay 0."""
-        for array in self.arrays if ROWS else ():
-            for k, column in enumerate(array.columns):
-                rows = self.store[array.name][:ROWS, k]
-                self.views[column.name][: len(rows)] = rows
-
-    def scalar(self, variable: Variable) -> float | int | bool:
-        """The present value of a scalar variable in its own type."""
-        value = float(self.views[variable.name][0])
-        return bool(value) if variable.kind == "Boolean" else int(value) if variable.kind == "Integer" else value
-
-    def bind(self, name: str) -> tuple[Callable[..., None], list[Any], list[tuple[int, int]]]:
-        """A kernel function, its arguments found by name, and (position, value reference) of its scalar inputs."""
-        declared = {v.name: v for v in self.variables()}
-        arguments: list[Any] = []
-        dynamic = []
-        for position, argument in enumerate(argument_names(self.kernel, name)):
-            if argument in ("t", "h"):
-                arguments.append(float(self.cells[self.index[argument]]))
-                dynamic.append((position, self.index[argument]))
-            elif argument == "y":
-                arguments.append(self.y)
-            elif argument in self.store:
-                arguments.append(self.store[argument])
-            elif argument not in declared:
-                raise TypeError(f"{self.kernel.__name__}.{name}: argument '{argument}' is no variable of the interface")
-            elif declared[argument].size:
-                arguments.append(self.views[argument])
-            else:
-                arguments.append(self.scalar(declared[argument]))
-                if declared[argument].causality == "input":
-                    dynamic.append((position, self.index[argument]))
-        return getattr(self.functions, name), arguments, dynamic
-
-    def bind_step(self) -> tuple[Callable[..., None], list[Any]]:
-        """The kernel's step as a function of all values, the block of vectors and the other arrays."""
-        declared = {v.name: v for v in self.variables()}
-        fixed = [a for a in self.arrays if isinstance(a.shape, int)]
-        others = [a.name for a in self.arrays if not isinstance(a.shape, int)]
-        ends = np.cumsum([0, *(int(str(a.shape)) for a in fixed)]).tolist()
-        places = {a.name: f"lent(block[{begin}:{end}])" for a, begin, end in zip(fixed, ends, ends[1:], strict=False)}
-        first = self.index[self.outputs[0].name]
-        places |= {"y": f"lent(values[{first}:{first + len(self.y)}])"} | {name: f"lent({name})" for name in others}
-        texts = []
-        for name in argument_names(self.kernel, "step"):
-            at = self.index.get(name, 0)
-            if name in places or name in self.store:
-                texts.append(places.get(name, name))
-            elif name in ("t", "h") or (declared[name].kind == "Real" and not declared[name].size):
-                texts.append(f"values[{at}]")
-            elif declared[name].size:
-                texts.append(f"lent(values[{at}:{at + declared[name].size}])")
-            else:
-                texts.append(f"int(values[{at}])" if declared[name].kind == "Integer" else f"values[{at}] != 0.0")
-        used = [name for name in others if f"lent({name})" in texts]
-        function = entry(self.functions, "step", texts, ", ".join(["values", "block", *used]))
-        return function, [self.values, self.block, *(self.store[name] for name in used)]
 
     def setup_experiment(self, start_time: float, stop_time: float | None, tolerance: float | None) -> None:
         self.cells[-2] = start_time  # outputs at the start may depend on it
@@ -261,7 +195,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             cells[-2] = current_time + step_size
             self.stale = False
             if ROWS:
-                self.show_rows()
+                self.memory.show_rows()
             return True
         except Exception:
             self.report(f"do_step at t = {current_time!r} s with h = {step_size!r} s")
@@ -286,20 +220,20 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     def _get_fmu_state(self) -> State:
         if self.stale:
             self.guarded(self.answer)
-        kept = {a.name: self.store[a.name].copy() for a in self.arrays if not a.scratch and self.ready}
-        return State(self.values.copy(), kept, self.ready, self.phase)
+        kept = {a.name: self.memory.store[a.name].copy() for a in self.arrays if not a.scratch and self.ready}
+        return State(self.memory.values.copy(), kept, self.ready, self.phase)
 
     def _set_fmu_state(self, state: State) -> None:
         parameters = slice(self.settable.start)
-        bound = self.ready and np.array_equal(self.values[parameters], state.values[parameters])
-        self.values[:] = state.values
+        bound = self.ready and np.array_equal(self.memory.values[parameters], state.values[parameters])
+        self.memory.values[:] = state.values
         self.ready, self.phase, self.stale = state.ready, state.phase, False
         if self.ready:
             if not bound:
                 self.refresh()  # allocates for the saved parameters and binds them
             for name, array in state.arrays.items():
-                self.store[name][...] = array.reshape(self.store[name].shape)
-            self.values[:] = state.values
+                self.memory.store[name][...] = array.reshape(self.memory.store[name].shape)
+            self.memory.values[:] = state.values
 
     @staticmethod
     def _fmu_state_to_bytes(state: State) -> bytes:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
 import time
 from collections.abc import Mapping
 from typing import Any
 
 import numba
 
-from .slave import ComponentSlave
+from .component import component_class
 
 
 @numba.njit
@@ -23,10 +22,7 @@ def seconds_per_step(name: str, values: Mapping[str, Any], period: float, steps:
 
     `values`: parameters and inputs by the names of FMI 2.0 scalars; others keep their start values.
     """
-    module = importlib.import_module(f"{__package__.rpartition('.')[0]}.{name}.fmu")
-    declared: type[ComponentSlave] = next(
-        x for x in vars(module).values() if isinstance(x, type) and x.__module__ == module.__name__
-    )
+    declared = component_class(name)
     component = declared(instance_name=name)
     places = [element for v in declared.variables() for element in v.element_names]
     component.set_real([places.index(key) for key in values], [float(value) for value in values.values()])

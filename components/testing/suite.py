@@ -52,69 +52,77 @@ def suite(component: type[ComponentSlave], essential: str, excitation: Excitatio
     """The tests that the modules hold, and those that every component must pass, in the order of the text."""
     own = [f for module in modules for key, f in vars(module).items() if key.startswith("test_")]
     interface = component.variables()
-    chosen = (*own, *tests_of_all(interface, excitation))
+    chosen = (*own, *CommonTests(interface, excitation).tests())
     return Suite(component.component_name(), interface, tuple(essential.split()), chosen)
 
 
-def tests_of_all(interface: tuple[Variable, ...], excitation: Excitation) -> tuple[Test, ...]:
-    """The tests, for one interface and one way to excite it."""
-    outputs = [v.name for v in interface if v.causality == "output"]
+@dataclass(frozen=True)
+class CommonTests:
+    """The tests that every component must pass, for one interface and one way to excite it."""
 
-    def seen_by(unit: Unit) -> list[str]:
-        return [name for name in outputs if unit.supports(name)]
+    interface: tuple[Variable, ...]
+    excitation: Excitation
 
-    def first(unit: Unit) -> Running:
-        return unit.new(excitation.at(unit, interface, 0), **where_known(unit, **excitation.parameters))
+    def seen_by(self, unit: Unit) -> list[str]:
+        """The outputs that the unit has."""
+        return [v.name for v in self.interface if v.causality == "output" and unit.supports(v.name)]
 
-    def advance(unit: Unit, running: Running, begin: int, end: int) -> np.ndarray:
+    def first(self, unit: Unit) -> Running:
+        """An instance with the excitation's parameters and its first inputs."""
+        inputs = self.excitation.at(unit, self.interface, 0)
+        return unit.new(inputs, **where_known(unit, **self.excitation.parameters))
+
+    def advance(self, unit: Unit, running: Running, begin: int, end: int) -> np.ndarray:
         """The outputs after the steps begin .. end-1, a row each."""
         rows = []
         for k in range(begin, end):
-            running.set(**excitation.at(unit, interface, k))
-            running.step(excitation.h)
-            rows.append(read(running, *seen_by(unit)))
+            running.set(**self.excitation.at(unit, self.interface, k))
+            running.step(self.excitation.h)
+            rows.append(read(running, *self.seen_by(unit)))
         return np.array(rows)
 
-    half, end = excitation.steps // 2, excitation.steps
-
-    def test_outputs_stay_finite(unit: Unit) -> None:
+    def test_outputs_stay_finite(self, unit: Unit) -> None:
         """Changing inputs give finite outputs."""
-        rows = advance(unit, first(unit), 0, end)
+        rows = self.advance(unit, self.first(unit), 0, self.excitation.steps)
         broken = [k for k in range(rows.shape[1]) if not np.all(np.isfinite(rows[:, k]))]
         holds(not broken, f"{len(broken)} of {rows.shape[1]} outputs are not finite")
 
-    def test_same_inputs_give_the_same_bits(unit: Unit) -> None:
+    def test_same_inputs_give_the_same_bits(self, unit: Unit) -> None:
         """Two instances with the same inputs agree to the last bit, although they run in turns."""
-        one, other = first(unit), first(unit)
-        for begin in range(0, end, half):
-            same("outputs of the second instance", advance(unit, other, begin, begin + half),
-                 advance(unit, one, begin, begin + half))  # fmt: skip
+        one, other = self.first(unit), self.first(unit)
+        half = self.excitation.steps // 2
+        for begin in range(0, self.excitation.steps, half):
+            same("outputs of the second instance", self.advance(unit, other, begin, begin + half),
+                 self.advance(unit, one, begin, begin + half))  # fmt: skip
 
-    def test_restored_state_continues_with_the_same_bits(unit: Unit) -> None:
+    def test_restored_state_continues_with_the_same_bits(self, unit: Unit) -> None:
         """An instance whose state is saved, run on and restored repeats its steps to the last bit."""
-        running = first(unit)
-        advance(unit, running, 0, half)
+        running, half = self.first(unit), self.excitation.steps // 2
+        self.advance(unit, running, 0, half)
         state = running.save()
-        expected = advance(unit, running, half, end)
+        expected = self.advance(unit, running, half, self.excitation.steps)
         running.restore(state)
-        same("outputs after the state was restored", advance(unit, running, half, end), expected)
+        seen = self.advance(unit, running, half, self.excitation.steps)
+        same("outputs after the state was restored", seen, expected)
 
-    def test_parameters_left_alone_have_their_stated_values(unit: Unit) -> None:
+    def test_parameters_left_alone_have_their_stated_values(self, unit: Unit) -> None:
         """Setting every parameter to the value that the unit states for it changes no output."""
-        known = [v.name for v in interface if v.causality == "parameter" and unit.supports(v.name)]
+        known = [v.name for v in self.interface if v.causality == "parameter" and unit.supports(v.name)]
         stated = {name: unit.parameter(name) for name in known}
-        inputs = excitation.at(unit, interface, 0)
+        inputs = self.excitation.at(unit, self.interface, 0)
         left, set_to = unit.new(inputs), unit.new(inputs, **stated)
         for _ in range(5):
-            left.step(excitation.h)
-            set_to.step(excitation.h)
-        names = seen_by(unit)
+            left.step(self.excitation.h)
+            set_to.step(self.excitation.h)
+        names = self.seen_by(unit)
         # Written and read as text with all digits, but a unit conversion may round once.
         close(unit, "outputs with the parameters set", read(set_to, *names), read(left, *names), 1e-12)
 
-    return (
-        test_outputs_stay_finite,
-        test_same_inputs_give_the_same_bits,
-        test_restored_state_continues_with_the_same_bits,
-        test_parameters_left_alone_have_their_stated_values,
-    )
+    def tests(self) -> tuple[Test, ...]:
+        """All of them, in the order of the text."""
+        return (
+            self.test_outputs_stay_finite,
+            self.test_same_inputs_give_the_same_bits,
+            self.test_restored_state_continues_with_the_same_bits,
+            self.test_parameters_left_alone_have_their_stated_values,
+        )

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import atexit
 import dataclasses
-import importlib
 import inspect
 import shutil
 import tempfile
@@ -21,6 +20,7 @@ from pyccel import epyccel
 from rovbrush.components.declare.interface import Variable, parameter_variables
 from rovbrush.components.declare.record import cells_name, fields_of, over
 from rovbrush.components.lowering.source import is_record
+from rovbrush.components.python.component import component_class as component
 from rovbrush.components.python.kernels import argument_names, compiled, joined_source
 from rovbrush.components.python.slave import ComponentSlave
 
@@ -43,13 +43,6 @@ class Case:
 
     def __str__(self) -> str:
         return f"{self.name}-{self.variant}"
-
-
-def component(name: str) -> type[ComponentSlave]:
-    """The component class declared in `rovbrush.components.<name>.fmu`."""
-    module = importlib.import_module(f"rovbrush.components.{name}.fmu")
-    classes = [c for c in vars(module).values() if inspect.isclass(c) and issubclass(c, ComponentSlave)]
-    return next(c for c in classes if c is not ComponentSlave)
 
 
 @cache

@@ -11,8 +11,9 @@ import fmpy
 import pytest
 from helpers import ROOT
 from rovbrush.components.build import COMPONENTS
-from rovbrush.components.describe.tables import BEGIN, README, declared, described, main, section
+from rovbrush.components.describe.tables import BEGIN, README, described, main, section
 from rovbrush.components.errors import BuildError
+from rovbrush.components.python.component import component_class
 from rovbrush.orchestrator.clock import duration
 
 SYSTEMS = ROOT / "orchestrator" / "systems"
@@ -79,7 +80,7 @@ def test_every_component_has_the_step_of_the_shipped_systems() -> None:
     assert list(steps) == list(COMPONENTS)
     assert all(step in known[name] for name, step in steps.items())
     assert {name: float(duration(step, name)) for name, step in steps.items()} == {
-        name: declared(name).default_step for name in COMPONENTS
+        name: component_class(name).default_step for name in COMPONENTS
     }  # which is what the FMU suggests to a host
 
 

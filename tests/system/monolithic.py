@@ -10,8 +10,6 @@ every filament, then x (18) and thrust_state (8) of the vehicle. The water is at
 
 from __future__ import annotations
 
-import importlib
-import inspect
 from collections import namedtuple
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,8 +17,8 @@ from typing import Any
 
 import numpy as np
 from numba import njit
+from rovbrush.components.python.component import component_class
 from rovbrush.components.python.kernels import argument_names, compiled
-from rovbrush.components.python.slave import ComponentSlave
 from rovbrush.orchestrator.system.model import Component, System
 from scipy.integrate import solve_ivp
 
@@ -33,10 +31,7 @@ class Part:
     """A component's kernel with the values that its FMU has in a system, arguments bound by name."""
 
     def __init__(self, component: Component) -> None:
-        module = importlib.import_module(f"rovbrush.components.{component.fmu.path.stem}.fmu")
-        declared: type[ComponentSlave] = next(
-            c for c in vars(module).values() if inspect.isclass(c) and c.__module__ == module.__name__
-        )
+        declared = component_class(component.fmu.path.stem)
         self.functions = compiled(declared.kernel)
         self.kernel = declared.kernel
         numbers = {name: v.start for name, v in component.fmu.variables.items()}

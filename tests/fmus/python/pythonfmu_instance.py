@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -58,8 +57,3 @@ def bounded(variable: Any, value: float) -> float:
 def declared(path: Path) -> etree._Element:
     with zipfile.ZipFile(path) as archive:
         return etree.fromstring(archive.read("modelDescription.xml"))
-
-
-def component_class(name: str) -> Any:
-    module = importlib.import_module(f"rovbrush.components.{name}.fmu")
-    return next(c for c in vars(module).values() if isinstance(c, type) and c.__module__ == module.__name__)

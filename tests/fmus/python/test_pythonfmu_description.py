@@ -10,8 +10,9 @@ import numpy as np
 import pint
 import pytest
 from fmpy.validation import validate_fmu
-from pythonfmu_instance import H, bounded, component_class, declared, every_component
+from pythonfmu_instance import H, bounded, declared, every_component
 from rovbrush.components.declare.interface import Variable
+from rovbrush.components.python.component import component_class
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.here.fmi2 import Fmi2Instance as Instance
 from rovbrush.orchestrator.units import parse_unit
@@ -145,7 +146,7 @@ def test_outputs_answer_at_once_only_to_declared_inputs(name: str) -> None:
     component = component_class(name)
     slave = component(instance_name="direct")
     for v in component.inputs:
-        slave.views[v.name][:] = np.clip(0.01, v.minimum, v.maximum)
+        slave.memory.views[v.name][:] = np.clip(0.01, v.minimum, v.maximum)
     slave.enter_initialization_mode()
     slave.exit_initialization_mode()
     assert all(slave.do_step(k * H, H) for k in range(40))
@@ -153,16 +154,16 @@ def test_outputs_answer_at_once_only_to_declared_inputs(name: str) -> None:
     def values() -> np.ndarray:
         function, arguments, _ = slave.bind("outputs")
         function(*arguments)
-        return slave.y.copy()
+        return slave.memory.y.copy()
 
     owner = [v for v in component.outputs for _ in v.element_names]
     before = values()
     for changed in component.inputs:
         for k in range(len(changed.start)):
-            kept = slave.views[changed.name][k]
-            slave.views[changed.name][k] = np.clip(0.013, changed.minimum, changed.maximum)
+            kept = slave.memory.views[changed.name][k]
+            slave.memory.views[changed.name][k] = np.clip(0.013, changed.minimum, changed.maximum)
             moved = {owner[j].name for j in np.flatnonzero(values() != before)}
-            slave.views[changed.name][k] = kept
+            slave.memory.views[changed.name][k] = kept
             assert moved <= {v.name for v in component.outputs if changed.name in v.depends}, changed.name
 
 

@@ -1,0 +1,112 @@
+"""All numbers of an instance: one vector for the variables, the arrays of the state and of scratch, found by name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..declare.interface import Array, Variable
+from .options import ROWS
+
+
+class Memory:
+    """`values`: one float64 per FMI scalar, by value reference; behind the last one time and step size.
+
+    `index`: where a variable begins in it, `t` and `h` too. `y`: the outputs. `store`: the arrays, by name; those of
+    fixed size lie one behind the other in `block`.
+    """
+
+    def __init__(self, variables: Sequence[Variable], outputs: Sequence[Variable], arrays: Sequence[Array]) -> None:
+        self.variables = {v.name: v for v in variables}
+        self.arrays = arrays
+        starts = [start for v in variables for start in v.start]
+        self.values = np.array([*starts, 0.0, 0.0])
+        self.index: dict[str, int] = {"t": len(starts), "h": len(starts) + 1}
+        self.views: dict[str, np.ndarray] = {}
+        first = 0
+        for v in variables:
+            self.index[v.name] = first
+            self.views[v.name] = self.values[first : first + len(v.start)]
+            first += len(v.start)
+        self.first_output = self.index[outputs[0].name]
+        self.y = self.values[self.first_output : self.first_output + sum(len(v.start) for v in outputs)]
+        self.store: dict[str, np.ndarray] = {}
+        self.block = np.zeros(0)
+
+    def value(self, variable: Variable) -> Any:
+        """The present value of a variable in its own type: a number, or a tuple of them."""
+        values = self.views[variable.name]
+        if variable.size:
+            return tuple(values.tolist())
+        value = float(values[0])
+        return bool(value) if variable.kind == "Boolean" else int(value) if variable.kind == "Integer" else value
+
+    def allocate(self, parameters: Any) -> None:
+        """Make the arrays anew, all zero, in the shapes that these parameters ask for."""
+        self.store = {a.name: np.zeros(a.shape_for(parameters)) for a in self.arrays}
+        fixed = [a for a in self.arrays if isinstance(a.shape, int)]
+        self.block = np.zeros(sum(self.store[a.name].size for a in fixed))
+        first = 0
+        for a in fixed:
+            size = self.store[a.name].size
+            self.store[a.name] = self.block[first : first + size]
+            first += size
+
+    def show_rows(self) -> None:
+        """Copy the rows of arrays that this FMU shows to its outputs; rows that the array does not have stay 0."""
+        for array in self.arrays if ROWS else ():
+            for k, column in enumerate(array.columns):
+                rows = self.store[array.name][:ROWS, k]
+                self.views[column.name][: len(rows)] = rows
+
+
+def arguments_of(memory: Memory, names: Sequence[str]) -> tuple[list[Any], list[tuple[int, int]]]:
+    """What a kernel function is called with, found by name; and position and value reference of each scalar of it that
+    changes from call to call. Raises TypeError for a name that the interface does not have."""
+    arguments: list[Any] = []
+    dynamic = []
+    for position, name in enumerate(names):
+        if name in ("t", "h"):
+            arguments.append(float(memory.values[memory.index[name]]))
+            dynamic.append((position, memory.index[name]))
+        elif name == "y":
+            arguments.append(memory.y)
+        elif name in memory.store:
+            arguments.append(memory.store[name])
+        elif name not in memory.variables:
+            raise TypeError(f"argument '{name}' of a kernel function is no variable of the interface")
+        elif memory.variables[name].size:
+            arguments.append(memory.views[name])
+        else:
+            arguments.append(memory.value(memory.variables[name]))
+            if memory.variables[name].causality == "input":
+                dynamic.append((position, memory.index[name]))
+    return arguments, dynamic
+
+
+def places_of(memory: Memory, names: Sequence[str]) -> tuple[list[str], list[Any]]:
+    """Each argument of a kernel function as an expression over `values`, `block` and the other arrays that it needs;
+    the names of these arrays, which do not lie in the block."""
+    places, first = {}, 0
+    for array in memory.arrays:
+        if isinstance(array.shape, int):
+            places[array.name] = f"lent(block[{first}:{first + array.shape}])"
+            first += array.shape
+        else:
+            places[array.name] = f"lent({array.name})"
+    begin = memory.first_output
+    places["y"] = f"lent(values[{begin}:{begin + len(memory.y)}])"
+    places |= {name: f"values[{memory.index[name]}]" for name in ("t", "h")}
+    texts = [places[name] if name in places else _place(memory, name) for name in names]
+    others = [a.name for a in memory.arrays if not isinstance(a.shape, int) and a.name in names]
+    return texts, others
+
+
+def _place(memory: Memory, name: str) -> str:
+    variable, at = memory.variables[name], memory.index[name]
+    if variable.size:
+        return f"lent(values[{at}:{at + variable.size}])"
+    cell = f"values[{at}]"
+    return f"int({cell})" if variable.kind == "Integer" else f"{cell} != 0.0" if variable.kind == "Boolean" else cell
