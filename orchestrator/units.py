@@ -139,6 +139,26 @@ def conversion(source: Unit | str | None, target: Unit | str | None, label: str)
     return gain, 0.0 if a.relative else offset
 
 
+def integral_gain(counter: Unit | None, value: Unit | None, label: str) -> float:
+    """What a value is, in its unit, whose time integral rises by 1 of the counter's unit in a second.
+
+    A side without a unit is taken to fit. Raises InputError where the counter's unit is not that of the value times s.
+    """
+    if counter is None or value is None:
+        return 1.0
+    try:
+        x, y = _meant(counter), _meant(value)
+    except InputError as error:
+        raise InputError(f"{label}: {error}") from None
+    per_second = [exponent - (k == TIME) for k, exponent in enumerate(x.exponents)]
+    turns = y.frequency and _angle(counter, x) != _angle(value, y)
+    if per_second[:ANGLE] != list(y.exponents[:ANGLE]) or turns:
+        raise InputError(f"{label}: the units do not fit: {counter} is not that of {value} integrated over s")
+    if y.offset and not value.relative:
+        raise InputError(f"{label}: {value} has a zero point of its own, so its time integral has no unit")
+    return x.factor / y.factor
+
+
 def left_open(unit: Unit, said: Unit) -> bool:
     """Whether `said` may say what `unit` means: nobody knows that, or it is per time and says not what it counts."""
     try:

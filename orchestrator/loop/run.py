@@ -103,6 +103,7 @@ from .operations import (
     REPEAT,
     RESTORE,
     REWIND,
+    RISE,
     SAMPLE,
     SAVE,
     SERIES,
@@ -213,6 +214,8 @@ def run(
                 z[b] = coefficients[k] * (z[a] + coefficients[k + 2] * (z[a] - z[p])) + coefficients[k + 1]
             elif code == ACCUMULATE:
                 z[b] += coefficients[k] * (z[p] + z[a])
+            elif code == RISE:
+                z[b] += coefficients[k] * (z[a] - z[p])
             elif code == MEAN:
                 tail = coefficients[k + 2] * z[a] + coefficients[k + 3] * z[p]
                 z[b] = coefficients[k] * (z[q] + tail) + coefficients[k + 1]

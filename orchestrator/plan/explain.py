@@ -68,7 +68,8 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         changes = [words] if (words := plan.conversions[connection].words) else []
         if (connection.gain, connection.offset) != (1.0, 0.0):
             changes.append(f"{connection.gain:g} x + {connection.offset:g}")
-        converted = f"; converted: {', '.join(changes)}" if changes else ""
+        converted = f"; exactly, by the rise of {'.'.join(connection.counted)}" if connection.counted else ""
+        converted += f"; converted: {', '.join(changes)}" if changes else ""
         lines.append(f"  {connection.label:<46} {choice.transfer:<11} {choice.reason}{converted}")
     lines += [f"  {line}" for line in (chosen(plan), *held_now(plan), *aliased(plan)) if line]
     tables = series_in_words(system)

@@ -121,10 +121,17 @@ class Connection:
     offset: float = 0.0
     where: str = ""
     rounded: bool = False  # "round": the nearest value of the input's type
+    counter: str = ""  # an output of the source's component whose rise is the time integral of the source exactly
+    per_second: float = 1.0  # of the source, where the counter rises by 1 in a second
 
     @property
     def label(self) -> str:
         return f"{'.'.join(self.source)} -> {'.'.join(self.target)}"
+
+    @property
+    def counted(self) -> tuple[str, str] | None:
+        """The counter that gives the mean, with its component."""
+        return (self.source[0], self.counter) if self.counter else None
 
 
 @dataclass(frozen=True)

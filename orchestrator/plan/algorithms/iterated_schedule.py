@@ -139,9 +139,13 @@ class IteratedSchedule(Schedule):
                 image = self.images[c.target, j]
                 kept = 1.0 if image in self.begun else 0.0
                 self.begun.add(image)
-                weights = (kept, c.gain * late, c.gain * early, 0.0 if kept else c.offset)
                 a = self.layout.outputs[c.source]
                 p = a if transfer == "end" else self.layout.start(c.source)
+                if c.counted:  # its rise, in proportion
+                    a, p = self.layout.outputs[c.counted], self.layout.counted_from(c.counted)
+                    late = c.per_second * (late + early) / float(self.clock.seconds(tick - start))
+                    early = -late
+                weights = (kept, c.gain * late, c.gain * early, 0.0 if kept else c.offset)
                 yield (MIX, tick, self.index[c.target[0]], a, image, p, 0, self.constants.at(*weights))
 
 

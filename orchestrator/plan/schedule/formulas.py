@@ -12,6 +12,8 @@ the mean of the true signal over the target's step.
                                                          O(h^2 + H^2), and nothing is extrapolated
     mean         (1/H) integral of f from t to t + H     O(h^2): the average of a faster source, trapezoidal rule; what
                  one average extrapolates beyond s is taken back from the next, so no impulse is made or lost
+    mean of J    (J(t + H) - J(t))/H                     exact, where an output J rises by the integral of f; beyond s
+                 as above
 """
 
 from __future__ import annotations
@@ -30,6 +32,7 @@ HISTORY = {
     "end on line": 1,
 }  # earlier samples that a transfer needs
 ITERATED = ("iterated", "end", "end on line")  # the mean of both ends of the step, or the value at its end
+COUNTED = ("mean", "iterated")  # transfers that can be exact by a counter of the integral of f
 BOTH_ENDS = ("mean", "iterated", "end on line")  # transfers that need the source at the beginning of its step too
 CHANGING = (
     "linear",

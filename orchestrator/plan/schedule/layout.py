@@ -18,7 +18,7 @@ from ...system.event import broken_inputs, set_inputs, watched
 from ...system.file.recorded import Recorded
 from ...system.model import Bond, Connection, System
 from ...system.replace.view import crossings_of
-from .formulas import HISTORY, Choice
+from .formulas import COUNTED, HISTORY, Choice
 
 Key = tuple[str, str]  # component, variable
 
@@ -85,6 +85,10 @@ class Layout:
         memory[[first + COLUMN for first in self.loops]] = -1.0
         return memory
 
+    def counted_from(self, key: Key) -> int:
+        """The slot of a counter's value at the beginning of the step, or of the part of one, that was done last."""
+        return self.parts.get(key, self.previous[key])
+
     def start(self, key: Key) -> int:
         """The slot of an output's value at the beginning of the step that was done last."""
         return self.begins.get(key, self.parts.get(key, self.previous[key]))
@@ -126,7 +130,8 @@ def make_layout(
     Of an FMI 3 array all elements have a cell where one has: they are set and got together.
     """
     layout, recorded = Layout(), Recorded(system.record)
-    used = {c.source for c in system.connections} | {key for bond in system.bonds for key in _owns(bond)}
+    used = {c.source for c in system.connections} | {c.counted for c in system.connections if c.counted}
+    used |= {key for bond in system.bonds for key in _owns(bond)}
     driven = {c.target for c in system.connections}
     driven |= {(name, variable) for name, c in system.components.items() for variable in c.series}
     driven |= set(changed := set_inputs(system.events))
@@ -151,6 +156,7 @@ def make_layout(
     histories = [(c.source, HISTORY.get(choice.transfer, 0)) for c, choice in choices.items()]
     leading = _leading(choices)
     histories += [(c.source, 1) for c in choices if c.source[0] in leading]
+    histories += [(c.counted, 1) for c, choice in choices.items() if c.counted and choice.transfer in COUNTED]
     for key, samples in [*histories, *((key, 1) for bond in system.bonds for key in _owns(bond))]:
         if samples > 0:
             layout.add(layout.previous, key)

@@ -35,6 +35,7 @@ from ...loop.operations import (
     REPEAT,
     RESTORE,
     REWIND,
+    RISE,
     SAMPLE,
     SAVE,
     SERIES,
@@ -160,6 +161,8 @@ class OperationText:
             return f"{s[b]} = {s[a]}"
         if code == ACCUMULATE:
             return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]})"
+        if code == RISE:
+            return f"{s[b]} += {c[k]:g} ({s[a]} - {s[p]})"
         if code == ACCUMULATE_ON:
             return f"{s[b]} += {c[k]:g} ({s[p]} + {s[a]}) times the step"
         if code == WORK_ON:

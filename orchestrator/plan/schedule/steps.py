@@ -13,6 +13,7 @@ from ...loop.operations import (
     MIX,
     PAUSE,
     PUSH,
+    RISE,
     STEP,
     STEP_ON,
     WATCH,
@@ -77,20 +78,28 @@ class Steps(Values):
         if name in self.outputs:
             yield from self.get(tick, name, AT_ITS_END)
         for c in self.averaged.get(name, []):
-            within = tick if start == tick else tick - 1  # of that step of the target
-            whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))
-            a, p, b = layout.outputs[c.source], layout.start(c.source), layout.integrals[c.target]
-            if not self.design.events:
-                weight = self.constants.at(self.ticks(name, start) / (2 * whole))
-                yield (ACCUMULATE, tick, component, a, b, p, 0, weight)
-                continue
-            each = self.constants.at(1 / (2 * float(self.clock.seconds(whole))))
-            parts = layout.part_integrals[c.target]
-            yield (ACCUMULATE_ON, tick, component, a, parts, p, 0, each)
-            if not part:
-                yield (MIX, tick, component, parts, b, parts, 0, self.constants.at(1.0, 1.0, 0.0, 0.0))
-                yield (COPY, tick, component, parts, parts, 0, 0, self.constants.at(0.0, 0.0))
+            yield from self._average(c, tick, start, part)
         yield from self.works(tick, name, start)
+
+    def _average(self, c: Connection, tick: int, start: int, part: bool) -> Iterator[Row]:
+        """What the step of its source from `start`, or a part of it, adds to the integral of which a mean is made."""
+        name, layout = c.source[0], self.layout
+        within = tick if start == tick else tick - 1  # of that step of the target
+        whole = self.ticks(c.target[0], self.begin_of(c.target[0], within))
+        seconds, integral = float(self.clock.seconds(whole)), layout.integrals[c.target]
+        cell = layout.part_integrals.get(c.target, integral)
+        a, p = layout.outputs[c.source], layout.start(c.source)
+        if c.counted:
+            code, weight = RISE, c.per_second / seconds
+            a, p = layout.outputs[c.counted], layout.counted_from(c.counted)
+        elif self.design.events:
+            code, weight = ACCUMULATE_ON, 1 / (2 * seconds)
+        else:
+            code, weight = ACCUMULATE, self.ticks(name, start) / (2 * whole)
+        yield (code, tick, self.index[name], a, cell, p, 0, self.constants.at(weight))
+        if self.design.events and not part:
+            yield (MIX, tick, self.index[name], cell, integral, cell, 0, self.constants.at(1.0, 1.0, 0.0, 0.0))
+            yield (COPY, tick, self.index[name], cell, cell, 0, 0, self.constants.at(0.0, 0.0))
 
     def prepare(self, tick: int, name: str, start: int) -> Iterator[Row]:
         """Set the inputs of the step from `start`."""
@@ -134,7 +143,7 @@ class Steps(Values):
             if not side.counter:
                 weights = (side.sign / 2, side.sign / 2, self.duration(name, start))
             a = self.layout.outputs[side.own]
-            p = self.layout.previous[side.own] if side.counter else self.layout.start(side.own)
+            p = self.layout.counted_from(side.own) if side.counter else self.layout.start(side.own)
             if self.design.events and not side.counter:
                 yield (WORK_ON, tick, self.index[name], a, side.work, p, side.held, self.constants.at(*weights))
             else:

@@ -9,6 +9,7 @@ from typing import Any
 
 from ...fmu.reading.structure import STRUCTURAL
 from ...system.inputs.series import manifest_of
+from ...system.model import Connection
 from ..tables import Run
 
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")
@@ -36,11 +37,16 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
         "complete": not run.failure,
         **({"ended": run.ended} if run.ended else {}),
         "components": components, "calculated": run.calculated,
-        "connections": [{"connection": c.label, "transfer": run.plan.choices[c].transfer} for c in system.connections],
+        "connections": [_connection(run, c) for c in system.connections],
         "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},
         "platform": f"{platform.system()} {platform.machine()}",
         "files": list(files),
     }  # fmt: skip
+
+
+def _connection(run: Run, c: Connection) -> dict[str, Any]:
+    counter = {"counter": ".".join(c.counted)} if c.counted else {}
+    return {"connection": c.label, "transfer": run.plan.choices[c].transfer} | counter
 
 
 def plain_value(value: Any) -> Any:

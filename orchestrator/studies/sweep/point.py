@@ -137,7 +137,7 @@ def digest(system: System) -> str:
         ]
         for name, c in system.components.items()
     }
-    wiring = [[c.label, c.transfer, c.gain, c.offset] for c in system.connections]
+    wiring = [[c.label, c.transfer, c.gain, c.offset, *([c.counter] if c.counter else [])] for c in system.connections]
     wiring += [[c.label] for c in system.clock_connections]
     coupling = [system.algorithm, system.order, astuple(algorithm_of(system).settings), system.choices]
     bonds = [astuple(bond) for bond in system.bonds]

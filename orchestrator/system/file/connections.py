@@ -14,10 +14,13 @@ from ...units import conversion
 from ..model import Component, Connection
 from ..schema.system import TRANSFERS
 from .clock_links import clock_connection
+from .counters import counters_of
 from .link import ROUND, Link
 from .terminals import links_of_terminals
 
 ANYTHING = "application/octet-stream"  # the kind of bytes that state none
+OF = re.compile(r"mean\s+of\s+(\S.*)")
+WORDS = r"\w+(?:\s*,\s*\w+)?|mean\s+of\s+\S.*"  # in brackets behind a connection
 
 
 def connections_of(file: TomlFile, components: dict[str, Component], entry: object) -> list[Connection]:
@@ -26,7 +29,10 @@ def connections_of(file: TomlFile, components: dict[str, Component], entry: obje
     if isinstance(entry, Link):
         return _of_variables(components, entry, entry.where or file.at(str(entry)))
     link, where = _parsed(file, components, entry), file.at(str(entry))
-    links = links_of_terminals(components, link, where) or [link]
+    links = links_of_terminals(components, link, where)
+    if links and link.counter:
+        raise InputError(f"connection {link}: mean of {link.counter} is of one output, not of a terminal {where}")
+    links = links or [link]
     return [connection for one in links for connection in _of_variables(components, one, one.where or where)]
 
 
@@ -54,7 +60,8 @@ def _of_variables(components: dict[str, Component], link: Link, where: str) -> l
     if len(ends[0]) != len(ends[1]):
         raise InputError(f"{label}: {len(ends[0])} elements cannot drive {len(ends[1])} {where}")
     found = []
-    for a, b in zip(*ends, strict=True):
+    counters = counters_of(components, link, ends[0], where)
+    for a, b, (counter, per_second) in zip(*ends, counters, strict=True):
         rounded = _loses(components, (source, a), (target, b), link, where)
         units = components[source].fmu.unit(a), components[target].fmu.unit(b)
         try:
@@ -66,21 +73,22 @@ def _of_variables(components: dict[str, Component], link: Link, where: str) -> l
         if (gain, offset) != (1.0, 0.0) and not real:
             kind = components[target].fmu.variables[b].type
             raise InputError(f"{label}: a {kind} is not transformed, by {gain:g} x + {offset:g}; remove that {where}")
-        found.append(Connection((source, a), (target, b), transfer, gain, offset, where, rounded))
+        by = (counter, per_second)
+        found.append(Connection((source, a), (target, b), transfer, gain, offset, where, rounded, *by))
     return found
 
 
 def _parsed(file: TomlFile, components: Mapping[str, Component], entry: object) -> Link:
     """The ends of a connection: names that the FMUs have, whatever characters are in them."""
     text = str(entry).strip()
-    match = re.fullmatch(r"(.*\S)\s+\((\w+(?:\s*,\s*\w+)?)\)", text)
+    match = re.fullmatch(rf"(.*\S)\s+\(({WORDS})\)", text)
     for whole, words in ((text, ""), *([(match[1], match[2])] if match else [])):
         for arrow in re.finditer("->", whole):
             ends = [part.strip().partition(".") for part in (whole[: arrow.start()], whole[arrow.end() :])]
             (source, _, output), (target, _, input_) = ends
             if _is(components, source, output, "output") and _is(components, target, input_, "input"):
                 return _worded(Link(source, output, target, input_), words)
-    match = re.fullmatch(r"(\w+)\.(.+?)\s*->\s*(\w+)\.(.+?)(?:\s+\((\w[^()]*)\))?", text)
+    match = re.fullmatch(r"(\w+)\.(.+?)\s*->\s*(\w+)\.(.+?)(?:\s+\((mean\s+of\s+.+|\w[^()]*)\))?", text)
     if match is None:
         raise file.fail(
             f'connection {entry!r} is not of the form "a.output -> b.input" or "a.output -> b.input (mean)"', str(entry)
@@ -90,7 +98,9 @@ def _parsed(file: TomlFile, components: Mapping[str, Component], entry: object) 
 
 
 def _worded(link: Link, words: str) -> Link:
-    """With what stands in brackets behind it: a transfer, `round`, or both."""
+    """With what stands in brackets behind it: a transfer, `round`, or both; or `mean of` a counter."""
+    if of := OF.fullmatch(words):
+        return replace(link, transfer="mean", counter=of[1])
     said = [word.strip() for word in words.split(",")] if words else []
     others = [word for word in said if word != ROUND]
     return replace(link, transfer=", ".join(others), rounded=ROUND in said)

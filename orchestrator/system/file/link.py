@@ -21,6 +21,7 @@ class Link:
     where: str = ""
     rounded: bool = False
     sign: float = 1.0  # -1: of flows that both ends count inwards, or both outwards
+    counter: str = ""  # of `mean of a.counter`, with its component
 
     def __str__(self) -> str:
         return f"{self.source}.{self.output} -> {self.target}.{self.input_}"

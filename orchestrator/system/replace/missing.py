@@ -73,9 +73,9 @@ def leave_out(system: System, before: Component, missing: Missing) -> Left:
             texts = ", ".join(f"{v} = {values[v]}" for v in lost)
             notes.append(f"{missing.label} has no such {causality}, its value is not used: {texts}")
         kept[table] = {v: value for v, value in values.items() if v not in lost}
-    connections = tuple(c for c in system.connections if not _cut(c, missing, notes))
+    connections = tuple(_uncounted(c, missing, notes) for c in system.connections if not _cut(c, missing, notes))
     for bond in system.bonds:
-        for end in (*bond.effort, *bond.flow):
+        for end in (*bond.effort, *bond.flow, bond.impulse, bond.displacement):
             if missing.has(end):
                 variable = end.partition(".")[2]
                 causality = before.fmu.variables[variable].causality
@@ -100,6 +100,15 @@ def _cut(connection: Connection, missing: Missing, notes: list[str]) -> bool:
     missing.need(connection.target[1], f"which {'.'.join(connection.source)} drives", "input")
     notes.append(f"{missing.label} has no such input, the connection {connection.label} is left out")
     return True
+
+
+def _uncounted(c: Connection, missing: Missing, notes: list[str]) -> Connection:
+    """Without the counter of its mean, if that is missing: the mean is by the trapezoidal rule then."""
+    if c.counted is None or not missing.has(".".join(c.counted)):
+        return c
+    missing.need(c.counter, f"which counts the mean of {'.'.join(c.source)}", "output")
+    notes.append(f"{missing.label} has no {c.counter}, the mean of {'.'.join(c.source)} is by the trapezoidal rule")
+    return replace(c, counter="", per_second=1.0)
 
 
 def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str]) -> dict[str, Any]:

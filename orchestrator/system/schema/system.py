@@ -133,7 +133,8 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         list[Any],
         Meta(
             description='`"a.output -> b.input"`, or `"a.output -> b.input (mean)"` with a transfer of your choice: '
-            "hold, linear, quadratic, interpolate, mean; `(round)` allows what the input's type does not hold; "
+            "hold, linear, quadratic, interpolate, mean; `(mean of a.counter)` takes the mean exactly, from an output "
+            "that counts the time integral; `(round)` allows what the input's type does not hold; "
             '`"a.port -> b.port"` connects all that two terminals have in common',
             extra_json_schema={"items": {"type": "string", "pattern": CONNECTION}},
         ),

@@ -29,6 +29,7 @@ class Wire:
     linear: Linear
     convert: bool
     transfer: str
+    counter: str
     rounded: bool
     label: str
     where: str
@@ -76,11 +77,12 @@ def _wire(system: Element, xml: Any) -> Wire:
     first, last = (0, 1) if start or end is False or start == end else (1, 0)
     _refuse_table(xml, label, where)
     suppressed = xml.get("suppressUnitConversion") in ("true", "1")
-    keys = annotated(document, xml, ("transfer", "rounded"))
-    transfer, rounded = str(keys.get("transfer", "")), keys.get("rounded") is True
+    keys = annotated(document, xml, ("transfer", "counter", "rounded"))
+    transfer, counter = (str(keys.get(key, "")) for key in ("transfer", "counter"))
+    rounded = keys.get("rounded") is True
     return Wire(
-        ends[first], ends[last], system, kinds[last].kind, stated_linear(xml), not suppressed, transfer, rounded, label,
-        where,
+        ends[first], ends[last], system, kinds[last].kind, stated_linear(xml), not suppressed, transfer, counter,
+        rounded, label, where,
     )  # fmt: skip
 
 
@@ -131,9 +133,12 @@ def links_of(wires: Mapping[End, Wire]) -> Iterator[Link]:
                 linear = linear.then(converted(unit, there, wire.system.document.notes, wire.label, wire.where))
             linear = linear.then(wire.linear)
             unit = there or unit
-        transfer = next((wire.transfer for wire in reversed(path) if wire.transfer), "")
+        transfer, counter = next(((wire.transfer, wire.counter) for wire in reversed(path) if wire.transfer), ("", ""))
         rounded = any(wire.rounded for wire in path) or _both_real(giver, output, element, name)
-        yield Link(giver.name, output, element.name, name, transfer, linear.factor, linear.offset, last.where, rounded)
+        yield Link(
+            giver.name, output, element.name, name, transfer, linear.factor, linear.offset, last.where, rounded,
+            counter=f"{giver.name}.{counter}" if counter else "",
+        )  # fmt: skip
 
 
 def _both_real(giver: Element, output: str, taker: Element, input_: str) -> bool:

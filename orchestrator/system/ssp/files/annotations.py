@@ -66,7 +66,7 @@ def component_keys(component: Component) -> dict[str, Any]:
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:
-    return _stated(connection, ("source", "target", "gain", "offset", "where"))
+    return _stated(connection, ("source", "target", "gain", "offset", "where", "per_second"))
 
 
 def _bond(bond: Bond) -> dict[str, Any]:

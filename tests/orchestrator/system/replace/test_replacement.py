@@ -168,3 +168,19 @@ def test_an_input_of_theirs_that_none_of_ours_stands_for_keeps_its_start_value(t
     plan = swapped(tmp_path, fmus, {'name="u"': 'name="force"'}, "[variables]\nu = ''")
     notes = plan.system.components["g"].notes
     assert "g: nothing drives force = 0.0 of their.fmu: the start values are kept" in notes
+
+
+def test_a_counter_that_they_do_not_have_leaves_the_usual_mean(tmp_path: Path, fmus: Path) -> None:
+    """An error that says how to do without; then the mean is by the trapezoidal rule, and that is told."""
+    parts = {"s": ("push", "1 ms"), "t": ("mass1", "5 ms")}
+    edited(fmus / "push.fmu", tmp_path / "their.fmu", {}, {'name="p"': 'name="their_p"'})
+    (tmp_path / "map.toml").write_text('[variables]\np = ""\n', encoding="utf-8")
+    system = read_system(tmp_path, fmus, parts, ["s.F -> t.F (mean of s.p)"], stop="50 ms")
+    with pytest.raises(InputError, match=r"no output 'p', which counts the mean of s\.F"):
+        apply_changes(system, changes_of([f"s={tmp_path / 'their.fmu'}"], [], []))
+    changes = changes_of([f"s={tmp_path / 'their.fmu'}"], [f"s={tmp_path / 'map.toml'}"], [])
+    plan = make_plan(apply_changes(system, changes))
+    assert "their.fmu has no p, the mean of s.F is by the trapezoidal rule" in explain(plan)
+    usual = make_plan(read_system(tmp_path, fmus, parts, ["s.F -> t.F (mean)"], stop="50 ms"))
+    found, wanted = (Signals(require_complete(simulate(p)))["t.F"].values for p in (plan, usual))
+    assert found.tobytes() == wanted.tobytes()
