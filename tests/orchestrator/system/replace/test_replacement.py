@@ -184,3 +184,12 @@ def test_a_counter_that_they_do_not_have_leaves_the_usual_mean(tmp_path: Path, f
     usual = make_plan(read_system(tmp_path, fmus, parts, ["s.F -> t.F (mean)"], stop="50 ms"))
     found, wanted = (Signals(require_complete(simulate(p)))["t.F"].values for p in (plan, usual))
     assert found.tobytes() == wanted.tobytes()
+
+
+def test_a_counter_that_a_bond_lacks_is_named(tmp_path: Path, fmus: Path) -> None:
+    parts = {"w": ("wheel", "1 ms"), "c": ("chassis", "1 ms")}
+    bond = {"name": "strut", "effort": "c.F", "flow": "w.v_c", "sign": -1.0, "impulse": "w.J"}
+    system = read_system(tmp_path, fmus, parts, ["c.v_c -> w.v_c", "w.F -> c.F"], bonds=[bond])
+    edited(fmus / "wheel.fmu", tmp_path / "their.fmu", {}, {'name="J"': 'name="their_J"'})
+    with pytest.raises(InputError, match="no output 'J', which the power bond strut needs"):
+        apply_changes(system, changes_of([f"w={tmp_path / 'their.fmu'}"], [], []))
