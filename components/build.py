@@ -30,7 +30,7 @@ def build_all(
 ) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
-    `rows`: how many rows of an array with columns are outputs of their own (the brush: per-filament outputs).
+    `rows`: how many elements of the vectors that can be shown are outputs (the brush: per-filament outputs).
     `platforms`: build native FMUs with binaries for these (`linux64`, `win64`) instead, into `folder`/native.
     `missing`: hears of platforms without a compiler, which are left out unless there is no other; None: an error.
 

@@ -44,19 +44,18 @@ class Variable:
 class Array:
     """A float array that a kernel works on; `shape` is a constant or follows from the parameters.
 
-    `scratch` arrays carry nothing from one call to the next and are left out of the FMU state. `columns` declares, for
-    a two-dimensional array, what its columns mean; an FMU can be built with the first rows of them as outputs.
+    `scratch` arrays carry nothing from one call to the next and are left out of the FMU state. `shown` declares, for
+    a vector, the output that shows its first elements where an FMU is built with some.
     """
 
     name: str
     shape: Shape | Callable[[Any], Shape]
     scratch: bool = False
-    columns: tuple[Variable, ...] = ()
+    shown: Variable | None = None
 
-    def row_outputs(self, rows: int) -> tuple[Variable, ...]:
-        """An output of size `rows` for each column; none if `rows` is 0."""
-        starts = (0.0,) * rows
-        return tuple(dataclasses.replace(c, size=rows, start=starts) for c in self.columns) if rows else ()
+    def row_output(self, rows: int) -> tuple[Variable, ...]:
+        """The output of size `rows` that shows it, if there is one and `rows` is not 0."""
+        return (dataclasses.replace(self.shown, size=rows, start=(0.0,) * rows),) if self.shown and rows else ()
 
     def shape_for(self, parameters: Any) -> Shape:
         """The shape in an instance with these parameters (of the component's `Parameters`)."""

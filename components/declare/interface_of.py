@@ -21,13 +21,17 @@ def _variable(f: Field) -> Variable:
     )  # fmt: skip
 
 
+def _shown(name: str, f: Field) -> Variable:
+    return Variable(name, f.unit, "output", f.description)
+
+
 def arrays_of(state: type[Record], scratch: type[Record] | None = None) -> tuple[Array, ...]:
     """The arrays that state and scratch lie in. Raises BuildError where two would have one name."""
     found: list[Array] = []
     for record, is_scratch in ((state, False), (scratch, True)):
         if record is not None:
             found += [
-                Array(name, shape, is_scratch, field.columns if field else ())
+                Array(name, shape, is_scratch, _shown(name, field) if field and field.shown else None)
                 for name, shape, field in storage(record, cells_name(record))
             ]
     names = [array.name for array in found]

@@ -40,7 +40,7 @@ class Field:
     maximum: float = INF
     depends: tuple[str, ...] = ()
     sampled: bool = False
-    columns: tuple[Any, ...] = ()
+    shown: bool = False
     begins: str = ""  # with this field: another name for it and what follows
     name: str = ""
     kind: type[Any] = float
@@ -86,13 +86,13 @@ def calculated(unit: str, description: str, size: int = 0) -> Any:
 
 
 def value(
-    unit: str, description: str, shape: Shape | Callable[[Any], Shape] = 0, columns: tuple[Any, ...] = ()
+    unit: str, description: str, shape: Shape | Callable[[Any], Shape] = 0, shown: bool = False
 ) -> Any:
     """A value of a state, of scratch or of what a function returns; `shape` may follow from the parameters.
 
-    `columns` declares what the columns of an array mean; an FMU can be built with its first rows as outputs.
+    `shown`: of a vector; an FMU can be built with its first elements as an output.
     """
-    return Field("value", unit, description, shape, columns=columns)
+    return Field("value", unit, description, shape, shown=shown)
 
 
 def overlay(unit: str, description: str, begins: str, size: int) -> Any:

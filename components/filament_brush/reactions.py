@@ -115,11 +115,11 @@ def add_base(
 
 
 def tell(i: int, phi: float, y_tip: float, f: Stage, s: Scratch) -> None:
-    """The row of a filament in the table of all."""
-    s.filament[i, 0] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
-    s.filament[i, 1] = f.F_n
-    s.filament[i, 2] = f.F_f
-    s.filament[i, 3] = y_tip
+    """What filament i does, for those who look at single ones."""
+    s.filament_phi[i] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
+    s.filament_F_n[i] = f.F_n
+    s.filament_F_f[i] = f.F_f
+    s.filament_y[i] = y_tip
 
 
 def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from ..declare.interface import output as column
 from ..declare.record import Matrix, Packed, Record, Rows, Vector, calculated, input_, output, value
 
 REACH = ("omega_b", "delta", "delta_dot")  # what decides where the tips are and how they move
 ALL = (*REACH, "v_rov", "friction_scale")
 MODES = 6  # as many as there can be; N_m of them are used
-COLUMNS = (
-    column("filament_phi", "rad", "angle from +z_t of filament i"),
-    column("filament_F_n", "N", "normal force of filament i"),
-    column("filament_F_f", "N", "friction of filament i"),
-    column("filament_y", "m", "bending of filament i"),
-)
 
 
 class Inputs(Record):
@@ -159,7 +152,10 @@ class Scratch(Record):
     nodes: Vector = value("1", "points of the quadrature", 5)
     weights: Vector = value("1", "their weights", 5)
     slopes: Vector = value("1/m", "Y_r' at a point", MODES)
-    filament: Matrix = value("1", "phi, F_n, F_f and tip deflection of each filament", lambda p: (p.n, 4), COLUMNS)
+    filament_phi: Vector = value("rad", "angle from +z_t of filament i", lambda p: p.n, shown=True)
+    filament_F_n: Vector = value("N", "normal force of filament i", lambda p: p.n, shown=True)
+    filament_F_f: Vector = value("N", "friction of filament i", lambda p: p.n, shown=True)
+    filament_y: Vector = value("m", "bending of filament i", lambda p: p.n, shown=True)
 
 
 class Placement(Record):

@@ -137,17 +137,16 @@ class Tables:
         return {"Real": place, "Integer": f"(int64_t){place}", "Boolean": f"{place} != 0.0"}[declared.kind]
 
     def _show_rows(self) -> list[str]:
-        """Copies of array rows to their outputs, where the FMU is built with such outputs."""
+        """Copies of vectors' elements to their outputs, where the FMU is built with such outputs."""
         lines = []
         sizes = {v.name: len(v.start) for v in self.variables}
         for array in self.arrays:
-            for column, variable in enumerate(array.columns):
-                if variable.name in self.first:
-                    at = f"array_{array.name}"
-                    lines.append(
-                        f"    for (int64_t r = 0; r < {sizes[variable.name]} && r < shape[{at}].rows; r++)\n"
-                        f"        v[at_{variable.name} + r] = a[{at}][r * shape[{at}].columns + {column}];"
-                    )
+            if array.shown and array.shown.name in self.first:
+                name, at = array.shown.name, f"array_{array.name}"
+                lines.append(
+                    f"    for (int64_t r = 0; r < {sizes[name]} && r < shape[{at}].rows; r++)\n"
+                    f"        v[at_{name} + r] = a[{at}][r];"
+                )
         return lines
 
     def _component(self) -> str:

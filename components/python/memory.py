@@ -55,11 +55,11 @@ class Memory:
             first += size
 
     def show_rows(self) -> None:
-        """Copy the rows of arrays that this FMU shows to its outputs; rows that the array does not have stay 0."""
+        """Copy the elements of vectors that this FMU shows to its outputs; those that a vector lacks stay 0."""
         for array in self.arrays if ROWS else ():
-            for k, column in enumerate(array.columns):
-                rows = self.store[array.name][:ROWS, k]
-                self.views[column.name][: len(rows)] = rows
+            if array.shown:
+                elements = self.store[array.name][:ROWS]
+                self.views[array.shown.name][: len(elements)] = elements
 
 
 def arguments_of(memory: Memory, names: Sequence[str]) -> tuple[list[Any], list[tuple[int, int]]]:

@@ -52,8 +52,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
 
     @classmethod
     def row_outputs(cls) -> tuple[Variable, ...]:
-        """Outputs that show rows of arrays, as many as this FMU was built with."""
-        return tuple(v for a in cls.arrays for v in a.row_outputs(ROWS))
+        """Outputs that show the first elements of vectors, as many as this FMU was built with."""
+        return tuple(v for a in cls.arrays for v in a.row_output(ROWS))
 
     @classmethod
     def started_by(cls) -> set[str]:
