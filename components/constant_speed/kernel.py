@@ -14,8 +14,8 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     y.omega_b = p.omega_b_set * u.V_in / p.V_nominal
     y.P_shaft = -u.T_brush * y.omega_b
     y.P_electrical = y.P_shaft
-    y.W_shaft = x.W_shaft
     y.W_electrical = x.W_shaft
+    y.W_shaft = x.W_shaft
 
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:

@@ -176,7 +176,7 @@ def _of_parameter(f: dataclasses.Field[Any]) -> Field:
 
 def width(record: type[Any]) -> int:
     """Length of the rows of a record that lies in a matrix, else 0."""
-    if not getattr(record, "rows", False):
+    if getattr(record, "rows", False) is not True:  # a field may be called so
         return 0
     return max(field.size for field in fields_of(record).values())
 

@@ -12,21 +12,22 @@ from typing import Any
 
 from ..declare.record import Field, cells_name, cells_of, dimensions, fields_of, storage, width
 from .allowed import check
+from .cells import Cells
 from .edits import Edits
 from .functions import Function, functions_of
 from .lowered import Lowered, Part
 from .source import Source, is_record
 
 
-def lower(parts: list[Source], records: dict[str, type[Any]]) -> Lowered:
-    """Lower the files of a kernel; `records` are the classes that they name."""
+def lower(parts: list[Source], records: dict[str, type[Any]], cells: Cells | None = None) -> Lowered:
+    """Lower the files of a kernel; `records` are the classes that they name. `cells`: how cells are written."""
     functions = functions_of(parts, records)
     made = []
     for part in parts:
         edits = Edits(part.text)
         for node in part.functions:
             check(functions[node.name], functions, records)
-            _Rewriter(functions[node.name], functions, records, edits).function()
+            _Rewriter(functions[node.name], functions, records, edits, cells or Cells()).function()
         made.append(Part(part.path, edits.applied()))
     return Lowered(made, {name: _arguments(f) for name, f in functions.items()})
 
@@ -46,9 +47,14 @@ class _Rewriter:
     """Collects the edits of one function."""
 
     def __init__(
-        self, function: Function, functions: dict[str, Function], records: dict[str, type[Any]], edits: Edits
+        self,
+        function: Function,
+        functions: dict[str, Function],
+        records: dict[str, type[Any]],
+        edits: Edits,
+        cells: Cells,
     ) -> None:
-        self.f, self.functions, self.edits = function, functions, edits
+        self.f, self.functions, self.edits, self.cells = function, functions, edits, cells
         self.classes = {name: one for name, one in records.items() if is_record(one)}
 
     def function(self) -> None:
@@ -71,12 +77,12 @@ class _Rewriter:
                 found.append(f"{name}: {kind}")
                 continue
             if self.f.in_cells(name):
-                found.append(f"{name}: {_cells_type(kind)}")
+                found.append(f"{name}: {self.cells.annotation(kind)}")
             types = {key: _type(field) for key, field in fields_of(kind).items() if not field.is_record}
             for key, field in fields_of(kind).items():
                 if field.is_record:
                     inner = storage(field.kind, key, f"{key}_")
-                    types |= {one: _type(own) if own else _cells_type(field.kind) for one, _, own in inner}
+                    types |= {one: _type(own) if own else self.cells.annotation(field.kind) for one, _, own in inner}
             found += [f"{name}_{key}: {types[key]}" for key in self.f.passed(name)]
         return found
 
@@ -159,7 +165,7 @@ class _Rewriter:
         name = node.value.id
         cells = cells_of(self.f.locals.get(name) or self.f.records[name])
         if node.attr in cells and self._in_cells(name):
-            return _cell(name, self.f.records[name], node.attr)
+            return self.cells.scalar(name, self.f.records[name], node.attr)
         return f"{name}_{node.attr}"
 
     def _element(self, node: ast.Subscript, of: ast.Attribute) -> None:
@@ -171,27 +177,30 @@ class _Rewriter:
             self.edits.replace(of, f"{of.value.id}_{of.attr}")
             self.visit(node.slice)
             return
-        if width(record):
-            self.edits.replace(of, f"{of.value.id}[{at // width(record)}, ", until=node.slice, inside=False)
-            self.visit(node.slice)
-        elif isinstance(node.slice, ast.Tuple):
-            row, column = node.slice.elts
+        name, index = of.value.id, node.slice
+        if self.cells.in_rows(record):
+            self.edits.replace(of, f"{name}[{at // width(record)}, ", until=index, inside=False)
+            self.visit(index)
+        elif isinstance(index, ast.Tuple):
+            row, column = index.elts
             shape = fields_of(record)[of.attr].shape
             assert isinstance(shape, tuple)
-            self.edits.replace(of, f"{of.value.id}[{at} + {shape[1]} * (", until=row, inside=False)
+            first = self.cells.first(record, of.attr)
+            self.edits.replace(of, f"{name}[{first} + {shape[1]} * (", until=row, inside=False)
             self.edits.between(row, column, ") + (")
             self.edits.between(column, None, ")]", end=node)
             self.visit(row)
             self.visit(column)
-        elif isinstance(node.slice, ast.Constant):
-            self.edits.replace(of, f"{of.value.id}[{at + int(str(node.slice.value))}", until=node.slice)
+        elif isinstance(index, ast.Constant):
+            cell = self.cells.first(record, of.attr, int(str(index.value)))
+            self.edits.replace(of, f"{name}[{cell}", until=index)
         else:
-            simple = isinstance(node.slice, ast.Name) or at == 0
-            opening = f"{of.value.id}[{f'{at} + ' if at else ''}{'' if simple else '('}"
-            self.edits.replace(of, opening, until=node.slice, inside=False)
+            before = self.cells.before(record, of.attr)
+            simple = isinstance(index, ast.Name) or not before
+            self.edits.replace(of, f"{name}[{before}{'' if simple else '('}", until=index, inside=False)
             if not simple:
-                self.edits.after(node.slice, ")")
-            self.visit(node.slice)
+                self.edits.after(index, ")")
+            self.visit(index)
 
     def _argument(self, node: ast.expr, called: Function, name: str, kind: Any) -> None:
         """An argument as what the called function takes of it."""
@@ -208,18 +217,8 @@ class _Rewriter:
         texts = [own] if called.in_cells(name) else []
         for key in called.passed(name):
             whole = key in cells and (nested or self._in_cells(own))
-            texts.append(_cell(own, record, key) if whole else f"{own}_{key}")
+            texts.append(self.cells.scalar(own, record, key) if whole else f"{own}_{key}")
         self.edits.replace(node, ", ".join(texts))
-
-
-def _cell(name: str, record: type[Any], key: str) -> str:
-    """A scalar among a record's cells."""
-    at, columns = cells_of(record)[key], width(record)
-    return f"{name}[{at // columns}, {at % columns}]" if columns else f"{name}[{at}]"
-
-
-def _cells_type(record: type[Any]) -> str:
-    return "'float[:,:]'" if width(record) else "'float[:]'"
 
 
 def _type(field: Field) -> str:

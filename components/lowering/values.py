@@ -6,7 +6,7 @@ import ast
 import math
 from typing import Any, NoReturn
 
-from ..declare.record import Field, cells_of, fields_of
+from ..declare.record import Field, cells_of, fields_of, width
 from .errors import meant, refuse
 from .functions import Function
 from .source import is_record
@@ -131,6 +131,8 @@ class Values:
             owner = self.known[ast.unparse(node.value)]
             record = field.kind if field.is_record else None
         if isinstance(kind, str):
+            if record is not None and width(record):
+                self.no(node, f"{text} is a record of rows, which no function takes as one array")
             if record is not None and not record.packed:
                 self.no(node, f"{text} is a record of several arrays, and {name} takes one array as {parameter}")
             if record is None and not isinstance(node, ast.Name) and (field is None or not field.is_array):
@@ -160,6 +162,13 @@ class Values:
                 if within and (written or seen[other]):
                     self.no(node, f"{inner} is given twice, also in {outer}, and {called.node.name} writes to it")
             seen[text] = written or seen.get(text, False)
+        arrays = [a for a, kind in zip(node.args, called.parameters.values(), strict=True) if isinstance(kind, str)]
+        for text in map(ast.unparse, arrays):
+            if text in seen:
+                self.no(node, f"{text} is given twice, as a record and as an array")
+            outer = text.split(".")[0]
+            if outer in seen and "." in text and self.reaches(node, called, outer, text):
+                self.no(node, f"{text} is given twice, also in {outer}, of which {called.node.name} uses it")
 
     def reaches(self, node: ast.Call, called: Function, outer: str, inner: str) -> bool:
         """Does a called function use a record in a record that it is given, beside what it is given by itself?"""

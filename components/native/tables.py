@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import textwrap
 from dataclasses import fields
 from typing import Any
@@ -14,6 +15,7 @@ from ..python.kernels import argument_names
 
 KINDS = {"Real": "REAL", "Integer": "INTEGER", "Boolean": "BOOLEAN"}
 CAUSALITIES = {"parameter": "PARAMETER", "input": "INPUT", "output": "OUTPUT", "calculatedParameter": "OUTPUT"}
+SIGNATURE = re.compile(r"^static \w+ (\w+)\((.*)\)$", re.MULTILINE)
 HEADER = "/* {doc}.\n   Made from the equations in {name}/kernel.py by `rovbrush build --native`. */\n"
 
 
@@ -58,6 +60,7 @@ class Tables:
 
     def source(self, kernel: str) -> str:
         """The whole C file of a component, around its kernel."""
+        self.signatures = {found[1]: found[2].split(", ") for found in SIGNATURE.finditer(kernel)}
         doc = (self.component.__doc__ or self.name).strip().splitlines()[0].rstrip(".")
         head = HEADER.format(doc=doc, name=self.name)
         return "\n".join(
@@ -116,18 +119,19 @@ class Tables:
 
     def _call(self, stage: str) -> str:
         names = argument_names(self.component.kernel, stage)
-        return _wrapped(f"    {stage}(", [self._argument(stage, name) for name in names], ");").rstrip("\n")
+        given = [self._argument(stage, *both) for both in zip(names, self.signatures[stage], strict=True)]
+        return _wrapped(f"    {stage}(", given, ");").rstrip("\n")
 
-    def _argument(self, stage: str, name: str) -> str:
+    def _argument(self, stage: str, name: str, taken: str) -> str:
+        """What a function of the kernel gets for an argument, which it takes as `double *x` or `Matrix x_M`."""
         if name in ("t", "h"):
             return "v[at_step_size]" if name == "h" else "v[at_time]"
         if name == "y":
             return f"v + at_{self.component.outputs[0].name}"
         for array in self.arrays:
             if array.name == name:
-                matrix = isinstance(array.shape_for(self.component.parameters()), tuple)
                 at = f"array_{name}"
-                return f"(Matrix){{a[{at}], shape[{at}].columns}}" if matrix else f"a[{at}]"
+                return f"(Matrix){{a[{at}], shape[{at}].columns}}" if taken.startswith("Matrix ") else f"a[{at}]"
         declared = next((v for v in self.variables if v.name == name), None)
         if declared is None:
             raise BuildError(f"{self.name}: {stage}: argument '{name}' is no variable of the interface")

@@ -15,16 +15,23 @@ from pathlib import Path
 from types import ModuleType
 
 from ..errors import BuildError
-from ..lowering.lowered import lowered
+from ..lowering.cells import NamedCells
+from ..lowering.functions import functions_of
+from ..lowering.lower import lower
+from ..lowering.source import parts_of
 from .comments import with_comments
+from .places import constants, enumerations, unaliased
 
 PYCCEL = "from pyccel.commands.console import pyccel; import sys; sys.exit(pyccel())"
 
 
 def kernel_in_c(kernel: ModuleType) -> str:
     """The C text of a kernel's functions. Raises BuildError where Pyccel is missing or refuses the kernel."""
-    source = lowered(kernel)
+    cells = NamedCells()
+    parts, records = parts_of(kernel)
+    source = lower(parts, records, cells)
     text, origin = with_comments(source)
+    text, origin = f"{constants(cells.records.values())}\n{text}", [1, *origin]
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
         (work / "kernel.py").write_text(text, encoding="utf-8")
@@ -40,12 +47,14 @@ def kernel_in_c(kernel: ModuleType) -> str:
                 run.stdout + run.stderr,
             )
             raise BuildError(f"Pyccel cannot translate {kernel.__name__} (exit code {run.returncode}):\n{said}")
-        return plain_c(made.read_text(encoding="utf-8"))
+        plain = plain_c(made.read_text(encoding="utf-8"))
+        return f"{enumerations(cells.records.values())}\n{unaliased(plain, functions_of(parts, records))}"
 
 
 def plain_c(text: str) -> str:
     """Pyccel's C with plain arrays, static functions and no frames around comments."""
     text = re.sub(r'#include "\w+\.h"\n|^/\*[._]+\*/\n', "", text, flags=re.MULTILINE)
+    text = re.sub(r"^(int64_t|bool) \w+( = 0)?;\n|^void \w+__init\(void\)\n\{.*?^\}\n", "", text, flags=re.M | re.S)
     text = re.sub(r"/\*[ \t]*(.*?)[ \t]*\*/", r"/* \1 */", text)
     while "cspan_at(&" in text:
         text = _element(text, text.index("cspan_at(&"))

@@ -14,6 +14,7 @@ from rovbrush.components.declare.record import (
     Matrix,
     Packed,
     Record,
+    Rows,
     Vector,
     cell_count,
     cells_name,
@@ -56,11 +57,18 @@ class Tip(Packed):
     moment: float = value("N.m", "behind them")
 
 
+class Table(Rows):
+    first: Vector = value("1", "a row", 4)
+    second: Vector = value("1", "another", 4)
+    alone: float = value("1", "a scalar in a further row")
+
+
 class State(Record):
     a: float = value("1", "a scalar")
     eta: Matrix = value("1", "as many rows as n", lambda p: (p.n, 2))
     b: float = value("1", "another")
     tip: Tip = value("", "a record in it")
+    rows: Table = value("", "a record of rows")
 
 
 class Scratch(Record):
@@ -78,7 +86,7 @@ class Counted(Record):
     yes: bool = value("1", "a truth")
 
 
-RECORDS = {one.__name__: one for one in (Parameters, Inputs, Outputs, Tip, State, Scratch, Rates, Counted)}
+RECORDS = {one.__name__: one for one in (Parameters, Inputs, Outputs, Tip, Table, State, Scratch, Rates, Counted)}
 TYPES = {**RECORDS, "Vector": Vector, "Matrix": Matrix}
 
 

@@ -65,6 +65,17 @@ TEXTS = {
             y.first = reach(x.tip)
             y.last = reach(s.spare)
     """,
+    "a record of rows": """
+        def shift(t: Table, k: float) -> None:
+            for i in range(4):
+                t.second[i] = t.first[i] + k * t.alone
+            t.first[2] = t.alone
+            t.alone = k + t.second[3]
+
+        def step(h: float, x: State, y: Outputs) -> None:
+            shift(x.rows, h)
+            y.first = x.a + h
+    """,
     "a packed record as one array": """
         def doubled(v: Vector, n: int) -> None:
             for i in range(n):

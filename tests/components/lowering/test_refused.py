@@ -48,6 +48,9 @@ REFUSED = {
     "record of arrays for an array": ("fill(x)", "x is a record of several arrays, and fill takes one array as v"),
     "array inside a packed record": ("fill(y.three)", "y.three lies inside a packed record"),
     "same record twice": ("mix(x, x)", "x is given twice, and mix writes to it"),
+    "record and array at once": ("press(x.tip, x.tip)", "x.tip is given twice, as a record and as an array"),
+    "array of a record beside it": ("inside(x, x.eta)", "x.eta is given twice, also in x, of which inside uses it"),
+    "rows as an array": ("fill(x.rows)", "x.rows is a record of rows, which no function takes as one array"),
     "record made here is written elsewhere": (
         "a = rates(x)\n    turn(a)", "turn writes to r, which a record made here cannot"),
     "list": ("a = [1.0]", "a kernel has no list"),
@@ -80,6 +83,12 @@ def fill(v: Vector) -> None:
 
 def mix(one: State, other: State) -> None:
     one.a = other.b
+
+def press(t: Tip, v: Vector) -> None:
+    t.F_n = v[0]
+
+def inside(one: State, m: Matrix) -> None:
+    one.eta[0, 0] = m[0, 1]
 
 def turn(r: Rates) -> None:
     r.da = 0.0
