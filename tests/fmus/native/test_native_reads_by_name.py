@@ -16,7 +16,7 @@ import pytest
 from driven import component
 from rovbrush.components.build import COMPONENTS
 from rovbrush.components.errors import BuildError
-from rovbrush.components.lowered import lowered
+from rovbrush.components.lowering.lowered import lowered
 from rovbrush.components.native.translate import kernel_in_c
 
 pytest.importorskip("pyccel")
