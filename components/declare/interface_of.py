@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..errors import BuildError
 from .interface import Array, Variable
-from .record import Field, Record, cells_name, fields_of, storage
+from .layout import cells_name, storage
+from .record import Field, Record, fields_of
 
 
 def variables_of(record: type[Record]) -> tuple[Variable, ...]:

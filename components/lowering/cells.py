@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..declare.record import cells_of, width
+from ..declare.layout import cells_of, width
 
 
 class Cells:

@@ -9,7 +9,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ..declare.record import cells_of, fields_of, storage
+from ..declare.layout import cells_of, storage
+from ..declare.record import fields_of
 from .errors import meant, refuse
 from .source import Source, is_record
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from ..declare.record import Field, cells_name, cells_of, dimensions, fields_of, storage, width
+from ..declare.layout import cells_name, cells_of, dimensions, storage, width
+from ..declare.record import Field, fields_of
 from .allowed import check
 from .cells import Cells
 from .edits import Edits

@@ -6,7 +6,8 @@ import ast
 import math
 from typing import Any, NoReturn
 
-from ..declare.record import Field, cells_of, fields_of, width
+from ..declare.layout import cells_of, width
+from ..declare.record import Field, fields_of
 from .errors import meant, refuse
 from .functions import Function
 from .source import is_record

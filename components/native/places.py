@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from ..declare.record import Field, cells_name, cells_of, fields_of
+from ..declare.layout import cells_name, cells_of
+from ..declare.record import Field, fields_of
 from ..lowering.functions import Function
 
 

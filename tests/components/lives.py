@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 from pyccel import epyccel
 from rovbrush.components.declare.interface import Variable, parameter_variables
-from rovbrush.components.declare.record import cells_name, fields_of, over
+from rovbrush.components.declare.layout import cells_name, over
+from rovbrush.components.declare.record import fields_of
 from rovbrush.components.lowering.source import is_record
 from rovbrush.components.python.component import component_class as component
 from rovbrush.components.python.kernels import argument_names, compiled, joined_source

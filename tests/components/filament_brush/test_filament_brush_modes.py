@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from helpers import ROOT, Measured
 from lives import Instance, component
-from rovbrush.components.declare.record import cells_shape, fields_of, over
+from rovbrush.components.declare.layout import cells_shape, over
+from rovbrush.components.declare.record import fields_of
 from rovbrush.components.filament_brush.modes import stiffness
 from rovbrush.components.filament_brush.reactions import base_reactions
 from rovbrush.components.filament_brush.records import Constants, Load, Stage, State, Stiffness
