@@ -17,7 +17,7 @@ from pathlib import Path
 from .errors import BuildError, UnknownComponentError
 
 HERE = Path(__file__).parent
-COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed")
+COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed", "battery")
 NATIVE = ("fmi2", "fmi3")  # the folders of native FMUs
 
 

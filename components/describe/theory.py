@@ -1,6 +1,7 @@
 """The equations of a component, read from its kernel: number, symbol, file and line, as a table in its README.
 
 An equation is a line of a kernel with a comment that begins with its number: `di = (V_in - R*i) / L_a  # Eq. 16`.
+Those of the paper have its numbers; a component of another source numbers its own behind a letter, `# Eq. B1`.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import re
 import tokenize
 from dataclasses import dataclass
 from pathlib import Path
+from string import ascii_uppercase
 
 from ..errors import BuildError
 from ..lowering.lowered import lowered
@@ -19,14 +21,14 @@ from ..python.component import component_class
 BEGIN = "<!-- equations: written by `python -m rovbrush.components.describe` -->"
 END = "<!-- end of equations -->"
 KINDS = (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)
-NUMBERS = re.compile(r"Eqs?\. (\d+(?:(?:, | and |-)\d+)*)")
+NUMBERS = re.compile(r"Eqs?\. ([A-Z]?\d+(?:(?:, | and |-)[A-Z]?\d+)*)")
 
 
 @dataclass(frozen=True)
 class Equation:
     """One line of a kernel that carries the number of an equation."""
 
-    number: int
+    number: str
     symbol: str
     text: str
     path: Path
@@ -36,7 +38,11 @@ class Equation:
 def equations(name: str) -> list[Equation]:
     """The equations of a component's kernel, by number, then in the order of the text."""
     found = [one for part in lowered(component_class(name).kernel).parts for one in _of_file(part.path)]
-    return sorted(found, key=lambda one: one.number)
+    return sorted(found, key=lambda one: _order(one.number))
+
+
+def _order(number: str) -> tuple[str, int]:
+    return number.rstrip("0123456789"), int(number.lstrip(ascii_uppercase))
 
 
 def _of_file(path: Path) -> list[Equation]:
@@ -60,16 +66,17 @@ def _symbol(statement: ast.stmt) -> str:
         return ast.unparse(statement.value.args[0])
     if isinstance(statement, ast.Return):
         return "result"
-    return ast.unparse(statement).split(" = ")[0].split(" += ")[0]
+    return re.split(r" [-+*/]?= ", ast.unparse(statement))[0]
 
 
-def numbers(text: str) -> list[int]:
-    """The numbers of the equations that a text names: `Eq. 7`, `Eqs. 2, 3`, `Eqs. 14-17`."""
-    found: list[int] = []
+def numbers(text: str) -> list[str]:
+    """The numbers of the equations that a text names: `Eq. 7`, `Eqs. 2, 3`, `Eqs. 14-17`, `Eqs. B1-B4`."""
+    found: list[str] = []
     for match in NUMBERS.finditer(text):
         for one in re.split(r", | and ", match[1]):
             first, _, last = one.partition("-")
-            found += range(int(first), int(last or first) + 1)
+            (letter, begin), (_, end) = _order(first), _order(last or first)
+            found += [f"{letter}{k}" for k in range(begin, end + 1)]
     return found
 
 

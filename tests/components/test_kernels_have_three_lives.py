@@ -38,6 +38,8 @@ CASES = (
     Case("mission", 0.05, 60, {"x_n": (-0.3, 0.4)}, {"fouling_scale": (1.0, 0.6, 0.6, 1.0, 1.0, 1.4, 1.4, 1.0),
                                                      "t_settle": 0.1, "length": 0.03}),
     Case("constant_speed", 1e-3, 30, {"V_in": (6.0, 9.0), "T_brush": (-10.0, 9.0)}),
+    Case("battery", 0.5, 60, {"i": (30.0, 70.0), "i_other": (5.0, 4.0)}, {"soc_start": 0.905}),
+    Case("battery", 60.0, 60, {"i": (40.0, 70.0)}, {"soc_start": 0.3, "R_1_cell": 0.0}, "emptied"),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 

@@ -27,6 +27,7 @@ AT_REST = {
     "rov_vehicle": {"F_disturb[2]", "M_disturb[1]", "M_disturb[3]"},
     "rov_controller": {"V_in", "saturated", "saturation_count"},
     "mission": {"y_ref", "v_ref[2]"},
+    "battery": {"empty"},
 }
 
 

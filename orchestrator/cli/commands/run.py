@@ -85,10 +85,10 @@ def systems() -> None:
     from ...system.file.reader import SYSTEMS, shipped_systems, system_description
 
     for name in shipped_systems():
-        tell(f"{name:<14} {system_description(SYSTEMS / f'{name}.toml')}")
+        tell(f"{name:<20} {system_description(SYSTEMS / f'{name}.toml')}")
     tell("\nsweeps, for `rovbrush sweep`:")
     for name in shipped_sweeps():
-        tell(f"{name:<14} {system_description(SWEEPS / f'{name}.toml')}")
+        tell(f"{name:<20} {system_description(SWEEPS / f'{name}.toml')}")
 
 
 @app.command()

@@ -28,9 +28,10 @@ CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
                               "M_tool": (-9.0, 4.0), "F_n_ref": (0.0, 60.0), "v_ref": (-0.1, 0.1)}),
     "mission": (5e-2, {"x_n": (-0.7, 0.3)}),
     "constant_speed": (1e-3, {"V_in": (-3.0, 15.0), "T_brush": (-20.0, 5.0)}),
+    "battery": (1.0, {"i": (-30.0, 70.0), "i_other": (0.0, 9.0)}),
 }  # fmt: skip
 # Sizes and internal steps set how much work a step is: they vary in small steps so that a test stays a test.
-WHOLE = {"n": (1, 60), "N_m": (1, 6), "gear_stages": (1, 3), "mode": (0, 2)}
+WHOLE = {"n": (1, 60), "N_m": (1, 6), "gear_stages": (1, 3), "mode": (0, 2), "n_series": (1, 9), "n_parallel": (1, 9)}
 STATED = {"h_min", "h_max", "tolerance", "max_step"}
 
 
