@@ -30,6 +30,7 @@ def build_all(
 ) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
+    `names`: shipped components, or folders of others (see `new/`).
     `rows`: how many elements of the vectors that can be shown are outputs (the brush: per-filament outputs).
     `platforms`: build native FMUs with binaries for these (`linux64`, `win64`) instead, into `folder`/native.
     `missing`: hears of platforms without a compiler, which are left out unless there is no other; None: an error.
@@ -37,16 +38,31 @@ def build_all(
     Raises UnknownComponentError for a wrong name, BuildError for an unwritable folder or a failing build. An FMU
     appears under its final name only when it is complete.
     """
-    for name in names:
-        if name not in COMPONENTS:
-            close = difflib.get_close_matches(name, COMPONENTS, n=1)
-            hint = f"did you mean '{close[0]}'?" if close else f"there are {', '.join(COMPONENTS)}"
-            raise UnknownComponentError(f"no component '{name}'; {hint}")
+    components = [folder_of(name) for name in names]
     if platforms and missing is not None:
         from .native.compile import available
 
         platforms = available(platforms, missing)
-    return [path for name in names for path in build(HERE / name, folder, rows, platforms)]
+    return [path for component in components for path in build(component, folder, rows, platforms)]
+
+
+def folder_of(name: str) -> Path:
+    """The folder of a component: of a shipped one by its name, else the folder that is named.
+
+    Raises UnknownComponentError where there is none.
+    """
+    if name in COMPONENTS:
+        return HERE / name
+    folder = Path(name)
+    if (folder / "fmu.py").is_file():
+        if not folder.resolve().name.isidentifier():
+            raise UnknownComponentError(f"{folder}: a component's folder has a name of letters, digits and _")
+        return folder.resolve()
+    if folder.is_dir() or len(folder.parts) > 1:
+        raise UnknownComponentError(f"{folder} is no component: it has no fmu.py; `rovbrush new-component` writes one")
+    close = difflib.get_close_matches(name, COMPONENTS, n=1)
+    hint = f"did you mean '{close[0]}'?" if close else f"there are {', '.join(COMPONENTS)}, and folders of your own"
+    raise UnknownComponentError(f"no component '{name}'; {hint}")
 
 
 def build(component: Path, folder: Path, rows: int = 0, platforms: tuple[str, ...] = ()) -> list[Path]:

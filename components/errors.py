@@ -7,3 +7,7 @@ class BuildError(Exception):
 
 class UnknownComponentError(BuildError):
     """There is no component of that name."""
+
+
+class NewComponentError(BuildError):
+    """A component cannot be written under that name, or there."""

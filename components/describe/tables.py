@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from ..build import COMPONENTS, HERE
+from ..build import COMPONENTS, HERE, folder_of
 from ..declare.interface import INF, Variable
 from ..errors import BuildError
 from ..python.component import component_class
@@ -22,21 +22,27 @@ COLUMNS = ("ref", "name", "causality", "type", "unit", "start", "range", "descri
 
 def described(text: str) -> str:
     """`text` with the tables of all components between the marks. Raises BuildError if a mark is missing."""
+    return _with(text, "\n\n".join(section(name) for name in COMPONENTS))
+
+
+def _with(text: str, tables: str) -> str:
     head, begin, rest = text.partition(BEGIN)
     _, end, tail = rest.partition(END)
     if not (begin and end):
         raise BuildError(f"the tables stand between the lines '{BEGIN}' and '{END}'; put them into the file")
-    sections = "\n\n".join(section(name) for name in COMPONENTS)
-    return f"{head}{BEGIN}\n\n{sections}\n\n{END}{tail}"
+    return f"{head}{BEGIN}\n\n{tables}\n\n{END}{tail}"
 
 
 def section(name: str) -> str:
     """Heading, description and variable table of the component `name`, in Markdown."""
-    component = component_class(name)
-    lines = [f"### {name}", "", f"{(component.__doc__ or '').strip()}.", ""]
-    lines += [_row(COLUMNS), _row(("---",) * len(COLUMNS))]
+    return "\n".join([f"### {name}", "", f"{(component_class(name).__doc__ or '').strip()}.", "", variable_table(name)])
+
+
+def variable_table(name: str) -> str:
+    """The variables of a component in Markdown, in value-reference order."""
+    lines = [_row(COLUMNS), _row(("---",) * len(COLUMNS))]
     reference = 0
-    for variable in component.variables():
+    for variable in component_class(name).variables():
         lines.append(_row(_cells(variable, reference)))
         reference += len(variable.start)
     return "\n".join(lines)
@@ -86,9 +92,19 @@ def main(path: Path = README) -> None:
         path.write_text(described(path.read_text(encoding="utf-8")), encoding="utf-8")
         for name in COMPONENTS:
             path = HERE / name / "README.md"
-            text = path.read_text(encoding="utf-8")
-            if theory.BEGIN in text:
-                path.write_text(theory.with_table(text, name), encoding="utf-8")
+            describe_component(name)
     except (OSError, BuildError) as error:
         sys.exit(f"{path}: {error}")
 
+
+def describe_component(name: str) -> Path:
+    """Write the tables that the README of a component has marks for; its path. Raises OSError, BuildError."""
+    path = folder_of(name) / "README.md"
+    before = text = path.read_text(encoding="utf-8")
+    if theory.BEGIN in text:
+        text = theory.with_table(text, name)
+    if BEGIN in text:
+        text = _with(text, variable_table(name))
+    if text != before:
+        path.write_text(text, encoding="utf-8")
+    return path

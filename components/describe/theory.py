@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from string import ascii_uppercase
 
+from ..build import HERE, folder_of
 from ..errors import BuildError
 from ..lowering.lowered import lowered
 from ..python.component import component_class
@@ -82,11 +83,11 @@ def numbers(text: str) -> list[str]:
 
 def table(name: str) -> str:
     """The equations of a component in Markdown, each with the place where it is computed."""
-    here = Path(__file__).parents[1]
+    folder = folder_of(name).parent
     rows = ["| equation | symbol | line of the kernel | where |", "| --- | --- | --- | --- |"]
     for one in equations(name):
         text = one.text.replace("|", "\\|")
-        place = one.path.relative_to(here).as_posix()
+        place = one.path.relative_to(folder if one.path.is_relative_to(folder) else HERE).as_posix()
         rows.append(f"| Eq. {one.number} | `{one.symbol}` | `{text}` | `{place}:{one.line}` |")
     return "\n".join(rows)
 

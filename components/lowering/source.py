@@ -14,6 +14,8 @@ from ..declare.record import Matrix, Vector
 from .errors import refuse
 from .lowered import Part
 
+OUTSIDE = "rovbrush.components."  # what a component outside of the package imports from it
+
 
 @dataclass(frozen=True)
 class Source(Part):
@@ -44,9 +46,12 @@ def parts_of(kernel: ModuleType) -> tuple[list[Source], dict[str, type[Any]]]:
         text = path.read_text(encoding="utf-8")
         lines = text.splitlines()
         for node in ast.parse(text).body:
-            if not isinstance(node, ast.ImportFrom) or not (node.level or node.module == "__future__"):
+            if not isinstance(node, ast.ImportFrom):
                 continue
-            if node.level:
+            ours = bool(node.level) or (node.module or "").startswith(OUTSIDE)
+            if not (ours or node.module == "__future__"):
+                continue
+            if ours:
                 name = "." * node.level + (node.module or "")
                 imported = importlib.import_module(name, module.__package__)
                 found = declared(path, node, imported)

@@ -7,6 +7,7 @@ byte-identical.
 
 from __future__ import annotations
 
+import ast
 import importlib
 import os
 import re
@@ -30,6 +31,7 @@ SHARED = (
 CARRIED_FOLDERS = ("declare", "library")
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
+OUTSIDE = re.compile(rb"^([ \t]*)from rovbrush\.components(?:\.([\w.]+))? import ", re.MULTILINE)
 ENTRY_SCRIPT = """from {package}.{name}.fmu import {component}
 from {package}.python.slave import keep_alive
 
@@ -43,11 +45,30 @@ def sources(component: Path, rows: int = 0) -> dict[str, bytes]:
     shared = [TOP / path for path in SHARED]
     shared += [path for folder in CARRIED_FOLDERS for path in sorted((TOP / folder).glob("*.py"))]
     files = {path.relative_to(TOP).as_posix(): path for path in shared}
-    own = [path for path in sorted(component.glob("*.py")) if not path.name.startswith("behaviour")]
-    files |= {f"{component.name}/{path.name}": path for path in own}
     contents = {key: path.read_bytes() for key, path in files.items()} | {"__init__.py": b""}
+    own = [path for path in sorted(component.glob("*.py")) if not path.name.startswith("behaviour")]
+    contents |= {f"{component.name}/{path.name}": carried_text(path) for path in own}
     contents["python/options.py"] = re.sub(rb"ROWS = \d+", b"ROWS = %d" % rows, contents["python/options.py"])
     return contents
+
+
+def carried_text(path: Path) -> bytes:
+    """A component's file, in which imports from `rovbrush.components`, as a component outside has them, are relative.
+
+    Raises BuildError for another import of rovbrush, which is not there where an FMU runs.
+    """
+    text = OUTSIDE.sub(lambda found: found[1] + b"from .." + (found[2] or b"") + b" import ", path.read_bytes())
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except SyntaxError as error:
+        raise BuildError(f"{path}:{error.lineno}: {error.msg}") from error
+    for node in nodes:
+        named = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+        named += [node.module or ""] if isinstance(node, ast.ImportFrom) and not node.level else []
+        if any(name.split(".")[0] == "rovbrush" for name in named):
+            line = f"{path}:{getattr(node, 'lineno', 1)}"
+            raise BuildError(f"{line}: an FMU carries rovbrush.components only: `from rovbrush.components.x import y`")
+    return text
 
 
 def build_one(component: Path, folder: Path, rows: int = 0) -> Path:
@@ -78,7 +99,10 @@ def carried(component: Path, work: Path, rows: int = 0) -> tuple[str, type[Any]]
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
     sys.path.insert(0, str(work))
-    declared = class_in(importlib.import_module(f"{package}.{component.name}.fmu"))
+    try:
+        declared = class_in(importlib.import_module(f"{package}.{component.name}.fmu"))
+    except BuildError as error:
+        raise BuildError(in_source(str(error), work / package, component)) from None
     taken = {v.name for v in declared.variables() if v.causality in ("parameter", "input")}
     for name in sorted(taken & {array.name for array in declared.arrays}):
         raise BuildError(f"{component.name}: '{name}' is a parameter or an input, and an array of the state or scratch")

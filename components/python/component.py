@@ -1,21 +1,50 @@
-"""The class that declares a component, found by the component's name or in its module `fmu`."""
+"""The class that declares a component, found by the component's name or folder, or in its module `fmu`."""
 
 from __future__ import annotations
 
 import importlib
+import sys
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from ..errors import BuildError
 from .slave import ComponentSlave
+
+TOP = Path(__file__).parents[1]
 
 
 def component_class(name: str) -> type[ComponentSlave]:
-    """The class that declares the component of this name."""
-    package = __package__.rpartition(".")[0]
-    found: type[ComponentSlave] = class_in(importlib.import_module(f"{package}.{name}.fmu"))
+    """The class that declares a component: one of the package by its name, another by its folder.
+
+    Raises BuildError where its module cannot be meant.
+    """
+    shipped = name.isidentifier() and (TOP / name / "fmu.py").is_file()
+    folder = TOP / name if shipped else Path(name).resolve()
+    if folder.parent == TOP:
+        module = importlib.import_module(f"{__package__.rpartition('.')[0]}.{folder.name}.fmu")
+    else:
+        module = _module_in(folder)
+    found: type[ComponentSlave] = class_in(module)
     return found
 
 
+def _module_in(folder: Path) -> ModuleType:
+    """The module `fmu` of a component in a folder of its own, or in the package around that folder."""
+    top, names = folder.parent, [folder.name]
+    while (top / "__init__.py").is_file():
+        top, names = top.parent, [top.name, *names]
+    if str(top) not in sys.path:
+        sys.path.insert(0, str(top))
+    module = importlib.import_module(".".join([*names, "fmu"]))
+    if Path(str(module.__file__)).resolve().parent != folder:
+        raise BuildError(f"{folder}: Python has another module {names[0]}: {module.__file__}; rename the folder")
+    return module
+
+
 def class_in(fmu: ModuleType) -> type[Any]:
-    """The one class that a component's module `fmu` defines."""
-    return next(x for x in vars(fmu).values() if isinstance(x, type) and x.__module__ == fmu.__name__)
+    """The one class that a component's module `fmu` defines. Raises BuildError where it is not one."""
+    found = [x for x in vars(fmu).values() if isinstance(x, type) and x.__module__ == fmu.__name__]
+    if len(found) != 1:
+        raise BuildError(f"{fmu.__file__}: there is one class, the component, and here are {len(found)}")
+    return found[0]

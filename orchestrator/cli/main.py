@@ -11,12 +11,26 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from .commands import bench, cache, check, doctor, exchange, fmu, paper, run, schema, study
+from .commands import bench, cache, check, doctor, exchange, fmu, new, paper, run, schema, study
 from .guard import guarded
 from .options import app
 
 # Importing the commands registers them.
-__all__ = ["bench", "cache", "check", "doctor", "exchange", "fmu", "main", "paper", "program", "run", "schema", "study"]
+__all__ = [
+    "bench",
+    "cache",
+    "check",
+    "doctor",
+    "exchange",
+    "fmu",
+    "main",
+    "new",
+    "paper",
+    "program",
+    "run",
+    "schema",
+    "study",
+]
 
 
 # The commands that load FMUs into their own process.

@@ -13,6 +13,7 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -55,7 +56,7 @@ def lives(name: str) -> dict[str, Any]:
     """
     kernel = component(name).kernel
     flags = {"flags": "-ffp-contract=off", "wrapper_flags": "-Wl,-Bsymbolic"}
-    folder = tempfile.mkdtemp(prefix=f"{name}_")
+    folder = tempfile.mkdtemp(prefix=f"{Path(name).name}_")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     in_c = epyccel(joined_source(kernel), language="c", folder=folder, **flags)
     return {"python": kernel, "numba": compiled(kernel), "c": in_c}

@@ -121,3 +121,18 @@ def test_it_builds_fmus_of_its_own(installed: Path, tmp_path: Path) -> None:
         "[print(path.name) for path in build(HERE / 'dc_motor', Path(sys.argv[1]))]"
     )
     assert ended_well(installed / "python", "-c", code, tmp_path / "made", cwd=tmp_path) == "dc_motor.fmu\n"
+
+
+def test_it_writes_a_component_that_it_builds_and_tests(installed: Path, tmp_path: Path) -> None:
+    ended_well(installed / "rovbrush", "new-component", "body", cwd=tmp_path)
+    ended_well(installed / "rovbrush", "build", "./body", "--fmus", "fmus", cwd=tmp_path)
+    said = ended_well(installed / "rovbrush", "test-component", "fmus/body.fmu", "--as", "./body", cwd=tmp_path)
+    assert "9 passed, 0 failed" in said
+
+
+def test_components_outside_are_typed(installed: Path, tmp_path: Path) -> None:
+    if not list(installed.parent.rglob("site-packages/rovbrush/py.typed")):
+        pytest.skip("mypy does not look into editable installs")
+    ended_well(installed / "rovbrush", "new-component", "body", cwd=tmp_path)
+    said = ended_well(installed / "python", "-m", "mypy", "--strict", "body", cwd=tmp_path)
+    assert "Success" in said

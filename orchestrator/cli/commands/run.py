@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from ...errors import InputError, RunError
+from ...errors import InputError
 from ..console import tell
 from ..options import (
     SYSTEM_HELP,
@@ -26,6 +26,7 @@ from ..options import (
     SystemName,
     app,
 )
+from .built import raise_ours
 
 PLATFORMS = ("linux64", "win64")  # of native FMUs
 
@@ -33,7 +34,8 @@ PLATFORMS = ("linux64", "win64")  # of native FMUs
 @app.command()
 def build(
     names: Annotated[
-        list[str] | None, typer.Argument(metavar="[COMPONENT]...", help="Components to build; all by default.")
+        list[str] | None,
+        typer.Argument(metavar="[COMPONENT]...", help="Components to build, or folders of others; all by default."),
     ] = None,
     fmus: FmusOption = None,
     rows: Annotated[
@@ -64,10 +66,7 @@ def build(
             missing = None if platform else lambda why: tell(f"left out: {why}")
             paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms, missing=missing)
         except Exception as error:
-            kind = {"BuildError": RunError, "UnknownComponentError": InputError}.get(type(error).__name__)
-            if kind:  # by name: the builder's own package is not known here
-                raise kind(str(error)) from error
-            raise
+            raise_ours(error)
         for path in paths:
             tell(f"built {path} ({path.stat().st_size // 1000} kB)")
     if runs_windows():

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import importlib
+import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
+from pathlib import Path
 from typing import Any, Protocol
 
 from ...errors import InputError, nearest
 
 GROUP = "rovbrush.behaviours"
+FILE = "behaviour.py"
 
 
 class NotApplicableError(Exception):
@@ -46,11 +50,40 @@ class Suite(Protocol):
 
 
 def suite_of(component: str) -> Suite:
-    """The suite of a component. Raises InputError if no installed package publishes one of that name."""
+    """The suite of a component: one that an installed package publishes, or that in a folder's `behaviour.py`.
+
+    Raises InputError where there is none.
+    """
     found = {point.name: point for point in entry_points(group=GROUP)}
-    if component not in found:
-        raise InputError(f"no tests are known for a component '{component}'{nearest(component, found)}")
-    suite: Suite = found[component].load()
+    if component in found:
+        suite: Suite = found[component].load()
+        return suite
+    folder = Path(component)
+    if (folder / FILE).is_file():
+        return _suite_in(folder.resolve())
+    if folder.is_dir() or len(folder.parts) > 1:
+        raise InputError(f"no tests are known for {folder}: it has no {FILE}")
+    raise InputError(
+        f"no tests are known for a component '{component}'{nearest(component, found)}; or give the folder of one"
+    )
+
+
+def _suite_in(folder: Path) -> Suite:
+    """The suite of a component that is not installed, imported from its folder or the package around it."""
+    top, names = folder.parent, [folder.name]
+    while (top / "__init__.py").is_file():
+        top, names = top.parent, [top.name, *names]
+    if str(top) not in sys.path:
+        sys.path.insert(0, str(top))
+    try:
+        module = importlib.import_module(".".join([*names, Path(FILE).stem]))
+    except ImportError as error:
+        raise InputError(f"{folder / FILE} cannot be imported: {error}") from error
+    if Path(str(module.__file__)).resolve().parent != folder:
+        raise InputError(f"{folder}: Python has another module {names[0]}: {module.__file__}; rename the folder")
+    if not hasattr(module, "SUITE"):
+        raise InputError(f"{folder / FILE} has no SUITE, which names the tests and the interface")
+    suite: Suite = module.SUITE
     return suite
 
 
