@@ -17,7 +17,9 @@ from pathlib import Path
 from .errors import BuildError, UnknownComponentError
 
 HERE = Path(__file__).parent
-COMPONENTS = ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed", "battery")
+COMPONENTS = (
+    "filament_brush", "cup_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed", "battery",
+)  # fmt: skip
 NATIVE = ("fmi2", "fmi3")  # the folders of native FMUs
 
 

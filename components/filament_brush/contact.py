@@ -1,7 +1,8 @@
 """Contact of a tip with the hull: normal force (Eq. 7) and friction (Eq. 9)."""
 
-from math import exp, sqrt
+from math import sqrt
 
+from ..library.friction import stribeck
 from .parameters import Parameters
 from .records import Constants, Friction, Normal
 
@@ -26,14 +27,6 @@ def contact_energy(Delta: float, p: Parameters) -> float:
 
 
 def friction_coefficient(v_s: float, p: Parameters, c: Constants) -> Friction:
-    """F_f/F_n with sgn(v) regularised as v/(v^4 + v_eps^4)^(1/4), and a bound on its slope."""
-    v4 = v_s * v_s * v_s * v_s
-    e4 = p.v_eps * p.v_eps * p.v_eps * p.v_eps
-    root = sqrt(sqrt(v4 + e4))
-    u = v_s * v_s / (p.v_0 * p.v_0)
-    peak = 0.0
-    if u < 40.0:  # beyond, below rounding
-        peak = (c.mu_s - c.mu_c) * exp(-u)
-    mu = c.mu_c + peak + p.k_v * abs(v_s)
-    slope = mu * e4 / (root * (v4 + e4)) + p.k_v + 2.0 * abs(peak) * abs(v_s) / (p.v_0 * p.v_0)
-    return Friction(mu * v_s / root, slope)  # Eq. 9
+    """F_f/F_n of Eq. 9 on the fouled hull, and a bound on its slope."""
+    mu, slope = stribeck(v_s, c.mu_s, c.mu_c, p.v_0, p.k_v, p.v_eps)
+    return Friction(mu, slope)

@@ -19,6 +19,12 @@ MEASURED = {
 TOOL = {"F_tool": (-20.0, 30.0), "M_tool": (-5.0, 4.0), "F_n_ref": (30.0, 40.0), "v_ref": (0.0, 0.1)}
 CASES = (
     Case("filament_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05)}),
+    Case("cup_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05),
+                                 "misalignment": (0.0, 0.05), "delta_dot": (0.0, 0.1)}),
+    Case(
+        "cup_brush", 1e-3, 10, {"omega_b": (0.0, 3.0), "delta": (0.002, 0.003), "friction_scale": (0.6, 0.6)},
+        {"alpha": 0.2, "row_tufts": (7.0, 5.0, 0.0, 3.0, 0.0, 0.0, 0.0, 1.0)}, "rows",
+    ),
     Case("dc_motor", 1e-3, 60, {"V_in": (8.0, 6.0), "T_brush": (-10.0, 9.0)}),
     Case(
         "dc_motor", 5e-3, 40, {"V_in": (0.0, 12.0), "T_brush": (0.0, 20.0)},

@@ -20,6 +20,8 @@ STEPS = 10_000
 CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
     "filament_brush": (5e-4, {"omega_b": (5.0, 25.0), "delta": (-0.002, 0.006), "v_rov": (-0.2, 0.2),
                               "friction_scale": (0.5, 2.0)}),
+    "cup_brush": (5e-4, {"omega_b": (-5.0, 25.0), "delta": (-0.002, 0.008), "v_rov": (-0.2, 0.2),
+                         "delta_dot": (-0.1, 0.1), "friction_scale": (0.0, 2.0), "misalignment": (-0.05, 0.05)}),
     "dc_motor": (1e-3, {"V_in": (-12.0, 12.0), "T_brush": (-20.0, 20.0)}),
     "rov_vehicle": (5e-3, {"u_thruster": (-1.2, 1.2), "F_x": (-60.0, 60.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 9.0),
                            "v_c": (-0.3, 0.3), "F_external": (-9.0, 9.0), "M_external": (-1.5, 1.5)}),

@@ -20,6 +20,7 @@ HEADERS = Path(fmpy.__file__).parent / "c-code"
 # Step size [s], steps, and inputs or parameters that make something happen.
 RUNS: dict[str, tuple[float, int, Mapping[str, float]]] = {
     "filament_brush": (1e-3, 400, {"omega_b": 15.7, "delta": 0.005}),
+    "cup_brush": (1e-3, 400, {"omega_b": 15.7, "delta": 0.005}),
     "dc_motor": (1e-3, 400, {"V_in": 12.0, "T_brush": -15.0}),
     "rov_vehicle": (5e-3, 400, {"F_x": -40.0, "F_z": -20.0, "M_y": 2.0}),
     "rov_controller": (2e-2, 400, {"z_n": 0.3, "theta": 0.2, "psi": 0.4}),
