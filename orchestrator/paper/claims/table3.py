@@ -33,17 +33,27 @@ def blade_pass(lab: Lab) -> Finding:
 
 @claim(10, "T_brush equals R_brush F_y within 0.15 %.", "section 6.3")
 def torque_balance(lab: Lab) -> Finding:
-    case = lab.case("nominal")
+    case, cup = lab.case("nominal"), lab.case("cup_nominal")
     F_z, F_x, T = (abs(case.summary[key]) for key in ("F_z_mean", "F_x_mean", "T_brush_mean"))
+    T_cup, F_y = abs(cup.summary["T_brush_mean"]), abs(cup.summary["F_y_mean"])
+    R_cup, y = cup.parameter("brush.R_brush"), cup.parameter("brush.L") * cup.summary["max_deflection_ratio"]
     R, delta = case.parameter("brush.R_brush"), float(case.run.plan.system.components["brush"].inputs["delta"])
     arm = (T - (R - delta) * F_x) / F_z
     printed = 100.0 * abs(0.15 * 110.9 / 16.63 - 1.0)
     return Finding(
-        (at_most("difference between T_brush and R_brush F_y", 0.15, 100.0 * abs(T / (R * F_x) - 1.0), "%"),),
+        (
+            at_most("rolling brush: T_brush and R_brush F_y differ by", 0.15, 100.0 * abs(T / (R * F_x) - 1.0), "%"),
+            at_most("cup brush: they differ by", 0.15, 100.0 * abs(T_cup / (R_cup * F_y) - 1.0), "%"),
+        ),
         f"friction acts at R_brush - delta and the normal force ahead of the axis: {R - delta:.3f} m x {F_x:.1f} N + "
         f"{1e3 * arm:.1f} mm x {F_z:.1f} N = {T:.2f} N.m, while R_brush F_y = {R * F_x:.2f} N.m; the printed pair "
         f"(0.15 m x 110.9 N = {0.15 * 110.9:.3f} N.m) agrees to {printed:.2f} %, as a product of itself does",
-        "The moment is that of the contact forces about the axis; both cannot be met by one set of forces.",
+        "A rolling brush cannot meet both by one set of forces. A cup brush, its axis normal to the hull, does by its "
+        f"geometry: tips slide in circles of R_brush and friction has no other arm, {R_cup:g} m x {F_y:.1f} N = "
+        f"{T_cup:.2f} N.m, where F_y is the friction of all tufts added as numbers (as vectors "
+        f"{cup.mean('brush.F_x'):.1f} N are left). Tips trail their roots by {1e3 * y:.0f} mm: "
+        "with the roots on R_brush the torque would be "
+        f"{100 * (1 - np.sqrt(1 - (y / R_cup) ** 2)):.1f} % less.",
     )
 
 

@@ -28,6 +28,12 @@ def readings(case: Case) -> list[tuple[str, str, str]]:
             f"A filament is a bundle of N_b = {N_b:g} equal bristles (calibrated).",
         ),
         (
+            "The brush: rolling, or a cup",
+            "'Rolling', Eqs. 10, 14, 15 and 125 Hz mean an axis along the hull; T_brush = R_brush F_y and F_y/F_z = mu "
+            "fit one normal to it, with all tips sliding all the time.",
+            "Both are computed: filament_brush (`nominal`, all claims) and cup_brush (`cup_nominal`, claim 10).",
+        ),
+        (
             "Eq. 8, penetration",
             f"R_brush cancels; what is left, L cos(alpha), is {1e3 * printed:.0f} mm at rest.",
             "Penetration of the tip into the plane at R_brush - delta, from the full geometry with foreshortening.",
