@@ -27,7 +27,7 @@ from .run.stepping import Stepping, Time
 from .system.assemble import assemble, over
 from .system.inputs.series_file import with_files, with_inputs
 from .system.model import System
-from .system.request import Changes
+from .system.request import Changes, set_name
 
 Inputs = Mapping[str, Any] | str | Path
 Observer = Callable[[float, dict[str, Any]], object]
@@ -46,6 +46,7 @@ def load(
     allow_outside: Sequence[str | Path] = (),
     start: Time = "",
     values: Mapping[str, object] | None = None,
+    parameters: str | Path = "",
 ) -> Model:
     """A system, by the name of a shipped one or the path of a .toml, .ssp, .ssd, .fmu or OSP file; FMUs stay unpacked.
 
@@ -53,7 +54,7 @@ def load(
     an FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
     recorded instead of what the system says; `step`: the period where an SSP states none; `allow_outside`: folders
     elsewhere from which an SSP may take files; `values`: as of `Model.set`, and structural parameters, which decide the
-    sizes of arrays.
+    sizes of arrays; `parameters`: another parameter set, by its name or its file.
     Raises InputError or FmuError, as the command line does.
     """
     changes = Changes(
@@ -61,6 +62,7 @@ def load(
         _paths(mappings),
         tuple((key, str(value)) for key, value in (periods or {}).items()),
         tuple(str(Path(folder).absolute()) for folder in allow_outside),
+        set_name(str(parameters)),
     )
     folder = Path(fmus) if fmus else None
     return Model(assemble(str(name), values, str(stop), folder, changes, step=step, record=record, start=str(start)))

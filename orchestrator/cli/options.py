@@ -70,6 +70,12 @@ PeriodOption = Annotated[
         help='Another period of a component: motor="1 ms"; of a component alone "1 ms".',
     ),
 ]
+ParametersOption = Annotated[
+    str,
+    typer.Option(
+        "--parameters", metavar="SET", help="Another parameter set: its name, or its file (see `rovbrush systems`)."
+    ),
+]
 InputOption = Annotated[
     list[Path],
     typer.Option(

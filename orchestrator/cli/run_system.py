@@ -35,6 +35,8 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     plan = planned(strictly(system) if strict else system, request.record_boundary)
     checkpoint_ticks(plan, request.checkpoint)
     folder, older = claim(out, plan.system.name, force)
+    if plan.system.parameter_set:
+        tell(f"parameters: {plan.system.parameter_set}")
     print_notes(plan.system)
     for note in last_steps(plan):
         tell(note)

@@ -17,10 +17,11 @@ from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate
 from ..system.assemble import assemble
-from ..system.file.reader import SYSTEMS
+from ..system.file.shipped import SYSTEMS
 from ..system.model import System
 from .specification import Specification, read_specification
 
+BUNDLE = "bristles_per_filament"
 EVALUATIONS = 40  # iterations of the least-squares solver per rung of the ladder
 
 
@@ -73,7 +74,7 @@ def calibrate(
             break
     if best is None:
         raise RunError(f"no {rung} of {candidates} meets every bound; {target_file} is left as it was")
-    text = parameter_file(best)
+    text = parameter_file(best, brush_text(system.with_values(best.values, "calibration")))
     write_file(target_file, lambda path: path.write_text(text, encoding="utf-8"))
     return best, target_file
 
@@ -120,12 +121,26 @@ def fit_rung(
     return Fit(best, figures, missed)
 
 
-def parameter_file(fit: Fit) -> str:
+def brush_text(system: System) -> str:
+    """What the bristles of a fitted brush would amount to: their number, section [m2] and mass [kg]."""
+    brush = system.components["brush"]
+    n, N_b, d, L, rho = (
+        float(brush.parameters.get(name, brush.fmu.start(name))) for name in ("n", BUNDLE, "d", "L", "rho")
+    )
+    section = n * N_b * np.pi * d**2 / 4.0
+    return (
+        f"the paper's Table 3; not a buildable brush: {n:g} x {N_b:g} bristles of {1e3 * d:g} mm are "
+        f"{section:.2f} m2 of section and {section * L * rho:.0f} kg"
+    )
+
+
+def parameter_file(fit: Fit, description: str) -> str:
     """The TOML text of the fitted values, with what they reach."""
     lines = ["# Calibrated to the paper's Table 3 by `rovbrush calibrate`; do not edit by hand.", "#"]
     for f in fit.figures:
         reached = f"# {f.name} = {f.value:.4f}"
         lines.append(reached if f.limit else f"{reached}, paper {f.wanted:g} ({100 * f.deviation:+.2f} %)")
+    lines += ["", f'description = "{description}"']
     for component in dict.fromkeys(name.split(".")[0] for name in fit.values):
         lines += ["", f"[{component}]"]
         lines += [

@@ -29,6 +29,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     tick, again = seconds_text(clock.seconds(1)), seconds_text(clock.seconds(clock.hyperperiod))
     lines = [
         f"system {system.name}" + (f": {system.description}" if system.description else ""),
+        *([f"parameters: {system.parameter_set}"] if system.parameter_set else []),
         (f"start {seconds_text(system.start)}, " if system.start else "") + f"stop {seconds_text(system.stop)}; "
         f"tick {tick}; "
         + (f"the first step is {again}" if plan.adaptive else f"the schedule repeats every {again}"),

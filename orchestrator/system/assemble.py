@@ -38,9 +38,9 @@ def assemble(
     """A system by the name of a shipped one or by the path of its file (or of an FMU), with what is to be different.
 
     `values`: parameters and free inputs, as of `--set`. `start`, `stop`: other times. `fmus`: the folder of built FMUs.
-    `changes`: FMUs in the place of others, and periods. `boundaries`: components of which every input and output is
-    recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the system says.
-    `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
+    `changes`: FMUs in the place of others, periods, a parameter set. `boundaries`: components of which every
+    input and output is recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the
+    system says. `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
     if is_fmu(Path(name)):  # its steps are those of its period, and decide where it ends
         alone = component_name(Path(name))
@@ -50,7 +50,7 @@ def assemble(
         step = given[0] if given else step
         changes = replace(changes, periods=tuple(p for p in changes.periods if p[0] not in ("", alone)))
     outside = tuple(map(Path, changes.outside))
-    loaded = load_system(name, fmus, step, stop, outside, start, values, complete=False)
+    loaded = load_system(name, fmus, step, stop, outside, start, values, False, changes.parameters)
     own = {name: value for name, value in (values or {}).items() if not is_of_event(loaded, name)}
     system = apply_changes(loaded, changes).with_values(own, "--set")
     system = with_event_numbers(system, values or {}, "--set")
@@ -82,8 +82,8 @@ def assemble_request(request: Request) -> System:
     """What the command line asked for. Raises InputError or FmuError."""
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
-        changes_of(request.replace, request.map_, request.period, request.allow_outside), request.record_boundary,
-        request.step, request.record, tuple(map(Path, request.input_)), request.start,
+        changes_of(request.replace, request.map_, request.period, request.allow_outside, request.parameters),
+        request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)), request.start,
     )  # fmt: skip
 
 

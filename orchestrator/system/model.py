@@ -159,6 +159,17 @@ class Requirement:
 
 
 @dataclass(frozen=True)
+class ParameterSet:
+    """The set of parameters that a system has taken: its name, and what it says of itself."""
+
+    name: str
+    description: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.description})" if self.description else self.name
+
+
+@dataclass(frozen=True)
 class System:
     """A checked system, ready to be planned."""
 
@@ -183,6 +194,7 @@ class System:
     format: int = FORMATS[-1]  # of its file: see `FORMATS`
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
+    parameter_set: ParameterSet | None = None
     clock_connections: tuple[Connection, ...] = ()  # from a clock to another one that ticks with it
 
     @property

@@ -31,6 +31,7 @@ class Request:
     csv: str = ""  # "rates": a CSV file for each rate too
     allow_outside: tuple[str, ...] = ()  # folders from which an SSP may take files
     start: str = ""
+    parameters: str = ""
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""
@@ -42,6 +43,7 @@ class Request:
                 replace=tuple(map(_absolute, self.replace)),
                 map_=tuple(map(_absolute, self.map_)),
                 input_=tuple(str(Path(path).absolute()) for path in self.input_),
+                parameters=set_name(self.parameters),
                 allow_outside=tuple(str(Path(path).absolute()) for path in self.allow_outside),
             )
         )
@@ -54,6 +56,11 @@ class Request:
         if values.keys() != kinds.keys() or not all(isinstance(v, kinds[key]) for key, v in values.items()):
             raise ValueError("no request")
         return cls(**values)  # type: ignore[arg-type]
+
+
+def set_name(text: str) -> str:
+    """A parameter set, by its name or by the path of its file, which then holds in any folder."""
+    return str(Path(text).absolute()) if text.endswith(".toml") else text
 
 
 def _absolute(text: str) -> str:
@@ -73,13 +80,18 @@ class Changes:
     mappings: tuple[tuple[str, str], ...] = ()
     periods: tuple[tuple[str, str], ...] = ()
     outside: tuple[str, ...] = ()  # folders elsewhere from which an SSP may take files
+    parameters: str = ""  # the set in place of the system's own: a name, or an absolute path
 
 
 UNCHANGED = Changes()
 
 
 def changes_of(
-    replacements: Iterable[str], mappings: Iterable[str], periods: Iterable[str], outside: Iterable[object] = ()
+    replacements: Iterable[str],
+    mappings: Iterable[str],
+    periods: Iterable[str],
+    outside: Iterable[object] = (),
+    parameters: str = "",
 ) -> Changes:
     """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms" --allow-outside ../fmus`.
 
@@ -90,6 +102,7 @@ def changes_of(
         _pairs("--map", mappings, "motor=map.toml", paths=True),
         _pairs("--period", periods, 'motor="1 ms"'),
         tuple(str(Path(str(folder)).absolute()) for folder in outside),
+        set_name(parameters),
     )
 
 

@@ -13,11 +13,13 @@ from rovbrush.orchestrator.exchange.recordings.shipped import RUNS, read_runs
 from rovbrush.orchestrator.paper.specification import SPECIFICATION, read_specification
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_of
 from rovbrush.orchestrator.studies.sweep.file import SWEEPS, sweep_file
-from rovbrush.orchestrator.system.file.reader import SYSTEMS, load_system
+from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.file.shipped import SYSTEMS
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 
-SYSTEM = (SYSTEMS / "test_stand.toml").read_text(encoding="utf-8").replace('"calibrated.toml"', '"beside.toml"')
-CALIBRATED = (SYSTEMS / "calibrated.toml").read_text(encoding="utf-8")
+STAND = (SYSTEMS / "test_stand.toml").read_text(encoding="utf-8")
+SYSTEM = STAND.replace('parameters = "paper"', 'parameters = "beside.toml"')
+CALIBRATED = (SYSTEMS / "paper.toml").read_text(encoding="utf-8")
 MAPPING = """\
 [variables]
 V_in = "supply.voltage"

@@ -219,7 +219,6 @@ def test_slips_in_the_system_file_are_found_before_the_run(
     shipped = load_system("hull_pass", fmus).path
     text = shipped.read_text(encoding="utf-8")
     assert old in text
-    (tmp_path / "calibrated.toml").write_bytes((shipped.parent / "calibrated.toml").read_bytes())
     (tmp_path / "case.toml").write_text(text.replace(old, new), encoding="utf-8")
     with pytest.raises(InputError, match=message):
         planned(assemble(str(tmp_path / "case.toml"), {}, fmus=fmus))

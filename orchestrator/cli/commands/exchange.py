@@ -10,7 +10,17 @@ import typer
 from ...errors import InputError, counted
 from ..console import print_table, tell
 from ..guard import sheltered
-from ..options import FmusOption, OutsideOption, SetOption, StartOption, StepOption, StopOption, SystemName, app
+from ..options import (
+    FmusOption,
+    OutsideOption,
+    ParametersOption,
+    SetOption,
+    StartOption,
+    StepOption,
+    StopOption,
+    SystemName,
+    app,
+)
 from ..progress import share
 
 
@@ -61,6 +71,7 @@ def export(
     ] = None,
     ssp_version: Annotated[str, typer.Option("--ssp-version", help="1.0 or 2.0.")] = "1.0",
     set_: SetOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
     start: StartOption = "",
     stop: StopOption = "",
     step: StepOption = "",
@@ -75,7 +86,7 @@ def export(
 
     if ssp == container:
         raise InputError("export: choose one of --ssp and --container")
-    changes = changes_of((), (), (), allow_outside)
+    changes = changes_of((), (), (), allow_outside, parameters)
     plan = planned(assemble(system, assignments(set_), stop, fmus, changes, step=step, start=start))
     if ssp:
         found = export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)

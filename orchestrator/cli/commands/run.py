@@ -17,6 +17,7 @@ from ..options import (
     MapOption,
     OutOption,
     OutsideOption,
+    ParametersOption,
     PeriodOption,
     ReplaceOption,
     SetOption,
@@ -79,12 +80,17 @@ def build(
 
 @app.command()
 def systems() -> None:
-    """List the shipped systems and sweeps."""
+    """List the shipped systems, parameter sets and sweeps."""
     from ...studies.sweep.file import SWEEPS, shipped_sweeps
-    from ...system.file.reader import SYSTEMS, shipped_systems, system_description
+    from ...system.file.parameter_sets import shipped_sets
+    from ...system.file.reader import system_description
+    from ...system.file.shipped import SYSTEMS, shipped_systems
 
     for name in shipped_systems():
         tell(f"{name:<20} {system_description(SYSTEMS / f'{name}.toml')}")
+    tell("\nparameter sets, for `--parameters`:")
+    for name, about in shipped_sets().items():
+        tell(f"{name:<20} {about}")
     tell("\nsweeps, for `rovbrush sweep`:")
     for name in shipped_sweeps():
         tell(f"{name:<20} {system_description(SWEEPS / f'{name}.toml')}")
@@ -99,6 +105,7 @@ def plan(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
     start: StartOption = "",
     stop: StopOption = "",
     step: StepOption = "",
@@ -115,7 +122,7 @@ def plan(
     request = Request(
         system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
-        allow_outside=tuple(map(str, allow_outside)),
+        allow_outside=tuple(map(str, allow_outside)), parameters=parameters,
     )  # fmt: skip
     planned = make_plan(assemble_request(request))
     tell(explain(planned, None if all_operations else 40))
@@ -134,6 +141,7 @@ def run(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
     record_boundary: Annotated[
         list[str],
         typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
@@ -181,7 +189,7 @@ def run(
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
-        tuple(map(str, allow_outside)), start,
+        tuple(map(str, allow_outside)), start, parameters,
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

@@ -14,6 +14,7 @@ from ..options import (
     MapOption,
     OutOption,
     OutsideOption,
+    ParametersOption,
     PeriodOption,
     ReplaceOption,
     SetOption,
@@ -40,6 +41,7 @@ def converge(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
@@ -48,7 +50,8 @@ def converge(
     from ...system.request import changes_of
 
     with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
-        found = study(system, out, fmus, changes_of(replace, map_, period, allow_outside), tell, progress, start, stop)
+        changes = changes_of(replace, map_, period, allow_outside, parameters)
+        found = study(system, out, fmus, changes, tell, progress, start, stop)
     print_means(Path(system).stem, found.rows)
     print_signals(Path(system).stem, found.signals)
     wrote(found.paths, out)
@@ -106,6 +109,7 @@ def sweep(
     replace: ReplaceOption = [],  # noqa: B006
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
     random: Annotated[
         int, typer.Option("--random", min=0, metavar="COUNT", help="Random points; --vary then gives low:high.")
     ] = 0,
@@ -134,7 +138,7 @@ def sweep(
     from ...studies.sweep.sweep import sweep as run_sweep
     from ...system.request import assignments, changes_of
 
-    changes = changes_of(replace, map_, period, allow_outside)
+    changes = changes_of(replace, map_, period, allow_outside, parameters)
     options = Options(
         vary,
         assignments(set_),

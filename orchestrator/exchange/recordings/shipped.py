@@ -17,7 +17,7 @@ from ...results.tables import require_complete
 from ...run.planned import planned
 from ...run.simulation import simulate
 from ...system.assemble import assemble
-from ...system.file.reader import SYSTEMS
+from ...system.file.shipped import SYSTEMS
 from ...system.schema.checked import checked
 from ...system.schema.values import Time, Values
 from ...toml_file import TomlFile

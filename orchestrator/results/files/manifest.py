@@ -33,6 +33,7 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
         }  # fmt: skip
     return {
         "system": system.name, "description": system.description,
+        **({"parameters": str(system.parameter_set)} if system.parameter_set else {}),
         **({"start_time_s": float(system.start)} if system.start else {}), "stop_s": float(system.stop),
         "complete": not run.failure,
         **({"ended": run.ended} if run.ended else {}),

@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import InputError, nearest
-from ...system.file.reader import SYSTEMS, shipped_systems
+from ...system.file.shipped import SYSTEMS, shipped_systems
 from ...system.formats import ENDINGS, is_system_file
 from ...system.schema.checked import checked
 from ...system.schema.sweep import SweepTable

@@ -16,39 +16,34 @@ from ...toml_file import TomlFile
 from ..formats import is_system_file, opened
 from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System
-from ..schema.checked import checked, checked_value
+from ..schema.checked import checked
 from ..schema.report import Balance, Comparison, Figure, Window
 from ..schema.solving import Loops, Solver
 from ..schema.system import KEYS, SystemTable
-from ..schema.values import Value
-from ..values import checked_values
 from .bonds import bonds_of, requirement_of
 from .clock_links import is_clock
 from .components import component_of
 from .connections import check_drivers, connections_of
 from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
+from .parameter_sets import parameter_set, stated, with_parameter_set
 from .recorded import recorded_names
-from .structure import Stated, given_for, is_structural, with_resized_starts
+from .shipped import SYSTEMS, shipped_systems
+from .structure import given_for, with_resized_starts
 
-SYSTEMS = Path(__file__).parent.parent.parent / "systems"
 REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list}
-
-
-def shipped_systems() -> list[str]:
-    """Names of the systems that come with the package."""
-    return sorted(path.stem for path in SYSTEMS.glob("*.toml") if "[components." in path.read_text(encoding="utf-8"))
 
 
 def load_system(
     name: str, fmus: Path | None = None, step: str = "", stop: str = "", outside: Sequence[Path] = (), start: str = "",
-    values: Mapping[str, object] | None = None, complete: bool = True,
+    values: Mapping[str, object] | None = None, complete: bool = True, parameters: str = "",
 ) -> System:  # fmt: skip
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
     `step`, `stop` and `start`: a period and times for what an SSP of another tool leaves open, or an FMU alone;
     `outside`: folders elsewhere from which an SSP may take files. `values`: what will be set, of which structural
-    parameters count now, since sizes follow them. `complete`: it must say what every input gets.
+    parameters count now, since sizes follow them. `complete`: it must say what every input gets. `parameters`: a set of
+    them in place of the one that the file names.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop, start, outside)
@@ -60,7 +55,8 @@ def load_system(
     table = checked(SystemTable, {key: value for key, value in file.data.items() if key in KEYS}, "", file)
     if not table.components:
         raise InputError(f"{file.path.name}: 'components' is missing")
-    under, count = _parameter_file(file), len(table.components)
+    chosen = parameter_set(file, parameters)
+    under, count = stated(chosen), len(table.components)
     later = {key: given_for(key, count, values or {}, "--set") for key in table.components}
     entries = {key: file.entry(dict, key, file.data["components"], "components") for key in table.components}
     components = {
@@ -86,7 +82,7 @@ def load_system(
         record=record, reporting=_reporting(file), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
-    system = _with_parameter_file(file, system)
+    system = with_parameter_set(system, chosen, file.path.name)
     system = require_values(system, file.fail) if complete else system
     resized = {
         key: with_resized_starts(c, later[key], file.path.name) for key, c in system.components.items() if c.fmu.resized
@@ -180,51 +176,6 @@ def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]
             ".fmu or OspSystemStructure.xml file"
         )
     return TomlFile(path)
-
-
-def _parameter_file(file: TomlFile) -> dict[str, list[Stated]]:
-    """What the parameter file states, by component; see `_with_parameter_file` for what is refused."""
-    name = file.data.get("parameters")
-    if name is None:
-        return {}
-    table = TomlFile(file.path.parent / name)
-    return {
-        heading: [(key, value, f"{table.name} {table.at(key, heading)}") for key, value in entries.items()]
-        for heading, entries in table.data.items()
-        if isinstance(entries, dict)
-    }
-
-
-def _with_parameter_file(file: TomlFile, system: System) -> System:
-    """Values of the parameter file come under those of the system file itself."""
-    name = file.data.get("parameters")
-    if name is None:
-        return system
-    table = TomlFile(file.path.parent / name)
-    for heading, entries in table.data.items():  # a table for a component of another system is fine, a slip is not
-        close = difflib.get_close_matches(heading, system.components, n=1, cutoff=0.8)
-        if not isinstance(entries, dict):
-            raise table.fail(f"'{heading}' must be a table of values, [COMPONENT]", heading)
-        if heading not in system.components and close:
-            raise table.fail(f"no component '{heading}'; did you mean '{close[0]}'?", heading)
-        for key, value in entries.items():
-            checked_value(Value | list[Value], value, f"{heading}: {key}", table.at(key, heading))
-            if heading in system.components and not is_structural(system.components[heading].fmu, key):
-                checked_values(system.components[heading], key, value, f"{table.name} {table.at(key, heading)}")
-    values = {
-        f"{c}.{key}": value
-        for c, entries in table.data.items()
-        if c in system.components
-        for key, value in entries.items()
-        if not set(system.components[c].fmu.expand(key)) & system.components[c].series.keys()
-        and not is_structural(system.components[c].fmu, key)
-    }
-    own = {
-        f"{c.name}.{key}": value
-        for c in system.components.values()
-        for key, value in {**c.parameters, **c.inputs}.items()
-    }
-    return system.with_values(values, table.path.name).with_values(own, file.path.name)
 
 
 def system_description(path: Path) -> str:

@@ -125,8 +125,9 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     parameters: Annotated[
         str | None,
         Meta(
-            description="a TOML file with a table of values for each component; those of this file come over them",
-            extra={"must": "the name of a file"},
+            description="a set of parameters: a TOML file with a table of values for each component, or the name of "
+            "one beside this file or of a shipped one; values of this file come over them",
+            extra={"must": "the name of a parameter set or of its file"},
         ),
     ] = None
     connections: Annotated[

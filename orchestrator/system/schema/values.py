@@ -38,8 +38,9 @@ Values = dict[str, Value | list[Value]]
 ParameterFile = Annotated[
     dict[str, Values],
     Meta(
-        description="A table `[COMPONENT]` of values for each component: what `parameters` in a system file names. "
-        "Tables for components that the system does not have are left out."
+        description="A table `[COMPONENT]` of values for each component, and `description`, a text: what `parameters` "
+        "in a system file names. Tables for components that the system does not have are left out.",
+        extra_json_schema={"properties": {"description": {"type": "string", "description": "of the set, in a line"}}},
     ),
 ]
 UnitFile = Annotated[

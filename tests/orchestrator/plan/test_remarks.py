@@ -18,7 +18,8 @@ from rovbrush.orchestrator.results.ranges import left_range
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.file.reader import load_system, shipped_systems
+from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.file.shipped import shipped_systems
 from rovbrush.orchestrator.system.request import Changes
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 

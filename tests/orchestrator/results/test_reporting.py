@@ -10,7 +10,7 @@ from native_build import FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.file.reader import SYSTEMS, shipped_systems
+from rovbrush.orchestrator.system.file.shipped import SYSTEMS, shipped_systems
 
 MORE = """
 [[compare]]
@@ -52,7 +52,6 @@ WRONG = {
 def test_a_slip_in_what_is_to_be_reported_is_found_before_the_run(slip: str, tmp_path: Path, fmus: Path) -> None:
     old, new, hint = WRONG[slip]
     text = (SYSTEMS / "test_stand.toml").read_text(encoding="utf-8") + MORE
-    (tmp_path / "calibrated.toml").write_bytes((SYSTEMS / "calibrated.toml").read_bytes())
     path = tmp_path / "case.toml"
     path.write_text(text, encoding="utf-8")
     planned(assemble(str(path), {}, fmus=fmus))

@@ -22,7 +22,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.file.reader import load_system, shipped_systems
+from rovbrush.orchestrator.system.file.reader import load_system
+from rovbrush.orchestrator.system.file.shipped import shipped_systems
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.ssp.files.document import Document, validate
 from rovbrush.orchestrator.system.ssp.write import write_ssp
