@@ -92,30 +92,3 @@ def _parameter_variable(field: dataclasses.Field[Any]) -> Variable:
         size=len(default) if isinstance(default, tuple) else 0,
         **field.metadata,
     )
-
-
-def input_(
-    name: str,
-    unit: str,
-    description: str,
-    start: float = 0.0,
-    size: int = 0,
-    minimum: float = -INF,
-    maximum: float = INF,
-    sampled: bool = False,
-) -> Variable:
-    """An input; it keeps its value over a communication step. `sampled`: only its value at the samples counts."""
-    return Variable(name, unit, "input", description, (start,) * max(size, 1), minimum, maximum, size, sampled=sampled)
-
-
-def output(
-    name: str, unit: str, description: str, depends: tuple[str, ...] = (), size: int = 0, sampled: bool = False
-) -> Variable:
-    """An output; `depends` names the inputs that act on it at once (direct feedthrough)."""
-    starts = (0.0,) * max(size, 1)
-    return Variable(name, unit, "output", description, starts, size=size, depends=depends, sampled=sampled)
-
-
-def calculated(name: str, unit: str, description: str, size: int = 0) -> Variable:
-    """A calculated parameter: follows from the parameters when initialization ends, constant from then on."""
-    return Variable(name, unit, "calculatedParameter", description, (0.0,) * max(size, 1), size=size)
