@@ -19,7 +19,9 @@ def test_two_versions_of_one_fmu_in_one_process_give_their_own_results(tmp_path:
     changed = tmp_path / "new" / "integrator"
     shutil.copytree(FIXTURES / "integrator", changed)
     kernel = changed / "kernel.py"
-    kernel.write_text(kernel.read_text().replace("x[0] = x[0] + h * u", "x[0] = x[0] + 2.0 * h * u"))
+    before = kernel.read_text()
+    kernel.write_text(before.replace("x.x = x.x + h * u.u", "x.x = x.x + 2.0 * h * u.u"))
+    assert kernel.read_text() != before
     build(changed, tmp_path)
     (tmp_path / "old.fmu").write_bytes((fmus / "integrator.fmu").read_bytes())
     part = {"x_start": 1.0, "=u": 3.0}
