@@ -9,7 +9,12 @@ import pytest
 from helpers import Measured
 from rovbrush.orchestrator.paper.claims.table3 import torque_balance
 from rovbrush.orchestrator.paper.lab import Case, Lab
-from rovbrush.orchestrator.results.summary import comparison
+from rovbrush.orchestrator.results.summary import comparison, summarize
+from rovbrush.orchestrator.results.tables import require_complete
+from rovbrush.orchestrator.run.planned import planned
+from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.assemble import assemble
+from rovbrush.orchestrator.system.request import Changes
 
 TABLE_3 = {"F_z": (-221.7, 0.01, "N"), "F_y": (-110.9, 0.01, "N"), "T_brush": (-16.63, 0.01, "N.m"),
            "omega_b": (15.7, 0.01, "rad/s")}  # fmt: skip
@@ -55,3 +60,16 @@ def test_torque_claim_holds_for_the_cup_and_not_for_the_roller(lab: Lab, measure
     measured("claim 10, rolling brush [%]", roller.computed, "0.15")
     measured("claim 10, cup brush [%]", cup.computed, "0.15")
     assert cup.holds and not roller.holds
+
+
+def test_cup_takes_the_place_of_the_filament_brush(fmus: Path, tmp_path: Path, case: Case, measured: Measured) -> None:
+    """On the test stand, by `--replace` and a mapping that lets go of what only filaments have."""
+    only_there = ("bristles_per_filament", "k_c", "k_v", "alpha")
+    mapping = tmp_path / "cup.toml"
+    mapping.write_text("[variables]\n" + "".join(f'{name} = ""\n' for name in only_there), encoding="utf-8")
+    changes = Changes((("brush", str(fmus / "cup_brush.fmu")),), (("brush", str(mapping)),))
+    run = require_complete(simulate(planned(assemble("test_stand", {}, "4 s", fmus, changes))))
+    F_z, expected = summarize(run)["F_z_mean"], case.summary["F_z_mean"]
+    measured("cup_brush in test_stand: F_z over that of cup_nominal - 1", F_z / expected - 1.0, "5e-3")
+    # B_m of the stand is calibrated to the filaments' torque: the brush turns 0.4 % faster.
+    assert F_z == pytest.approx(expected, rel=5e-3)
