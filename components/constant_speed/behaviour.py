@@ -51,5 +51,28 @@ def test_energy_does_not_depend_on_the_communication_step(unit: Unit) -> None:
     close(unit, "energy", coarse, fine, 1e-13)  # rounding of 500 sums
 
 
+def test_housing_holds_the_brush_torque(unit: Unit) -> None:
+    """T_housing = T_brush: what holds the speed is the vehicle; J_housing is its integral."""
+    seen, impulse = unit.new({"V_in": unit.parameter("V_nominal"), "T_brush": 0.0}, omega_b_set=10.0), 0.0
+    before = seen["J_housing"]
+    for T_brush in (0.0, -5.0, -50.0, 3.0):
+        seen.set(T_brush=T_brush)
+        seen.step(0.01)
+        impulse += T_brush * 0.01
+        same("torque of the housing", seen["T_housing"], T_brush)
+        close(unit, "impulse of the housing", seen["J_housing"] - before, impulse, 1e-14, 6.0)  # the spin is about 6
+
+
+def test_jump_of_the_speed_is_an_impulse_on_the_housing(unit: Unit) -> None:
+    """H_spin = J_b*omega_b, and a step of the voltage throws the housing back by what the spin jumps by."""
+    J_b, V = values(unit, "J_b", "V_nominal")
+    seen = unit.new({"V_in": V, "T_brush": 0.0}, omega_b_set=10.0)
+    before = seen["J_housing"]
+    close(unit, "spin momentum", seen["H_spin"], J_b * 10.0, 1e-15)
+    seen.set(V_in=0.5 * V)
+    seen.step(0.01)
+    close(unit, "impulse of the housing", seen["J_housing"] - before, J_b * 5.0, 1e-14)
+
+
 EXCITATION = Excitation(1e-3, 30, {"V_in": (6.0, 9.0), "T_brush": (-10.0, 9.0)})
 SUITE = suite(ConstantSpeed, "V_in T_brush omega_b", EXCITATION, sys.modules[__name__])

@@ -17,6 +17,9 @@ class Parameters:
     V_nominal: float = parameter(
         12.0, "V", "voltage at which the speed is omega_b_set; it changes in proportion", "assumed", 0.1, 1e3
     )
+    J_b: float = parameter(
+        0.6, "kg.m2", "brush inertia: filaments 0.55, hub 0.05", "assumed", minimum=0.0, maximum=100.0
+    )
 
 
 NOMINAL = Parameters()

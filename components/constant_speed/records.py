@@ -20,9 +20,15 @@ class Outputs(Packed):
     P_shaft: float = output("W", "power delivered to the brush, -T_brush*omega_b", depends=("V_in", "T_brush"))
     W_electrical: float = output("J", "electrical energy taken in since the start")
     W_shaft: float = output("J", "energy delivered to the brush")
+    H_spin: float = output("N.m.s", "spin momentum of the brush about +y_t", depends=("V_in",))
+    T_housing: float = output("N.m", "torque of the motor housing on the vehicle about +y_t", depends=("T_brush",))
+    J_housing: float = output(
+        "N.m.s", "rises by the angular impulse of T_housing exactly, jumps of the speed included", depends=("V_in",)
+    )
 
 
 class State(Record):
     """What the drive carries from step to step."""
 
     W_shaft: float = value("J", "energy delivered to the brush")
+    J_brush: float = value("N.m.s", "angular impulse of the brush torque")

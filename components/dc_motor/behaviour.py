@@ -9,7 +9,7 @@ from scipy.linalg import expm
 
 from ..testing.behaviour import Unit, close, go_on, holds, read, run, values, where_known
 from ..testing.suite import Excitation, suite
-from . import behaviour_energy
+from . import behaviour_energy, behaviour_housing
 from .behaviour_energy import H, constants, plain, ratio, settled
 from .fmu import DcMotor
 
@@ -140,4 +140,4 @@ def test_internal_steps_are_of_fourth_order(unit: Unit) -> None:
 
 
 EXCITATION = Excitation(H, 60, {"V_in": (6.0, 9.0), "T_brush": (-8.0, 9.0)})
-SUITE = suite(DcMotor, "V_in T_brush omega_b", EXCITATION, sys.modules[__name__], behaviour_energy)
+SUITE = suite(DcMotor, "V_in T_brush omega_b", EXCITATION, sys.modules[__name__], behaviour_energy, behaviour_housing)

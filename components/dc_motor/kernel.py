@@ -20,6 +20,11 @@ def inertia(N_g: float, p: Parameters) -> float:
     return p.J_m + p.J_b / (N_g * N_g)
 
 
+def spin_inertia(N_g: float, p: Parameters) -> float:
+    """Spin momentum of brush and rotor about +y_t per motor speed: the rotor counts by its sense."""
+    return p.J_b / N_g + p.rotor_sense * p.J_m
+
+
 def torque_ratio(T_m: float, omega_m: float, N_g: float, u: Inputs, p: Parameters) -> float:
     """Torque ratio out/in of the gear over N_g: the efficiency, or its inverse when the brush drives."""
     # The torque at the gear's input is positive where J_b*T_m/N_g - J_m*T_brush is, whatever the loss.
@@ -107,6 +112,8 @@ def initialize(p: Parameters, x: State) -> None:
     x.W_gear = 0.0
     x.W_shaft = 0.0
     x.E_start = stored_energy(x, N_g, p)
+    x.J_brush = 0.0
+    x.H_start = spin_inertia(N_g, p) * x.omega_m
 
 
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
@@ -130,6 +137,10 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     y.E_stored = stored_energy(x, N_g, p)
     # With K_e different from K_t the conversion itself makes or loses energy; the residual shows it.
     y.energy_residual = x.E_start + x.W_electrical - x.W_copper - x.W_friction - x.W_gear - x.W_shaft - y.E_stored
+    y.H_spin = spin_inertia(N_g, p) * x.omega_m  # Eq. M1
+    # Newton: what the brush torque does not spend on the spin momentum reaches the housing.
+    y.T_housing = u.T_brush - spin_inertia(N_g, p) * power.omega_m  # Eq. M2
+    y.J_housing = x.J_brush - (y.H_spin - x.H_start)  # Eq. M3
 
 
 def longest_step(N_g: float, p: Parameters) -> float:
@@ -176,4 +187,5 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
             x.W_gear += change.W_gear
             x.W_shaft += change.W_shaft
             left -= part
+    x.J_brush += u.T_brush * h
     outputs(u, p, x, y)

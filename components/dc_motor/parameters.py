@@ -33,6 +33,14 @@ class Parameters:
     gear_stages: int = parameter(
         2, "1", "number of stages; one stage cannot give 16.63 N.m (stall is 12.5 N.m)", "assumed", minimum=1, maximum=6
     )
+    rotor_sense: int = parameter(
+        1,
+        "1",
+        "sense in which the rotor turns against the brush: 1 the same, -1 the other, 0 across it",
+        "planetary gear, fixed ring",
+        minimum=-1,
+        maximum=1,
+    )
     gear_efficiency: float = parameter(
         1.0, "1", "efficiency of the gearbox in both directions, 1 = lossless", "assumed", minimum=0.05, maximum=1.0
     )

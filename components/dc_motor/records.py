@@ -31,6 +31,9 @@ class Outputs(Packed):
     W_shaft: float = output("J", "energy delivered to the brush")
     E_stored: float = output("J", "energy in the inductance, the rotor and the brush inertia")
     energy_residual: float = output("J", "energy taken in and not accounted for; zero when K_e = K_t")
+    H_spin: float = output("N.m.s", "spin momentum of brush and rotor about +y_t")
+    T_housing: float = output("N.m", "torque of the motor housing on the vehicle about +y_t", depends=("T_brush",))
+    J_housing: float = output("N.m.s", "angular impulse of T_housing since the start, exactly")
 
 
 class State(Record):
@@ -44,6 +47,8 @@ class State(Record):
     W_gear: float = value("J", "energy lost in the gearbox")
     W_shaft: float = value("J", "energy delivered to the brush")
     E_start: float = value("J", "energy stored at the start")
+    J_brush: float = value("N.m.s", "angular impulse of the brush torque")
+    H_start: float = value("N.m.s", "spin momentum at the start")
 
 
 class Change(Record):

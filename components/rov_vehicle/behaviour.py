@@ -11,7 +11,7 @@ import numpy as np
 
 from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
 from ..testing.suite import Excitation, suite
-from . import behaviour_at_rest
+from . import behaviour_at_rest, behaviour_spin
 from .behaviour_at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
 from .fmu import RovVehicle
 from .parameters import BENZON_2022, WU_2018, Parameters
@@ -184,9 +184,9 @@ def test_surge_is_unstable_in_pitch_at_speed(unit: Unit) -> None:
 
 EXCITATION = Excitation(
     5e-3, 60,
-    {"u_thruster": (0.1, 1.2), "F_x": (-60.0, 50.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 8.0), "v_c": (0.2, 0.3),
-     "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
+    {"u_thruster": (0.1, 1.2), "F_x": (-60.0, 50.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 8.0), "H_y": (5.0, 4.0),
+     "v_c": (0.2, 0.3), "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
     {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
 )  # fmt: skip
 ESSENTIAL = f"u_thruster F_x F_z M_y {' '.join(POSE)} {' '.join(VELOCITY)} delta delta_dot v_rov"
-SUITE = suite(RovVehicle, ESSENTIAL, EXCITATION, behaviour_at_rest, sys.modules[__name__])
+SUITE = suite(RovVehicle, ESSENTIAL, EXCITATION, behaviour_at_rest, sys.modules[__name__], behaviour_spin)

@@ -11,6 +11,7 @@ from ..library.vectors import copy
 from .energy import kinetic, potential
 from .frames import change_frame, euler_angles, rotation
 from .inertia import mass_matrix
+from .momentum import angular_momentum, longest_step, spin
 from .motion import rates
 from .parameters import Parameters
 from .propulsion import thruster_wrench, thrusts
@@ -54,16 +55,21 @@ def place(z: Motion, p: Parameters, s: Scratch) -> None:
     z.W_external = 0.0
     z.W_current = 0.0
     z.W_damping = 0.0
+    for i in range(3):
+        z.J_tool[i] = 0.0
+        z.J_other[i] = 0.0
 
 
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
     thruster_wrench(1.0, u, p, x, s)
     tool_wrench(u, p, x, s)
-    copy(18, s.stage, x.motion)
+    spin(u, x, s)
+    copy(24, s.stage, x.motion)
     change_frame(s.stage, -1.0, u, s)
     rates(s.k, s.stage, u, p, x, s)
     write_powers(s.k, y)
+    write_momenta(x.motion, p, x, y, s)
     write_motion(x.motion, y, s)
     for i in range(8):
         y.thrust[i] = x.thrust[i]
@@ -119,22 +125,37 @@ def write_works(z: Motion, y: Outputs) -> None:
     y.W_damping = z.W_damping
 
 
+def write_momenta(z: Motion, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Angular momentum and impulses about the world origin, and the moment of the spinning tool."""
+    angular_momentum(s.impulse, z, p, x, s)
+    for i in range(3):
+        y.M_gyro[i] = s.M_gyro[i]
+        y.L[i] = s.impulse[i]
+        y.J_tool[i] = z.J_tool[i]
+        y.J_other[i] = z.J_other[i]
+
+
 def change_current(z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
-    """A change of the current changes the energy of the added mass at once: work of the water on the vehicle."""
+    """A change of the current changes energy and momentum of the added mass at once: the water does that."""
     rotation(s.R, z)
     z.W_current = z.W_current - kinetic(z, p, x, s)
+    angular_momentum(s.L_before, z, p, x, s)
     for i in range(3):
         x.current[i] = u.v_c[i]
     z.W_current = z.W_current + kinetic(z, p, x, s)
+    angular_momentum(s.impulse, z, p, x, s)
+    for i in range(3):
+        z.J_other[i] = z.J_other[i] + (s.impulse[i] - s.L_before[i])
 
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Advance by h in equal Runge-Kutta steps of at most max_step."""
-    count = equal_steps(h, p.max_step)
+    """Advance by h in equal Runge-Kutta steps, of at most max_step."""
+    tool_wrench(u, p, x, s)
+    spin(u, x, s)
+    count = equal_steps(h, longest_step(p, s))
     dt = h / count
     if p.thruster_lag <= 0.0:
         thrusts(0.0, u, p, x)
-    tool_wrench(u, p, x, s)
     change_current(x.motion, u, p, x, s)
     change_frame(x.motion, -1.0, u, s)
     for _ in range(count):

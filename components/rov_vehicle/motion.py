@@ -1,7 +1,8 @@
 """Equations of motion (Eqs. 18, 19) in the frame that moves with the water."""
 
-from ..library.vectors import cross_add, join, split
+from ..library.vectors import cross_add, join
 from .frames import rotation
+from .momentum import gyroscopic, impulses, momenta
 from .parameters import Parameters
 from .records import Inputs, Motion, Scratch, State
 
@@ -13,10 +14,14 @@ def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) 
     water(k, z, p, s)
     # The moment of weight and buoyancy.
     cross_add(s.moment, x.lever[0], x.lever[1], x.lever[2], s.R[2, 0], s.R[2, 1], s.R[2, 2])
+    for i in range(3):
+        s.load_force[i] = s.force[i] + s.F_control[i] + u.F_external[i]
+        s.load_moment[i] = s.moment[i] + s.M_control[i] + u.M_external[i]
     coriolis(z, x, s)
+    gyroscopic(z, s)
     for i in range(3):
         s.force[i] = s.force[i] + s.F_control[i] + s.F_disturb[i] + u.F_external[i]
-        s.moment[i] = s.moment[i] + s.M_control[i] + s.M_disturb[i] + u.M_external[i]
+        s.moment[i] = s.moment[i] + s.M_control[i] + s.M_disturb[i] + u.M_external[i] + s.M_gyro[i]
     join(s.tau, s.force, s.moment)
     for i in range(6):
         nu_dot = 0.0
@@ -24,6 +29,7 @@ def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) 
             nu_dot += x.M_inv[i, j] * s.tau[j]  # Eq. 19
         k.nu[i] = nu_dot
     powers(k, z, u, p, s)
+    impulses(k, z, u, p, s)
 
 
 def kinematics(k: Motion, z: Motion, u: Inputs, s: Scratch) -> None:
@@ -58,12 +64,7 @@ def water(k: Motion, z: Motion, p: Parameters, s: Scratch) -> None:
 
 def coriolis(z: Motion, x: State, s: Scratch) -> None:
     """Take C nu_r = (omega x a, v_r x a + omega x b) off, with the momenta a (linear) and b (angular) of M nu_r."""
-    for i in range(6):
-        momentum = 0.0
-        for j in range(6):
-            momentum += x.M[i, j] * z.nu[j]
-        s.momenta[i] = momentum
-    split(s.momenta, s.a, s.b)
+    momenta(z, x, s)
     cross_add(s.force, s.a[0], s.a[1], s.a[2], z.omega[0], z.omega[1], z.omega[2])
     cross_add(s.moment, s.a[0], s.a[1], s.a[2], z.v[0], z.v[1], z.v[2])
     cross_add(s.moment, s.b[0], s.b[1], s.b[2], z.omega[0], z.omega[1], z.omega[2])

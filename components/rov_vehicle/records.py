@@ -6,6 +6,7 @@ from ..declare.record import Matrix, Packed, Record, Vector, input_, output, ove
 
 FORCES = ("F_x", "F_y", "F_z")
 TOOL = (*FORCES, "M_x", "M_y", "M_z")
+SPIN = ("H_x", "H_y", "H_z")
 
 
 class Inputs(Record):
@@ -18,6 +19,9 @@ class Inputs(Record):
     M_x: float = input_("N.m", "moment on the tool about x_t")
     M_y: float = input_("N.m", "moment on the tool about y_t")
     M_z: float = input_("N.m", "moment on the tool about z_t")
+    H_x: float = input_("N.m.s", "spin momentum of the tool about x_t")
+    H_y: float = input_("N.m.s", "spin momentum of the tool about y_t")
+    H_z: float = input_("N.m.s", "spin momentum of the tool about z_t")
     F_external: Vector = input_("N", "further force on the vehicle, body frame", size=3)
     M_external: Vector = input_("N.m", "further moment about the body origin, body frame", size=3)
     v_c: Vector = input_("m/s", "velocity of the water, world frame", size=3)
@@ -59,6 +63,10 @@ class Outputs(Packed):
     E_kinetic: float = output("J", "kinetic energy")
     E_potential: float = output("J", "energy of weight and buoyancy")
     energy_residual: float = output("J", "unaccounted energy")
+    M_gyro: Vector = output("N.m", "gyroscopic moment of the spinning tool, body frame", SPIN, size=3)
+    L: Vector = output("N.m.s", "angular momentum about the world origin, without the tool's spin, world frame", size=3)
+    J_tool: Vector = output("N.m.s", "angular impulse of the tool about the world origin, its spin included", size=3)
+    J_other: Vector = output("N.m.s", "angular impulse of thrusters, further wrenches, water and weight", size=3)
 
 
 class Motion(Packed):
@@ -73,6 +81,8 @@ class Motion(Packed):
     W_external: float = value("J", "work of further wrenches")
     W_current: float = value("J", "work of the moving water")
     W_damping: float = value("J", "energy lost to damping")
+    J_tool: Vector = value("N.m.s", "angular impulse of the tool about the world origin, world frame", 3)
+    J_other: Vector = value("N.m.s", "angular impulse of all else", 3)
     nu: Vector = overlay("m/s", "v and omega as one", begins="v", size=6)
 
 
@@ -110,6 +120,13 @@ class Scratch(Record):
     M_control: Vector = value("N.m", "their moment about the body origin", 3)
     F_disturb: Vector = value("N", "force of the tool, body frame", 3)
     M_disturb: Vector = value("N.m", "its moment about the body origin", 3)
+    H: Vector = value("N.m.s", "spin momentum of the tool, body frame", 3)
+    M_gyro: Vector = value("N.m", "its gyroscopic moment", 3)
+    load_force: Vector = value("N", "forces but those of the tool and of inertia, body frame", 3)
+    load_moment: Vector = value("N.m", "their moment about the body origin", 3)
+    world: Vector = value("N", "a force or linear momentum, world frame", 3)
+    impulse: Vector = value("N.m", "rate of an angular impulse, world frame", 3)
+    L_before: Vector = value("N.m.s", "angular momentum before the current changes, world frame", 3)
     arm: Vector = value("m", "from the body origin to the tool point, world frame", 3)
     v_tool: Vector = value("m/s", "velocity of the tool point, body frame", 3)
     z_t: Vector = value("1", "the tool's z axis, world frame", 3)

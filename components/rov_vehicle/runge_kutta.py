@@ -17,8 +17,8 @@ def runge_kutta(dt: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> No
     if p.thruster_lag > 0.0:
         half_decay = exp(-0.5 * dt / p.thruster_lag)
         decay = exp(-dt / p.thruster_lag)
-    copy(18, s.stage, x.motion)
-    clear(18, s.increment)
+    copy(24, s.stage, x.motion)
+    clear(24, s.increment)
     for stage in range(4):
         reached = half_decay
         weight = 2.0
@@ -33,8 +33,8 @@ def runge_kutta(dt: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> No
         ahead = 0.5 * dt
         if stage == 2:
             ahead = dt
-        runge_kutta_stage(18, x.motion, s.k, weight, ahead, s.increment, s.stage)
-    add_scaled(18, x.motion, x.motion, dt / 6.0, s.increment)
+        runge_kutta_stage(24, x.motion, s.k, weight, ahead, s.increment, s.stage)
+    add_scaled(24, x.motion, x.motion, dt / 6.0, s.increment)
     normalize(x.motion)
     thrusts(decay, u, p, x)
 

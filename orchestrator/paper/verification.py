@@ -82,6 +82,12 @@ SUITE = (
                "test_energy_is_accounted_for", "dc_motor/behaviour_energy.py"),
     SuiteCheck("Energy of the vehicle", "first law", _BEHAVIOUR,
                "test_energy_is_accounted_for", "rov_vehicle/behaviour.py"),
+    SuiteCheck("Angular momentum of the vehicle", "Newton and Euler", _BEHAVIOUR,
+               "test_angular_impulses_account_for_the_angular_momentum", "rov_vehicle/behaviour_spin.py"),
+    SuiteCheck("A spinning tool on a free body", "closed form", _BEHAVIOUR,
+               "test_spinning_tool_makes_the_vehicle_nutate", "rov_vehicle/behaviour_spin.py"),
+    SuiteCheck("Angular momentum of the whole system", "Newton and Euler", "tests/system/test_angular_momentum.py",
+               "test_angular_momentum_about_three_axes_is_kept_while_the_vehicle_tumbles"),
     SuiteCheck("Energy made by the coupling", "first law", "tests/system/test_nominal.py",
                "test_coupling_makes_and_loses_hardly_any_energy"),
 )  # fmt: skip

@@ -130,8 +130,8 @@ class Connection:
 
     @property
     def counted(self) -> tuple[str, str] | None:
-        """The counter that gives the mean, with its component."""
-        return (self.source[0], self.counter) if self.counter else None
+        """The counter that gives the mean, with its component; None where the mean is none of a counter."""
+        return (self.source[0], self.counter) if self.counter and self.transfer == "mean" else None
 
 
 @dataclass(frozen=True)

@@ -88,7 +88,7 @@ def read_late(host: str, name: str, folder: Path) -> set[str]:
 def test_vehicle_brush_and_motor_in_a_closed_loop_are_bitwise_the_same_in_every_host(
     host: str, kind: Path, measured: Measured
 ) -> None:
-    """`no_thrust`: eight connections, and no component that samples."""
+    """`no_thrust`: nine connections, and no component that samples."""
     found = differing(theirs(host, "no_thrust", kind), ours("no_thrust", kind))
     late = len(found & read_late(host, "no_thrust", kind))
     measured(

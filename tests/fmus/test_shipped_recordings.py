@@ -19,13 +19,14 @@ FOLDER = ROOT / "fmus" / "recordings"
 TOLERANCE = 1e-9
 RENEW = "run `python -m rovbrush.orchestrator.exchange.recordings.shipped`"
 ENDINGS = ("in.csv", "ref.csv", "ref.opt", "parameters.csv")
-# What stays as it is: the speed of the constant drive, the share of modes that are off, and what needs another run.
+# What stays as it is: speed and spin of the constant drive, the gyroscopic moment about the spin, the share of modes
+# that are off, and what needs another run.
 AT_REST = {
     "dc_motor": {"P_gear", "W_gear"},
-    "constant_speed": {"omega_b"},
+    "constant_speed": {"omega_b", "H_spin"},
     "filament_brush": {"P_contact", "W_contact", "kinetic_fraction[4]", "kinetic_fraction[5]", "kinetic_fraction[6]"},
     "cup_brush": {"P_damping", "W_damping", "E_kinetic", "E_centrifugal", "E_contact"},  # what such a brush has not
-    "rov_vehicle": {"F_disturb[2]", "M_disturb[1]", "M_disturb[3]"},
+    "rov_vehicle": {"F_disturb[2]", "M_disturb[1]", "M_disturb[3]", "M_gyro[2]"},
     "rov_controller": {"V_in", "saturated", "saturation_count"},
     "mission": {"y_ref", "v_ref[2]"},
     "battery": {"empty"},

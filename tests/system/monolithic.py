@@ -5,7 +5,7 @@ them are exchanged in every evaluation of the right-hand side. The controller ta
 integrations, at multiples of its period: a sample sees the state of its instant and acts from that instant on.
 
 State: 0 i, 1 omega_m, 2 theta_b, 3 J_x, 4 J_z, 5 J_T (time integrals of F_x, F_z, T_brush), then eta and eta_dot of
-every filament, then x (18) and thrust_state (8) of the vehicle. The water is at rest: x holds nu and nu_r alike.
+every filament, then x (24) and thrust_state (8) of the vehicle. The water is at rest: x holds nu and nu_r alike.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from scipy.integrate import solve_ivp
 
 TO_CONTROLLER = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")
 ETA = 6  # first place of eta in the state
+MOTION = 24  # numbers of the vehicle's motion
 ROWS_PER_SAMPLE = 20  # of the solution, per period of the controller
 
 
@@ -125,15 +126,15 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         motor_rate = motor_rates(state[0], state[1], False, N_g, V_in, T_brush, *motor_parameters)
         rate[0], rate[1] = motor_rate[0], motor_rate[1]
 
-        # vehicle, whose housing takes T_brush
+        # vehicle, of which the nominal system says as the paper does that its housing takes T_brush
         x = ETA + 2 * n * N_m
-        thrust_state = state[x + 18 :]
+        thrust_state = state[x + MOTION :]
         thruster_wrench(1.0, u_thruster, v.k_T_forward, v.k_T_reverse, thrust_state, *of_thrusters)
         tool_wrench(F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z, *of_tool)
-        vehicle_rates(rate[x : x + 18], state[x : x + 18], *of_vehicle)
+        vehicle_rates(rate[x : x + MOTION], state[x : x + MOTION], *of_vehicle)
         for j in range(8):
             steady = thrust_of(u_thruster[j], v.k_T_forward, v.k_T_reverse)
-            rate[x + 18 + j] = (steady - thrust_state[j]) / v.thruster_lag
+            rate[x + MOTION + j] = (steady - thrust_state[j]) / v.thruster_lag
         return rate
 
     # Arrays that the kernel writes to are arguments: Numba would take them for constants.
@@ -212,7 +213,10 @@ class Monolithic:
     def control(self, state: np.ndarray, sample: int, T_s: float) -> tuple[np.ndarray, float]:
         """What the controller decides at a sample from the state at that instant: thruster commands and voltage."""
         vehicle, controller = self.parts["vehicle"], self.parts["controller"]
-        vehicle.values["motion"][:], vehicle.values["thrust"][:] = state[self.x : self.x + 18], state[self.x + 18 :]
+        vehicle.values["motion"][:], vehicle.values["thrust"][:] = (
+            state[self.x : self.x + MOTION],
+            state[self.x + MOTION :],
+        )
         vehicle.call("outputs")
         measured = {name: vehicle[name] for name in TO_CONTROLLER}
         controller.call("step", t=sample * T_s, h=T_s, **measured)

@@ -12,6 +12,7 @@ import pytest
 from helpers import Measured
 from matplotlib.image import imread
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.paper.angular_momentum import balance
 from rovbrush.orchestrator.paper.strategies import BAND, MODES, force_on_hull, held, strategies
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
@@ -82,6 +83,14 @@ def test_energy_of_the_whole_system_is_accounted_for(hull_pass: Run, measured: M
     # No-load losses of the motor are most of the supply: the brush is the sharper measure.
     assert abs(books["residual_J"]) < 1e-3 * hub and abs(books["coupling_J"]) < 1e-3 * hub
     assert books["supplied_J"] > 1e4 and hub > 1e3
+
+
+def test_angular_momentum_of_the_whole_system_is_accounted_for(hull_pass: Run, measured: Measured) -> None:
+    """Against the impulses of thrusters, water, weight and hull over the whole pass."""
+    books = balance(hull_pass)
+    measured("hull_pass: angular momentum about three axes, over the largest impulse", books.relative(), "1e-5")
+    assert books.relative() < 1e-5
+    assert np.max(np.abs(books.contact)) > 100.0 and np.max(books.spin[:, 1]) > 9.0
 
 
 def test_ledger_of_the_coupling_is_what_the_components_disagree_by(hull_pass: Run, passed: Signals) -> None:

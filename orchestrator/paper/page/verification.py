@@ -1,11 +1,11 @@
-"""The report's section on verification: references that nobody here wrote, orders of convergence, closing energies."""
+"""The report's section on verification: references that nobody here wrote, orders of convergence, what is conserved."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from .. import elastica, verification
+from .. import angular_momentum, elastica, verification
 from ..lab import Lab
 from .rendering import image
 
@@ -27,5 +27,6 @@ def checks(lab: Lab, rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "stand": lab.stand().command,
         "convergence": verification.convergence_table(lab),
         "energies": [(c["quantity"], f"{c['computed']:.2g}", f"{c['paper']:g}") for c in balance["checks"]],
+        "momenta": angular_momentum.closing(lab),
         "suite": [(s.subject, s.reference, s.command) for s in verification.SUITE],
     }

@@ -24,6 +24,7 @@ CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
                          "delta_dot": (-0.1, 0.1), "friction_scale": (0.0, 2.0), "misalignment": (-0.05, 0.05)}),
     "dc_motor": (1e-3, {"V_in": (-12.0, 12.0), "T_brush": (-20.0, 20.0)}),
     "rov_vehicle": (5e-3, {"u_thruster": (-1.2, 1.2), "F_x": (-60.0, 60.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 9.0),
+                           "H_x": (-1.0, 1.0), "H_y": (-12.0, 12.0), "H_z": (-1.0, 1.0),
                            "v_c": (-0.3, 0.3), "F_external": (-9.0, 9.0), "M_external": (-1.5, 1.5)}),
     "rov_controller": (2e-2, {"x_n": (-0.3, 0.3), "z_n": (-0.5, 0.7), "phi": (-1.0, 1.0), "theta": (-1.5, 1.5),
                               "psi": (-3.1, 3.1), "u": (-0.3, 0.3), "q": (-0.3, 0.3), "F_tool": (-50.0, 20.0),
@@ -33,7 +34,15 @@ CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
     "battery": (1.0, {"i": (-30.0, 70.0), "i_other": (0.0, 9.0)}),
 }  # fmt: skip
 # Sizes and internal steps set how much work a step is: they vary in small steps so that a test stays a test.
-WHOLE = {"n": (1, 60), "N_m": (1, 6), "gear_stages": (1, 3), "mode": (0, 2), "n_series": (1, 9), "n_parallel": (1, 9)}
+WHOLE = {
+    "n": (1, 60),
+    "N_m": (1, 6),
+    "gear_stages": (1, 3),
+    "rotor_sense": (-1, 1),
+    "mode": (0, 2),
+    "n_series": (1, 9),
+    "n_parallel": (1, 9),
+}
 STATED = {"h_min", "h_max", "tolerance", "max_step"}
 
 

@@ -116,3 +116,14 @@ def test_recorded_or_not_the_counter_is_got(tmp_path: Path, fmus: Path) -> None:
         for record in (["*"], ["t.F"])
     ]
     assert found[0].tobytes() == found[1].tobytes()
+
+
+def test_a_counter_counts_for_a_mean_alone(tmp_path: Path, fmus: Path) -> None:
+    """A program that has the connection held: no counter in the plan, none in its SSP."""
+    system = read_system(tmp_path, fmus, PARTS, [WIRE], stop="50 ms")
+    held = replace(system, connections=tuple(replace(c, transfer="hold") for c in system.connections))
+    again = load_system(str(write_ssp(held, tmp_path / "held.ssp")))
+    assert [(c.transfer, c.counter) for c in again.connections] == [("hold", "")]
+    plain = read_system(tmp_path, fmus, PARTS, ["s.F -> t.F (hold)"], stop="50 ms")
+    runs = [simulate(make_plan(s)) for s in (held, again, plain)]
+    assert len({column(run, "t.F")[1].tobytes() for run in runs}) == 1

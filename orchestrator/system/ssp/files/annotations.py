@@ -66,7 +66,8 @@ def component_keys(component: Component) -> dict[str, Any]:
 
 
 def connection_keys(connection: Connection) -> dict[str, Any]:
-    return _stated(connection, ("source", "target", "gain", "offset", "where", "per_second"))
+    elsewhere = ("source", "target", "gain", "offset", "where", "per_second")
+    return _stated(connection, elsewhere if connection.counted else (*elsewhere, "counter"))
 
 
 def _bond(bond: Bond) -> dict[str, Any]:
