@@ -5,7 +5,10 @@
 
 from __future__ import annotations
 
+import ast
+import io
 import json
+import tokenize
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
@@ -47,10 +50,26 @@ class Lowered:
         return self.parts[-1].path, max(line, 1)
 
     def write(self, folder: Path, top: Path) -> None:
-        """Put it into a folder; paths are relative to `top`, the package that is carried."""
-        parts = [[part.path.relative_to(top).as_posix(), part.text] for part in self.parts]
+        """Put it into a folder, without comments, which stand in the source beside it; paths are relative to `top`, the
+        package that is carried."""
+        parts = [[part.path.relative_to(top).as_posix(), _bare(part.text)] for part in self.parts]
         text = json.dumps({"parts": parts, "arguments": self.arguments}, indent=0)
         (folder / CARRIED).write_text(text, encoding="utf-8")
+
+
+def _bare(text: str) -> str:
+    """The same statements on the same lines, without comments and docstrings."""
+    lines = text.splitlines()
+    for node in ast.walk(ast.parse(text)):
+        body = node.body if isinstance(node, (ast.FunctionDef, ast.Module)) else []
+        if len(body) > 1 and isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant):
+            for number in range(body[0].lineno, (body[0].end_lineno or 0) + 1):
+                lines[number - 1] = ""
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT:
+            row, column = token.start
+            lines[row - 1] = lines[row - 1][:column].rstrip()
+    return "\n".join(lines) + "\n"
 
 
 @cache

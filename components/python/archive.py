@@ -43,11 +43,11 @@ def repack(raw: Path, target: Path) -> Path:
 def write_archive(entries: dict[str, bytes], target: Path) -> Path:
     """A zip file with sorted entries and fixed dates; it appears under its name only when it is complete."""
     temporary = target.with_name(f"{target.name}.{os.getpid()}.tmp")
-    with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name in sorted(entries):
             info = zipfile.ZipInfo(name, FIXED_DATE)
             info.compress_type = zipfile.ZIP_DEFLATED
             info.external_attr = 0o644 << 16
-            archive.writestr(info, entries[name])
+            archive.writestr(info, entries[name], compresslevel=9)
     temporary.replace(target)
     return target

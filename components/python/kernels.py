@@ -23,6 +23,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from ..lowering.lowered import Lowered, lowered
+from .inlined import inlined
 from .kernel_cache import CheckedCache, stored
 
 
@@ -45,7 +46,7 @@ def precompile(function: Any, arguments: list[Any]) -> None:
         function.compile(tuple(numba.typeof(argument) for argument in arguments))  # type: ignore[no-untyped-call,unused-ignore]
 
 
-def compiled(kernel: ModuleType) -> ModuleType:
+def compiled(kernel: ModuleType) -> CalledFromPython:
     """The functions of a kernel under Numba, as a module.
 
     Numba finds a called function through the module's globals, so each is replaced there by its compiled form (they
@@ -55,21 +56,43 @@ def compiled(kernel: ModuleType) -> ModuleType:
     source = lowered(kernel)
     text = source.text
     name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(text.encode()).hexdigest()[:24]}"
-    if name in sys.modules:
-        return sys.modules[name]
+    known: Any = sys.modules.get(name)
+    if known is not None:
+        return known  # type: ignore[no-any-return]
+    module = CalledFromPython(name)
     spec = importlib.util.spec_from_file_location(name, stored(name, text))
     assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    # A call that hands on ten arrays costs as much as what it calls.
-    jit = numba.njit(error_model="numpy", forceinline=True)
-    for key, function in inspect.getmembers(module, inspect.isfunction):
+    inner = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(inner)
+    for key, function in inspect.getmembers(inner, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
-            dispatcher: Any = jit(_shown_at_source(function, source))
-            dispatcher._cache = CheckedCache(function)
-            setattr(module, key, dispatcher)
+            module.inner[key] = vars(inner)[key] = inlined(_shown_at_source(function, source))
+    sys.modules[name] = module
     return module
+
+
+class CalledFromPython(ModuleType):
+    """The functions of a kernel for Python to call, each compiled when it is first asked for.
+
+    `inner`: those that kernel functions call; they are part of whatever calls them, and Python cannot call them.
+    """
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.inner: dict[str, Any] = {}
+
+    def has(self, key: str) -> bool:
+        """Is there such a function?"""
+        return key in self.inner
+
+    def __getattr__(self, key: str) -> Any:
+        if key not in self.inner:
+            raise AttributeError(f"the kernel {self.__name__} has no function {key}")
+        code = getattr(self.inner[key], "py_func", self.inner[key]).__code__
+        names = list(code.co_varnames[: code.co_argcount])
+        made = entry(self, key, names, ", ".join(names))
+        setattr(self, key, made)
+        return made
 
 
 @intrinsic  # type: ignore[untyped-decorator]
@@ -85,20 +108,21 @@ def lent(_: Any, array: Any) -> Any:
     return array(array), code
 
 
-def entry(functions: ModuleType, function: str, arguments: list[str], given: str) -> Any:
+def entry(functions: CalledFromPython, function: str, arguments: list[str], given: str) -> Any:
     """A compiled kernel function that takes its arguments out of a few arrays: `given` names, `arguments` says how.
 
     Unpacking dozens of arrays from Python for every call would cost more than most kernels.
     """
-    text = f"def {function}_from({given}):\n    {function}({', '.join(arguments)})\n"
+    text = f"def {function}_from({given}):\n    return {function}({', '.join(arguments)})\n"
     name = f"{functions.__name__}_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
     if name not in vars(functions):
-        namespace = {function: getattr(functions, function), "__name__": functions.__name__, "lent": lent}
+        namespace = {function: functions.inner[function], "__name__": functions.__name__, "lent": lent}
         if numba.config.DISABLE_JIT:
             namespace["lent"] = lambda array: array
         exec(compile(text, str(stored(name, text)), "exec"), namespace)
         made = namespace[f"{function}_from"]
-        dispatcher: Any = numba.njit(error_model="numpy")(made)
+        options: Any = {"error_model": "numpy", "no_cfunc_wrapper": True}  # nobody calls it from C
+        dispatcher: Any = numba.njit(**options)(made)
         if hasattr(dispatcher, "_cache"):
             dispatcher._cache = CheckedCache(made)
         setattr(functions, name, dispatcher)

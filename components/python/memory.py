@@ -62,33 +62,9 @@ class Memory:
                 self.views[array.shown.name][: len(elements)] = elements
 
 
-def arguments_of(memory: Memory, names: Sequence[str]) -> tuple[list[Any], list[tuple[int, int]]]:
-    """What a kernel function is called with, found by name; and position and value reference of each scalar of it that
-    changes from call to call. Raises TypeError for a name that the interface does not have."""
-    arguments: list[Any] = []
-    dynamic = []
-    for position, name in enumerate(names):
-        if name in ("t", "h"):
-            arguments.append(float(memory.values[memory.index[name]]))
-            dynamic.append((position, memory.index[name]))
-        elif name == "y":
-            arguments.append(memory.y)
-        elif name in memory.store:
-            arguments.append(memory.store[name])
-        elif name not in memory.variables:
-            raise TypeError(f"argument '{name}' of a kernel function is no variable of the interface")
-        elif memory.variables[name].size:
-            arguments.append(memory.views[name])
-        else:
-            arguments.append(memory.value(memory.variables[name]))
-            if memory.variables[name].causality == "input":
-                dynamic.append((position, memory.index[name]))
-    return arguments, dynamic
-
-
 def places_of(memory: Memory, names: Sequence[str]) -> tuple[list[str], list[Any]]:
     """Each argument of a kernel function as an expression over `values`, `block` and the other arrays that it needs;
-    the names of these arrays, which do not lie in the block."""
+    the names of these arrays, which do not lie in the block. Raises TypeError for a name that the interface lacks."""
     places, first = {}, 0
     for array in memory.arrays:
         if isinstance(array.shape, int):
@@ -105,6 +81,8 @@ def places_of(memory: Memory, names: Sequence[str]) -> tuple[list[str], list[Any
 
 
 def _place(memory: Memory, name: str) -> str:
+    if name not in memory.variables:
+        raise TypeError(f"argument '{name}' of a kernel function is no variable of the interface")
     variable, at = memory.variables[name], memory.index[name]
     if variable.size:
         return f"lent(values[{at}:{at + variable.size}])"

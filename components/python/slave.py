@@ -21,7 +21,7 @@ from pythonfmu.enums import Fmi2Status
 from ..declare.interface import Array, Variable, parameter_variables
 from ..declare.model_description import model_description
 from .kernels import argument_names, compiled, entry, precompile
-from .memory import Memory, arguments_of, places_of
+from .memory import Memory, places_of
 from .options import ROWS
 from .state import State, from_bytes, to_bytes
 
@@ -121,14 +121,12 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         chosen = {v.name: self.memory.value(v) for v in self.checked_parameters()}
         self.memory.allocate(self.parameters(**chosen))
         for stage in ("setup", "initialize", "outputs"):
-            if hasattr(self.functions, stage):
-                function, arguments, _ = self.bind(stage)
+            if self.functions.has(stage):
+                function, arguments = self.bind(stage)
                 function(*arguments)
         self.memory.show_rows()
-        texts, others = places_of(self.memory, argument_names(self.kernel, "step"))
-        self.step_function = entry(self.functions, "step", texts, ", ".join(["values", "block", *others]))
-        self.arguments = [self.memory.values, self.memory.block, *(self.memory.store[name] for name in others)]
-        if hasattr(self.functions, "outputs"):
+        self.step_function, self.arguments = self.bind("step")
+        if self.functions.has("outputs"):
             self.outputs_bound = self.bind("outputs")
         precompile(self.step_function, self.arguments)
         self.ready = True
@@ -145,17 +143,16 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 )
             yield v
 
-    def bind(self, name: str) -> tuple[Callable[..., None], list[Any], list[tuple[int, int]]]:
-        """A kernel function, its arguments, and (position, value reference) of those that change from call to call."""
-        arguments, dynamic = arguments_of(self.memory, argument_names(self.kernel, name))
-        return getattr(self.functions, name), arguments, dynamic
+    def bind(self, name: str) -> tuple[Callable[..., None], list[Any]]:
+        """A kernel function that takes its arguments out of the memory, and the arrays of the memory that it needs."""
+        texts, others = places_of(self.memory, argument_names(self.kernel, name))
+        function = entry(self.functions, name, texts, ", ".join(["values", "block", *others]))
+        return function, [self.memory.values, self.memory.block, *(self.memory.store[other] for other in others)]
 
     def answer(self) -> None:
         """Outputs for inputs that were set between two steps: direct feedthrough."""
-        if hasattr(self.functions, "outputs"):
-            function, arguments, dynamic = self.outputs_bound
-            for position, vr in dynamic:
-                arguments[position] = self.cells[vr]
+        if self.functions.has("outputs"):
+            function, arguments = self.outputs_bound
             function(*arguments)
         self.stale = False
 

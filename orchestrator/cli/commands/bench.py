@@ -20,13 +20,19 @@ def bench(
     parts: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="[PART]...", help="masters, start, components, long, growth, solvers, windows; all by default."
+            metavar="[PART]...",
+            help="masters, start, components, long, growth, solvers, windows; all by default. "
+            "With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
     against: Annotated[
         Path | None,
-        typer.Option("--against", metavar="PYTHON", help="Compare with another installation, by its interpreter."),
+        typer.Option(
+            "--against",
+            metavar="PATH",
+            help="Compare with another installation, by its interpreter; or other FMUs, by their folder.",
+        ),
     ] = None,
     json_file: Annotated[Path | None, typer.Option("--json", help="Write the rows to this file.")] = None,
     fmus: FmusOption = None,
@@ -35,8 +41,9 @@ def bench(
     from ...studies.bench.bench import Asked
     from ...studies.bench.bench import bench as measure
 
+    other = (None, against) if against and against.is_dir() else (against, None)
     with share("bench") as progress:
-        found = measure(Asked(tuple(parts or ()), quick, fmus, against), json_file, tell, progress)
+        found = measure(Asked(tuple(parts or ()), quick, fmus, *other), json_file, tell, progress)
     for name, rows in found.parts.items():
         PRINTED[name](rows)
     if json_file:
@@ -136,7 +143,23 @@ def print_against(rows: Rows) -> None:
     print_table(title, ("", "here [s]", "there [s]", "ratio", "of the\nfastest"), cells)
 
 
+def print_folders(rows: Rows) -> None:
+    """The FMUs of two folders: time per call, first start, size."""
+    cells = [
+        (
+            r["fmu"], f"{r['us_per_call_here']:.4g}", f"{r['us_per_call_there']:.4g}", f"{r['us_per_call_ratio']:.3f}",
+            f"{r['ratio_of_fastest']:.3f}",
+            *(f"{r[key]:.2f}" if key in r else "" for key in ("first_s_here", "first_s_there", "first_s_ratio")),
+            f"{r['kB_ratio']:.3f}",
+        ) for r in rows
+    ]  # fmt: skip
+    title = f"These FMUs and the others: one call, medians of {rows[0]['rounds']} runs in turns, and the first start"
+    headings = ("", "here [us]", "there [us]", "ratio", "of the\nfastest", "first [s]", "there [s]", "ratio", "size")
+    print_table(title, headings, cells)
+
+
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "against": print_against,
+    "fmus": print_folders,
 }  # fmt: skip

@@ -13,6 +13,7 @@ from ...files import prepare_folder, write_file, write_json
 from ...fmu.files.windows import how_to_install, wine
 from .against import against
 from .components import component_rows
+from .folders import folder_rows
 from .growth import growth_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
@@ -42,27 +43,33 @@ PARTS = {
     "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
     "against": Part("this installation against another one", 300.0, 60.0),
+    "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
 
 
 @dataclass(frozen=True)
 class Asked:
-    """Which parts (all but `against`, if none is named), how thoroughly, and the other installation's interpreter."""
+    """Which parts (all but comparisons, if none is named), how thoroughly, and what to compare with: another
+    installation, by its interpreter, or other FMUs, by their folder."""
 
     parts: tuple[str, ...] = ()
     quick: bool = False
     fmus: Path | None = None
     python: Path | None = None
+    folder: Path | None = None
 
     def chosen(self) -> tuple[str, ...]:
-        """The parts, in order. Raises InputError for an unknown one, or `against` without an interpreter."""
+        """The parts, in order. Raises InputError for an unknown one, or a comparison with nothing."""
         for name in self.parts:
             if name not in PARTS:
                 raise InputError(f"bench {name}: no such part{nearest(name, PARTS)}; there are {', '.join(PARTS)}")
         if "against" in self.parts and self.python is None:
             raise InputError("bench against: against which? give the other interpreter, --against OTHER/bin/python")
-        names = self.parts or tuple(name for name in PARTS if name != "against")
-        return tuple(name for name in PARTS if name in names or (name == "against" and self.python))
+        if "fmus" in self.parts and self.folder is None:
+            raise InputError("bench fmus: against which? give the folder of the other FMUs, --against FOLDER")
+        compared = {"against": self.python, "fmus": self.folder}
+        names = self.parts or tuple(name for name in PARTS if name not in compared)
+        return tuple(name for name in PARTS if name in names or compared.get(name))
 
     def seconds(self, name: str) -> float:
         """About how long a part takes."""
@@ -138,6 +145,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")
                 return
             yield from windows_rows(folder, native_folder(asked.fmus), asked.quick)
+        elif name == "fmus" and asked.folder:
+            yield from folder_rows(asked.folder, asked.fmus, asked.quick)
         elif asked.python:
             yield from against(asked.python, folder, asked.fmus, asked.quick)
 

@@ -152,7 +152,7 @@ def test_outputs_answer_at_once_only_to_declared_inputs(name: str) -> None:
     assert all(slave.do_step(k * H, H) for k in range(40))
 
     def values() -> np.ndarray:
-        function, arguments, _ = slave.bind("outputs")
+        function, arguments = slave.bind("outputs")
         function(*arguments)
         return slave.memory.y.copy()
 

@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 from pathlib import Path
 
 import pytest
 from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench import growth, solvers
+from rovbrush.orchestrator.studies.bench import folders, growth, solvers
 from rovbrush.orchestrator.studies.bench.against import loop_seconds
 from rovbrush.orchestrator.studies.bench.bench import PARTS, Asked, bench
 from rovbrush.orchestrator.system.file.reader import load_system
 
 
 def test_all_parts_are_measured_but_the_comparison_that_needs_an_interpreter() -> None:
-    assert set(Asked().chosen()) == set(PARTS) - {"against"}
+    assert set(Asked().chosen()) == set(PARTS) - {"against", "fmus"}
     assert Asked(("growth", "start")).chosen() == ("start", "growth")
     assert Asked(("growth",), python=Path(sys.executable)).chosen() == ("growth", "against")
     with pytest.raises(InputError, match="no such part; did you mean 'growth'"):
         Asked(("grwth",)).chosen()
     with pytest.raises(InputError, match="against which"):
         Asked(("against",)).chosen()
+    assert Asked(("growth",), folder=Path("fmus")).chosen() == ("growth", "fmus")
+    with pytest.raises(InputError, match="give the folder of the other FMUs"):
+        Asked(("fmus",)).chosen()
     assert all(part.quick < part.full for part in PARTS.values())
 
 
@@ -79,3 +83,17 @@ def test_the_solver_of_a_group_takes_the_steps_of_the_same_solver_driven_from_c(
         case.close()
     errors = solvers.jumps(fmu, library, 500)
     assert errors["cvode [error]"] == pytest.approx(errors["cvode in C, restarted [error]"], rel=0.05)
+
+
+def test_fmus_are_compared_with_those_of_another_folder(fmus: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    shutil.copy(fmus / "constant_speed.fmu", other)
+    rows = bench(Asked(("fmus",), quick=True, fmus=fmus, folder=other)).parts["fmus"]
+    assert [row["fmu"] for row in rows] == ["constant_speed.fmu"]
+    assert rows[0]["rounds"] == folders.QUICK and rows[0]["kB_ratio"] == 1.0
+    for key in ("us_per_call", "first_s"):
+        assert rows[0][f"{key}_here"] > 0.0
+        assert rows[0][f"{key}_ratio"] == rows[0][f"{key}_here"] / rows[0][f"{key}_there"]
+    with pytest.raises(InputError, match="no FMU of nominal, hull_pass, constant_speed is in both"):
+        bench(Asked(("fmus",), quick=True, fmus=fmus, folder=tmp_path))

@@ -41,16 +41,23 @@ def _compiled() -> Any:
     return numba.njit(call_all)
 
 
-def floor_loop(plan: Plan) -> float:
-    """Seconds that the functions of the FMUs take, called as often as the plan does; a system of one period."""
+def started(plan: Plan) -> dict[str, Fmi2Instance]:
+    """The FMUs of a plan, initialized."""
     instances = {name: Fmi2Instance(component.fmu, name) for name, component in plan.system.components.items()}
-    keep, rows = [], []
     for name, instance in instances.items():
         component = plan.system.components[name]
         instance.set_up(plan.clock.time(plan.clock.stop), plan.clock.time(0))
         instance.set_all({**component.parameters, **component.inputs})
         instance.enter_initialization()
         instance.exit_initialization()
+    return instances
+
+
+def floor_loop(plan: Plan) -> float:
+    """Seconds that the functions of the FMUs take, called as often as the plan does; a system of one period."""
+    instances = started(plan)
+    keep, rows = [], []
+    for name, instance in instances.items():
         given, taken = plan.layout.exchanged(name)
         references = [
             np.array([instance.fmu.places[v].reference for v in table] or [0], dtype=np.uint32)
