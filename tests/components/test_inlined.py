@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numba
 import numpy as np
 import pytest
 from lives import component
@@ -15,11 +16,11 @@ def test_functions_inside_a_kernel_make_no_machine_code_of_their_own() -> None:
     functions.normalize(z)
     assert z[3:7].tolist() == [1.0, 0.0, 0.0, 0.0]
     part = functions.inner["normalize"]
-    assert len(part.overloads) == 1
+    part.compile((numba.typeof(z),))
     for made in part.overloads.values():
-        assert "cpython." not in made.library.get_llvm_str() and "cfunc." not in made.library.get_llvm_str()
+        assert "cpython" not in made.library.get_llvm_str() and "cfunc" not in made.library.get_llvm_str()
     for made in functions.normalize.overloads.values():
-        assert "cpython." in made.library.get_llvm_str()
+        assert "cpython" in made.library.get_llvm_str()
     with pytest.raises(TypeError):
         part(z[:0], z)
 

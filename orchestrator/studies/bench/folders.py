@@ -8,14 +8,15 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ...errors import FmuError, InputError, RunError
+from ...fmu.fmu import Fmu
 from ...plan.plan import Plan, make_plan
 from ...system.file.components import fmu_folder
 from ...system.file.reader import load_system
-from ...system.model import System
 from .peers.floor import floor_loop
 from .systems import alone
 
@@ -30,7 +31,7 @@ FIRST = (
     "import sys, time\nfrom pathlib import Path\n"
     "from rovbrush.orchestrator.studies.bench.folders import single\n"
     "from rovbrush.orchestrator.studies.bench.peers.floor import started\n"
-    "plan = single(sys.argv[1], Path(sys.argv[2]), sys.argv[3])\n"
+    "plan = single(sys.argv[1], Path(sys.argv[2]), sys.argv[3], Path(sys.argv[4]))\n"
     "begin = time.process_time()\nstarted(plan)\nprint(time.process_time() - begin)\n"
 )
 
@@ -47,7 +48,7 @@ def folder_rows(folder: Path, fmus: Path | None, quick: bool = False) -> Iterato
         raise InputError(f"bench fmus: no FMU of {', '.join(SYSTEMS)} is in both {here} and {folder}")
     for k, (place, system, name) in enumerate(pairs):
         sides = (here / place, folder.resolve() / place)
-        plans = [single(system, side, name) for side in sides]
+        plans = [single(system, sides[0], name, side) for side in sides]
         seen: list[list[float]] = [[], []]
         for number in range((QUICK if quick else ROUNDS) + 1):
             for side in (0, 1) if number % 2 else (1, 0):  # neither is always the first
@@ -62,7 +63,7 @@ def folder_rows(folder: Path, fmus: Path | None, quick: bool = False) -> Iterato
             **_compared("kB", *(file.stat().st_size / 1000 for file in files)),
         }  # fmt: skip
         if not place:
-            row |= _compared("first_s", *(first_seconds(system, side, name) for side in sides))
+            row |= _compared("first_s", *(first_seconds(system, sides[0], name, side) for side in sides))
         yield (k + 1) / len(pairs), row
 
 
@@ -85,18 +86,20 @@ def components(here: Path, there: Path) -> Iterator[tuple[str, str]]:
                 yield name, key
 
 
-def single(system: str, folder: Path, component: str) -> Plan:
-    """The plan of one component of a shipped system by itself, its FMU from a folder."""
-    whole: System = load_system(system, folder)
-    return make_plan(alone(whole, component, whole.components[component].period))
+def single(system: str, fmus: Path, component: str, other: Path) -> Plan:
+    """The plan of one component of a shipped system by itself, its FMU from another folder."""
+    whole = load_system(system, fmus)
+    chosen = whole.components[component]
+    fmu = Fmu.open(other / chosen.fmu.path.name)
+    return make_plan(alone(replace(whole, components={component: replace(chosen, fmu=fmu)}), component, chosen.period))
 
 
-def first_seconds(system: str, folder: Path, component: str) -> float:
+def first_seconds(system: str, fmus: Path, component: str, other: Path) -> float:
     """CPU time [s] of the first start of an FMU in a process of its own, with an empty cache."""
     with tempfile.TemporaryDirectory() as cache:
         environment = {**os.environ, "ROVBRUSH_CACHE": cache}
-        command = [sys.executable, "-c", FIRST, system, str(folder), component]
+        command = [sys.executable, "-c", FIRST, system, str(fmus), component, str(other)]
         done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
     if done.returncode:
-        raise RunError(f"{folder}: {component} of {system} failed: {done.stderr.strip()}")
+        raise RunError(f"{other}: {component} of {system} failed: {done.stderr.strip()}")
     return float(done.stdout.splitlines()[-1])
