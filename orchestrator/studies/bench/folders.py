@@ -17,15 +17,11 @@ from ...fmu.fmu import Fmu
 from ...plan.plan import Plan, make_plan
 from ...system.file.components import fmu_folder
 from ...system.file.reader import load_system
+from ...system.file.shipped import shipped_systems
 from .peers.floor import floor_loop
 from .systems import alone
 
 ROUNDS, QUICK = 15, 3
-SYSTEMS = (
-    "nominal",
-    "hull_pass",
-    "constant_speed",
-)  # the values that the components are called with are those at their start
 PLACES = ("", "native/fmi2")
 FIRST = (
     "import sys, time\nfrom pathlib import Path\n"
@@ -45,7 +41,7 @@ def folder_rows(folder: Path, fmus: Path | None, quick: bool = False) -> Iterato
     here = (fmus or fmu_folder()).resolve()
     pairs = [(place, system, name) for place in PLACES for system, name in components(here / place, folder / place)]
     if not pairs:
-        raise InputError(f"bench fmus: no FMU of {', '.join(SYSTEMS)} is in both {here} and {folder}")
+        raise InputError(f"bench fmus: no FMU of a shipped system is in both {here} and {folder}")
     for k, (place, system, name) in enumerate(pairs):
         sides = (here / place, folder.resolve() / place)
         plans = [single(system, sides[0], name, side) for side in sides]
@@ -72,9 +68,9 @@ def _compared(key: str, here: float, there: float) -> dict[str, float]:
 
 
 def components(here: Path, there: Path) -> Iterator[tuple[str, str]]:
-    """System and name of each component whose FMU is in both folders, each FMU once."""
+    """System and name of each component whose FMU is in both folders, each FMU once: its values are those there."""
     known: set[str] = set()
-    for name in SYSTEMS:
+    for name in sorted(shipped_systems(), key=lambda one: one != "nominal"):
         try:
             system = load_system(name, here)
         except FmuError:  # one of it is not in the folder

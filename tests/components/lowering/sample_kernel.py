@@ -10,18 +10,16 @@ from typing import Any
 import numpy as np
 from rovbrush.components.declare.interface import parameter
 from rovbrush.components.declare.interface_of import arrays_of
+from rovbrush.components.declare.layout import cell_count, cells_name, over
 from rovbrush.components.declare.record import (
     Matrix,
     Packed,
     Record,
     Rows,
     Vector,
-    cell_count,
-    cells_name,
     fields_of,
     input_,
     output,
-    over,
     value,
 )
 from rovbrush.components.lowering.lower import lower
