@@ -155,7 +155,7 @@ def test_a_pressed_filament_at_rest_obeys_beam_statics(measured: Measured) -> No
     instance.start()
     for _ in range(600):
         instance.step(1e-3)
-    phi, F_n, F_f, deflection = instance.arrays["filament"][0]
+    phi, F_n, F_f, deflection = (instance.arrays[f"filament_{key}"][0] for key in ("phi", "F_n", "F_f", "y"))
     load = -F_n * np.sin(phi)
     EI = P.bristles_per_filament * P.E * np.pi * P.d**4 / 64.0
     assert F_n > 1.0 and F_f == 0.0
