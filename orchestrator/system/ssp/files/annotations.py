@@ -40,6 +40,7 @@ def system_keys(system: System) -> dict[str, Any]:
         "clock_connections",
         "remarks",
         "breaches",
+        "parameter_set",
     )
     return {
         **_stated(

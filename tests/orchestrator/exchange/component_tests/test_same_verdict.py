@@ -16,8 +16,8 @@ PARTS: dict[str, Part] = {
     "brush": ("filament_brush", "0.5 ms", {"=delta": -0.02, "=delta_dot": 0.0, "=v_rov": 0.0, "=friction_scale": 1.0}),
 }
 WIRES = ["motor.omega_b -> brush.omega_b", "brush.T_brush -> motor.T_brush"]
-SPEED = 'name="omega_b" valueReference="19" description="brush speed" causality="output"'
-VOLTAGE = 'name="V_in" valueReference="15" description="input voltage"'
+SPEED = 'name="omega_b" valueReference="20" description="brush speed" causality="output"'
+VOLTAGE = 'name="V_in" valueReference="16" description="input voltage"'
 RESISTANCE = 'causality="parameter" variability="fixed" initial="exact">\n\t\t\t<Real unit="Ohm"'
 NONE = RESISTANCE.replace("parameter", "local").replace("exact", "calculated")
 BOUNDS = ' min="0.0001" max="100.0" nominal="0.08"'
