@@ -29,11 +29,11 @@ from rovbrush.orchestrator.system.ssp.files.document import Document, validate
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 # Fields that need not survive: where the files are, and what is said of a swap. Every other one must, new ones too.
-LEFT_OUT = {"path", "notes", "where"}
+LEFT_OUT = {"parameter_set", "path", "notes", "where"}
 
 
 def plain(value: object) -> object:
-    """What must survive of a system: everything but where its files are and on which lines."""
+    """What must survive of a system: all but where its files are, on which lines, and whose set its values are."""
     if isinstance(value, Fmu):
         return value.digest, value.path.name
     if dataclasses.is_dataclass(value):
