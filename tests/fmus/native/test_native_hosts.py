@@ -26,6 +26,7 @@ RUNS: dict[str, tuple[float, int, Mapping[str, float]]] = {
     "rov_controller": (2e-2, 400, {"z_n": 0.3, "theta": 0.2, "psi": 0.4}),
     "mission": (5e-2, 400, {"x_n": -0.3}),
     "constant_speed": (1e-3, 400, {"V_in": 12.0, "T_brush": -3.0}),
+    "battery": (1e-2, 400, {"i": 60.0, "i_other": 5.0}),
 }
 WIN64_TOLERANCE = 1e-12  # another C library rounds sin, exp and others differently in the last digit
 
