@@ -30,9 +30,9 @@ SHARED = (
     "python/state.py",
 )  # fmt: skip
 CARRIED_FOLDERS = ("declare", "library")
+OUTSIDE = re.compile(rb"^([ \t]*)from rovbrush\.components(?:\.([\w.]+))? import ", re.MULTILINE)
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
-OUTSIDE = re.compile(rb"^([ \t]*)from rovbrush\.components(?:\.([\w.]+))? import ", re.MULTILINE)
 ENTRY_SCRIPT = """from {package}.{name}.fmu import {component}
 from {package}.python.slave import keep_alive
 
@@ -50,7 +50,24 @@ def sources(component: Path, rows: int = 0) -> dict[str, bytes]:
     own = [path for path in sorted(component.glob("*.py")) if not path.name.startswith("behaviour")]
     contents |= {f"{component.name}/{path.name}": carried_text(path) for path in own}
     contents["python/options.py"] = re.sub(rb"ROWS = \d+", b"ROWS = %d" % rows, contents["python/options.py"])
-    return contents
+    return needed(contents, [key for key in contents if not key.startswith("library/")])
+
+
+def needed(files: dict[str, bytes], first: list[str]) -> dict[str, bytes]:
+    """The `first` of the files, and those that they import, and so on: of the library what a kernel uses."""
+    found, waiting = set[str](), [*first, "library/__init__.py"]
+    while waiting:
+        key = waiting.pop()
+        if key in found or key not in files:
+            continue
+        found.add(key)
+        folder = key.split("/")[:-1]
+        for node in ast.walk(ast.parse(files[key])):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                place = [*folder[: len(folder) + 1 - node.level], *(node.module or "").split(".")]
+                module = "/".join(filter(None, place))
+                waiting += [f"{module}.py", *(f"{module}/{name.name}.py" for name in node.names)]
+    return {key: content for key, content in files.items() if key in found}
 
 
 def carried_text(path: Path) -> bytes:
