@@ -20,7 +20,7 @@ pytestmark = needs_gcc
 MAP = FIXTURES / "foreign_motor.toml"
 LACKING = """omega_m T_motor P_electrical P_copper P_friction P_gear P_shaft W_electrical W_copper W_friction W_gear
 W_shaft E_stored energy_residual gear_stages gear_efficiency gear_speed_eps current_limit i_start omega_b_start
-max_step"""
+max_step H_spin T_housing J_housing rotor_sense"""
 
 
 @pytest.fixture(scope="module")

@@ -72,7 +72,7 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
     "component no table": ("[components.i]", "[components]\ni = 5\n[components.k]", ["components: i must be a table", "line 24"]),
     "components no table": (GOOD[GOOD.index("[components.source]") :], "", ["'components' is missing"]),
     "missing parameter file": ('stop_time = "1 s"', 'stop_time = "1 s"\nparameters = "none.toml"', ["none.toml", "cannot be read"]),
-    "parameters no file": ('stop_time = "1 s"', 'stop_time = "1 s"\nparameters = 5', ["parameters must be the name of a file", "line 4"]),
+    "parameters no file": ('stop_time = "1 s"', 'stop_time = "1 s"\nparameters = 5', ["parameters must be the name of a parameter set or of its file", "line 4"]),
     "component name": ("[components.i]", '[components."my motor"]', ["component name 'my motor'", "letters", "line 23"]),
     "record no list": ('stop_time = "1 s"', 'stop_time = "1 s"\nrecord = 5', ["record must be a list", "line 4"]),
     "bond without effort": ("[components.source]", '[[bonds]]\nname = "b"\nflow = "g.u"\n[components.source]', ["bond b: effort = None is no connected input", "g.u"]),
