@@ -1,5 +1,6 @@
 """Kinetic and potential energy of the vehicle."""
 
+from ..library.rotation import turned_back
 from .parameters import Parameters
 from .records import Motion, Scratch, State
 
@@ -11,7 +12,7 @@ def kinetic(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
         for j in range(6):
             E += 0.5 * z.nu[i] * x.M[i, j] * z.nu[j]
     for i in range(3):
-        v_r = z.v[i] - (s.R[0, i] * x.current[0] + s.R[1, i] * x.current[1] + s.R[2, i] * x.current[2])
+        v_r = z.v[i] - turned_back(s.R, i, x.current)
         E += 0.5 * p.added_mass[i] * (v_r * v_r - z.v[i] * z.v[i])
     return E
 

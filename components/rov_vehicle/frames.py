@@ -3,6 +3,7 @@
 from math import asin, atan2, pi, sqrt
 
 from ..declare.record import Matrix
+from ..library.rotation import turned_back
 from .records import Angles, Inputs, Motion, Scratch
 
 
@@ -69,4 +70,4 @@ def change_frame(z: Motion, sign: float, u: Inputs, s: Scratch) -> None:
     """v += sign * current: between the velocity over ground and the one through the water."""
     rotation(s.R, z)
     for i in range(3):
-        z.v[i] = z.v[i] + sign * (s.R[0, i] * u.v_c[0] + s.R[1, i] * u.v_c[1] + s.R[2, i] * u.v_c[2])
+        z.v[i] = z.v[i] + sign * turned_back(s.R, i, u.v_c)

@@ -4,6 +4,7 @@ from math import sqrt
 
 from ..declare.record import Matrix, Vector
 from ..library.matrices import rows_times
+from ..library.rotation import turned_back
 from ..library.vectors import cross_add, split
 from .parameters import Parameters
 from .records import Inputs, Motion, Scratch, State
@@ -56,7 +57,7 @@ def angular_momentum(out: Vector, z: Motion, p: Parameters, x: State, s: Scratch
     """Of the body over ground and of the added mass through the water, with z over ground; the spin is not in it."""
     momenta(z, x, s)
     for i in range(3):
-        v_water = s.R[0, i] * x.current[0] + s.R[1, i] * x.current[1] + s.R[2, i] * x.current[2]
+        v_water = turned_back(s.R, i, x.current)
         s.a[i] = s.a[i] - p.added_mass[i] * v_water
     about_origin(out, z, s.R, s.a, s.b, s.world)  # Eq. V2
 

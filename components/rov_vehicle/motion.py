@@ -1,5 +1,6 @@
 """Equations of motion (Eqs. 18, 19) in the frame that moves with the water."""
 
+from ..library.rotation import turned_back
 from ..library.vectors import cross_add, join
 from .frames import rotation
 from .momentum import gyroscopic, impulses, momenta
@@ -35,7 +36,7 @@ def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) 
 def kinematics(k: Motion, z: Motion, u: Inputs, s: Scratch) -> None:
     """Rates of position and attitude (Eq. 18)."""
     for i in range(3):
-        s.v_water[i] = s.R[0, i] * u.v_c[0] + s.R[1, i] * u.v_c[1] + s.R[2, i] * u.v_c[2]
+        s.v_water[i] = turned_back(s.R, i, u.v_c)
         k.position[i] = s.R[i, 0] * z.v[0] + s.R[i, 1] * z.v[1] + s.R[i, 2] * z.v[2] + u.v_c[i]  # Eq. 18
     p = z.omega[0]
     q = z.omega[1]

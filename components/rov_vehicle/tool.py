@@ -2,6 +2,7 @@
 
 from math import atan2, sqrt
 
+from ..library.rotation import turned
 from ..library.vectors import cross_add
 from .parameters import Parameters
 from .records import Inputs, Motion, Scratch, State, ToolMotion
@@ -19,7 +20,7 @@ def tool_wrench(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
 def tool_motion(z: Motion, p: Parameters, x: State, s: Scratch) -> ToolMotion:
     """Penetration, its rate, hull speed along x_t, and misalignment of z_t with the normal into the hull."""
     for i in range(3):
-        s.arm[i] = s.R[i, 0] * p.r_tool[0] + s.R[i, 1] * p.r_tool[1] + s.R[i, 2] * p.r_tool[2]
+        s.arm[i] = turned(s.R, i, p.r_tool)
         s.z_t[i] = s.R[i, 0] * x.R_tool[0, 2] + s.R[i, 1] * x.R_tool[1, 2] + s.R[i, 2] * x.R_tool[2, 2]
         s.v_tool[i] = z.v[i]
         s.tilt[i] = 0.0
@@ -29,7 +30,7 @@ def tool_motion(z: Motion, p: Parameters, x: State, s: Scratch) -> ToolMotion:
     v_rov = 0.0
     facing = 0.0
     for i in range(3):
-        v_world = s.R[i, 0] * s.v_tool[0] + s.R[i, 1] * s.v_tool[1] + s.R[i, 2] * s.v_tool[2]
+        v_world = turned(s.R, i, s.v_tool)
         delta = delta - p.hull_normal[i] * (z.position[i] + s.arm[i] - p.hull_point[i])
         delta_dot = delta_dot - p.hull_normal[i] * v_world
         v_rov = v_rov - x.R_tool[i, 0] * s.v_tool[i]
