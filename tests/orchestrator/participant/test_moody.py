@@ -213,8 +213,8 @@ def test_so_is_what_is_changed_before_and_after_the_loop(call: str, tmp_path: Pa
 @pytest.mark.parametrize("call", ["ON_SETUP", "ON_ENTER", "ON_EXIT", "ON_STEP", "ON_TERMINATE", "ON_FREE"])
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGPIPE", "SIGCHLD"])
 def test_signals_that_an_fmu_takes_are_given_back_and_named(name: str, call: str, tmp_path: Path) -> None:
-    """Of SIGPIPE, which Python ignores, the default, with which a closed pipe ends the process."""
-    other = "SIG_DFL" if name == "SIGPIPE" else "SIG_IGN"
+    """Of what is ignored already, as Python does with SIGPIPE and `nohup` with SIGHUP, the default."""
+    other = "SIG_DFL" if signal.getsignal(getattr(signal, name)) == signal.SIG_IGN else "SIG_IGN"
     moody(tmp_path / "moody.fmu", **{call: f"signal({name}, {other})"})
     system = read_system(tmp_path, tmp_path, {"a": ("moody", "1 ms", {"=u": 1.0})}, stop="5 ms")
     found = simulate(make_plan(system))
