@@ -31,7 +31,7 @@ def readings(case: Case) -> list[tuple[str, str, str]]:
             "The brush: rolling, or a cup",
             "'Rolling', Eqs. 10, 14, 15 and 125 Hz mean an axis along the hull; T_brush = R_brush F_y and F_y/F_z = mu "
             "fit one normal to it, with all tips sliding all the time.",
-            "Both are computed: filament_brush (`nominal`, all claims) and cup_brush (`cup_nominal`, claim 10).",
+            "Both are computed: filament_brush (nominal, all claims) and cup_brush (cup_nominal, claim 10).",
         ),
         (
             "Eq. 8, penetration",

@@ -129,8 +129,10 @@ def test_the_page_has_its_figures_and_all_claims(parsed: Page, rows: dict[int, d
     for row in rows.values():
         assert row["claim"] in words
         assert row.get("arithmetic", "") in words
-    for name in ("filament_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed"):
+    ours = ("filament_brush", "cup_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed")
+    for name in ours:
         assert f"{name}.fmu" in words, name
+    assert "`" not in words, "Markdown that nobody renders"
     for anchor in ("claims", "table3", "figures", "readings", "verification", "energy", "motion", "provenance"):
         assert any(a.get("id") == anchor for _, a in parsed.tags), anchor
 
