@@ -1,9 +1,4 @@
-"""components -> fmus/*.fmu: pythonfmu makes the FMU, this module makes it self-contained and reproducible.
-
-Each FMU is built in its own process. It carries the component under a package name with its content hash, so that
-two versions run side by side in one process, and never the source tree's code. Dates, order and GUID follow from the
-content: two builds are byte-identical.
-"""
+"""Build components: all, by name or by folder, each in a process of its own; `python/` and `native/` make the FMUs."""
 
 from __future__ import annotations
 

@@ -25,8 +25,8 @@ from .component import class_in
 
 TOP = Path(__file__).parents[1]
 SHARED = (
-    "errors.py", "lowering/__init__.py", "lowering/lowered.py", "python/__init__.py", "python/inlined.py",
-    "python/kernel_cache.py", "python/kernels.py", "python/memory.py", "python/options.py", "python/slave.py",
+    "errors.py", "lowering/__init__.py", "lowering/lowered.py", "python/__init__.py", "python/kernel_cache.py",
+    "python/kernels.py", "python/memory.py", "python/options.py", "python/parts.py", "python/slave.py",
     "python/state.py",
 )  # fmt: skip
 CARRIED_FOLDERS = ("declare", "library")

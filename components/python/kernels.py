@@ -23,8 +23,9 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from ..lowering.lowered import Lowered, lowered
-from .inlined import inlined
 from .kernel_cache import CheckedCache, stored
+
+TRIED = ((0, 61), (0, 68))  # versions of Numba of which `parts.py` knows the inside
 
 
 def joined_source(kernel: ModuleType) -> str:
@@ -66,9 +67,20 @@ def compiled(kernel: ModuleType) -> CalledFromPython:
     spec.loader.exec_module(inner)
     for key, function in inspect.getmembers(inner, inspect.isfunction):
         if isinstance(function, FunctionType) and function.__module__ == name:
-            module.inner[key] = vars(inner)[key] = inlined(_shown_at_source(function, source))
+            module.inner[key] = vars(inner)[key] = _inlined(_shown_at_source(function, source))
     sys.modules[name] = module
     return module
+
+
+def _inlined(function: FunctionType) -> Any:
+    """A function for compiled code to call; under a Numba that nobody has tried, as that compiles by itself."""
+    # A call that hands on ten arrays costs as much as what it calls.
+    options: dict[str, Any] = {"error_model": "numpy", "forceinline": True}
+    if TRIED[0] <= numba.version_info[:2] <= TRIED[1]:
+        from .parts import PartCompiler
+
+        options["pipeline_class"] = PartCompiler
+    return numba.njit(**options)(function)
 
 
 class CalledFromPython(ModuleType):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
@@ -60,7 +61,7 @@ class Request:
 
 def set_name(text: str) -> str:
     """A parameter set, by its name or by the path of its file, which then holds in any folder."""
-    return str(Path(text).absolute()) if text.endswith(".toml") else text
+    return str(Path(text).absolute()) if text.endswith(".toml") or os.path.isfile(text) else text
 
 
 def _absolute(text: str) -> str:

@@ -25,8 +25,9 @@ def parameter_set(file: TomlFile, chosen: str = "") -> TomlFile | None:
     name = chosen or file.data.get("parameters")
     if not name:
         return None
-    if name.endswith(".toml"):
-        return TomlFile(Path(name) if chosen else file.path.parent / name)
+    named = Path(name) if chosen else file.path.parent / name
+    if name.endswith(".toml") or os.path.isfile(named):
+        return TomlFile(named)
     for folder in (file.path.parent, SYSTEMS):
         if os.path.isfile(folder / f"{name}.toml"):
             return TomlFile(folder / f"{name}.toml")

@@ -47,6 +47,18 @@ def test_a_set_is_also_known_by_its_path_from_anywhere(
     assert gain_of(system, fmus, f"{tmp_path.name}/hard.toml") == 7.0
 
 
+@pytest.mark.parametrize("name", ["values.txt", "values"])
+def test_a_file_of_any_name_is_a_set(
+    system: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str
+) -> None:
+    (tmp_path / name).write_text("[g]\nk = 6.0\n")
+    monkeypatch.chdir(tmp_path)
+    assert gain_of(system, fmus, name) == 6.0
+    monkeypatch.chdir(tmp_path.parent)
+    system.write_text(f'parameters = "{name}"\n{system.read_text()}')
+    assert gain_of(system, fmus) == 6.0
+
+
 def test_the_chosen_set_takes_the_place_of_the_one_that_the_system_names(system: Path, fmus: Path) -> None:
     system.write_text(f'parameters = "soft"\n{system.read_text()}')
     assert gain_of(system, fmus) == 0.5

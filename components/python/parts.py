@@ -1,4 +1,4 @@
-"""Functions that are compiled as parts of those that call them only, which halves the first compile.
+"""A compiler of functions that are parts of those that call them only, which halves the first compile.
 
 Numba makes of every function machine code of its own, twice the code that unpacks its arguments, for Python and for C,
 and optimizes it by itself. The functions of a kernel, which take dozens of arrays, are all inlined: none of that ever
@@ -13,7 +13,6 @@ from __future__ import annotations
 import uuid
 from typing import Any
 
-import numba
 from numba.core import typed_passes, untyped_passes
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import register_pass
@@ -25,15 +24,6 @@ NEEDLESS = (
     untyped_passes.InlineInlinables, untyped_passes.FindLiterallyCalls, untyped_passes.LiteralUnroll,
     untyped_passes.LiteralPropagationSubPipelinePass, typed_passes.InlineOverloads, typed_passes.NopythonRewrites,
 )  # fmt: skip
-
-
-def inlined(function: Any) -> Any:
-    """A function under Numba that compiled code calls, and that Python cannot call.
-
-    Floating-point results are those of IEEE 754 in source order: no fast-math; a division by zero gives inf or nan.
-    """
-    # A call that hands on ten arrays costs as much as what it calls.
-    return numba.njit(error_model="numpy", forceinline=True, pipeline_class=_PartCompiler)(function)
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[untyped-decorator]
@@ -52,11 +42,11 @@ class _PartLowering(NativeLowering):
         stand_in = state["cr"].fndesc.mangled_name.join
         state["cr"] = state["cr"]._replace(cfunc=stand_in)
         state.targetctx.insert_user_function(stand_in, state["cr"].fndesc, [state.library])
-        state.reload_init.extend(state.library._reload_init)
+        state.reload_init.extend(getattr(state.library, "_reload_init", ()))  # from 0.62 on
         return True
 
 
-class _PartCompiler(CompilerBase):
+class PartCompiler(CompilerBase):
     """Numba's compiler with that pass in the place of its own, and fewer of the others."""
 
     def define_pipelines(self) -> list[Any]:
