@@ -14,6 +14,7 @@ import pytest
 from helpers import ROOT
 from rovbrush.components.build import COMPONENTS
 from rovbrush.components.lowering.lowered import lowered
+from rovbrush.orchestrator.exchange.component_tests.suites import FILES as BEHAVIOUR_FILES
 
 COMPONENT_FILES = sorted((ROOT / "components").rglob("*.py"))
 
@@ -121,7 +122,9 @@ def test_fmu_files_hold_names_and_no_equations(name: str) -> None:
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_every_component_has_the_same_files(name: str) -> None:
     files = {path.name for path in (ROOT / "components" / name).iterdir() if path.is_file()}
-    assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "behaviour.py", "README.md"} <= files
+    assert {"__init__.py", "parameters.py", "kernel.py", "fmu.py", "README.md"} <= files
+    tests = [file for file in BEHAVIOUR_FILES if (ROOT / "components" / name / file).is_file()]
+    assert len(tests) == 1, f"one of {BEHAVIOUR_FILES} has the component's suite"
 
 
 def test_contributing_names_files_and_rooms_that_exist() -> None:

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from ...errors import InputError, nearest
 
 GROUP = "rovbrush.behaviours"
-FILE = "behaviour.py"
+FILES = ("behaviour.py", "behaviour/__init__.py")  # one of them, which has the SUITE
 
 
 class NotApplicableError(Exception):
@@ -50,7 +50,8 @@ class Suite(Protocol):
 
 
 def suite_of(component: str) -> Suite:
-    """The suite of a component: one that an installed package publishes, or that in a folder's `behaviour.py`.
+    """The suite of a component: one that an installed package publishes, or that in a folder's `behaviour.py`
+    or `behaviour/__init__.py`.
 
     Raises InputError where there is none.
     """
@@ -59,16 +60,17 @@ def suite_of(component: str) -> Suite:
         suite: Suite = found[component].load()
         return suite
     folder = Path(component)
-    if (folder / FILE).is_file():
-        return _suite_in(folder.resolve())
+    for file in FILES:
+        if (folder / file).is_file():
+            return _suite_in(folder.resolve(), file)
     if folder.is_dir() or len(folder.parts) > 1:
-        raise InputError(f"no tests are known for {folder}: it has no {FILE}")
+        raise InputError(f"no tests are known for {folder}: it has no {FILES[0]}")
     raise InputError(
         f"no tests are known for a component '{component}'{nearest(component, found)}; or give the folder of one"
     )
 
 
-def _suite_in(folder: Path) -> Suite:
+def _suite_in(folder: Path, file: str) -> Suite:
     """The suite of a component that is not installed, imported from its folder or the package around it."""
     top, names = folder.parent, [folder.name]
     while (top / "__init__.py").is_file():
@@ -76,13 +78,13 @@ def _suite_in(folder: Path) -> Suite:
     if str(top) not in sys.path:
         sys.path.insert(0, str(top))
     try:
-        module = importlib.import_module(".".join([*names, Path(FILE).stem]))
+        module = importlib.import_module(".".join([*names, "behaviour"]))
     except ImportError as error:
-        raise InputError(f"{folder / FILE} cannot be imported: {error}") from error
-    if Path(str(module.__file__)).resolve().parent != folder:
+        raise InputError(f"{folder / file} cannot be imported: {error}") from error
+    if Path(str(module.__file__)).resolve() != folder / file:
         raise InputError(f"{folder}: Python has another module {names[0]}: {module.__file__}; rename the folder")
     if not hasattr(module, "SUITE"):
-        raise InputError(f"{folder / FILE} has no SUITE, which names the tests and the interface")
+        raise InputError(f"{folder / file} has no SUITE, which names the tests and the interface")
     suite: Suite = module.SUITE
     return suite
 

@@ -18,7 +18,7 @@ from rovbrush.components.build import COMPONENTS, HERE, build, folder_of
 from rovbrush.components.describe import theory
 from rovbrush.components.errors import BuildError, NewComponentError, UnknownComponentError
 from rovbrush.components.new.write import TEMPLATE, new_component, renamed
-from rovbrush.components.python.build import carried_text
+from rovbrush.components.python.build import carried_text, sources
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.component_tests.suites import suite_of
 
@@ -220,3 +220,13 @@ def test_a_component_in_a_package_is_a_part_of_it(copy: Path) -> None:
     (copy / "behaviour.py").write_text(text.replace("from .fmu import", "from ..beside import H_MAX\nfrom .fmu import"))
     (copy.parent / "beside.py").write_text("H_MAX = 1.0\n")
     assert suite_of(str(copy)).name == NAME
+
+
+def test_tests_of_a_component_may_fill_a_folder(copy: Path) -> None:
+    """`behaviour/__init__.py` takes the place of `behaviour.py`."""
+    text = (copy / "behaviour.py").read_text()
+    (copy / "behaviour.py").unlink()
+    (copy / "behaviour").mkdir()
+    (copy / "behaviour" / "__init__.py").write_text(text.replace("from .fmu import", "from ..fmu import"))
+    assert suite_of(str(copy)).name == NAME
+    assert not [path for path in sources(copy) if "behaviour" in path]

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
-from ..testing.suite import Excitation, suite
-from . import behaviour_at_rest, behaviour_spin
-from .behaviour_at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
-from .fmu import RovVehicle
-from .parameters import BENZON_2022, WU_2018, Parameters
+from ...testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
+from ..parameters import BENZON_2022, WU_2018, Parameters
+from .at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
 
 HERE = Path(__file__).parent
 POSE = ("x_n", "y_n", "z_n", "phi", "theta", "psi")
@@ -180,13 +176,3 @@ def test_surge_is_unstable_in_pitch_at_speed(unit: Unit) -> None:
         largest.append(max(abs(go_on(seen, 0.1, H)["theta"]) for _ in range(40)))
     holds(largest[0] < 0.3, f"pitch of {largest[0]:.3g} rad under 2 N, expected to stay below 0.3")
     holds(largest[1] > 1.0, f"pitch of {largest[1]:.3g} rad only under 20 N, expected to tumble")
-
-
-EXCITATION = Excitation(
-    5e-3, 60,
-    {"u_thruster": (0.1, 1.2), "F_x": (-60.0, 50.0), "F_z": (-120.0, 90.0), "M_y": (-9.0, 8.0), "H_y": (5.0, 4.0),
-     "v_c": (0.2, 0.3), "F_external": (2.0, 9.0), "M_external": (0.0, 1.5)},
-    {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
-)  # fmt: skip
-ESSENTIAL = f"u_thruster F_x F_z M_y {' '.join(POSE)} {' '.join(VELOCITY)} delta delta_dot v_rov"
-SUITE = suite(RovVehicle, ESSENTIAL, EXCITATION, behaviour_at_rest, sys.modules[__name__], behaviour_spin)

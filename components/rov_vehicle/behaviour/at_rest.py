@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, same, values
+from ...testing.behaviour import Running, Unit, close, go_on, holds, read, run, same, values
 
 H = 5e-3  # s, the communication step
 FREE = {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
-from .behaviour_at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
+from ...testing.behaviour import Running, Unit, close, go_on, holds, read, run, values
+from .at_rest import FREE, TILTED, WEIGHTLESS, H, rotation
 
 POSE, VELOCITY = ("x_n", "y_n", "z_n"), ("u", "v", "w", "p", "q", "r")
 ROUND = {"I": (0.2,) * 3, "added_inertia": (0.1,) * 3, "r_g": (0.0,) * 3, "r_b": (0.0,) * 3}
