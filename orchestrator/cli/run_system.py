@@ -111,7 +111,7 @@ def show(finished: Finished) -> None:
     if run.ended:
         tell(f"ended: {run.ended}")
     for note in run.notes:
-        tell(f"note: {note}")
+        tell(note if note.startswith("warning: ") else f"note: {note}")
     for line in written.summary.get("left_range", ()):
         tell(f"warning: {line}")
     groups = [group_name(run.plan, g) for g in range(len(run.plan.groups))]

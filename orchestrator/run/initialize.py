@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection
 import numpy as np
 
 from ..clock import Clock
-from ..errors import FmuError, InputError
+from ..errors import FmuError
 from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
@@ -22,6 +22,7 @@ from ..system.model import Connection
 from .events.faults import begin_events, broken
 from .memory.memory import Memory
 from .read_back import read_back
+from .requirements import broken_requirements
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 NUDGE = 1e-7  # of an input, relative to its size or 1, to see whether a loop has one solution
@@ -60,14 +61,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
     propagation.read_outputs()
     propagation.settle_instant()
     started.notes += [note for name, c in system.components.items() for note in read_back(instances[name], c)]
-    for r in system.requirements:
-        value = instances[r.value[0]].get(r.value[1])
-        if not r.minimum <= value <= r.maximum:
-            unit = system.components[r.value[0]].fmu.variables[r.value[1]].unit or "1"
-            raise InputError(
-                f"{r.message}: {'.'.join(r.value)} = {value:g} {unit} at {begin_text(plan.clock)}, "
-                f"allowed are {r.minimum:g} to {r.maximum:g} {unit} ({system.path.name})"
-            )
+    started.notes += broken_requirements(plan, instances, begin_text(plan.clock))
     for table in (plan.layout.previous, plan.layout.before, plan.layout.begins, plan.layout.samples, plan.layout.parts):
         for key, slot in table.items():
             z[slot] = z[plan.layout.outputs[key]]

@@ -150,12 +150,18 @@ class Bond:
 
 @dataclass(frozen=True)
 class Requirement:
-    """What an output must be at time 0, and what to tell if it is not."""
+    """What an output or parameter must be at time 0, and what to tell if it is not."""
 
     value: tuple[str, str]
-    minimum: float
-    maximum: float
+    minimum: float | tuple[str, str]  # a number, or another output or parameter
+    maximum: float | tuple[str, str]
     message: str
+    otherwise: str = "error"  # or "warning"
+
+    @property
+    def names(self) -> list[tuple[str, str]]:
+        """All that it looks at."""
+        return [self.value, *(bound for bound in (self.minimum, self.maximum) if isinstance(bound, tuple))]
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,10 @@ from typing import Any
 
 from msgspec import structs
 
-from ...errors import nearest
+from ...errors import InputError, nearest
+from ...fmu.types import BINARY, TEXT
 from ...toml_file import TomlFile
+from ...units import conversion
 from ..model import Bond, Component, Connection, Requirement
 from ..schema.bonds import BondTable, RequirementTable
 from ..schema.checked import checked
@@ -106,15 +108,47 @@ def _with_counters(file: TomlFile, components: Mapping[str, Component], table: B
 
 
 def requirement_of(file: TomlFile, components: Mapping[str, Component], entry: dict[str, Any]) -> Requirement:
-    """`value` names an output; `minimum`, `maximum` bound it at time 0; `message` says what is wrong otherwise."""
-    table = checked(RequirementTable, entry, f"require {entry.get('value', '')}".rstrip(), file, "require")
-    name, _, variable = table.value.partition(".")
-    if name not in components or not _is_output(components[name], variable):
-        outputs = [f"{c.name}.{v}" for c in components.values() for v in c.fmu.names("output")]
-        raise file.fail(f"require: '{table.value}' is no output{nearest(table.value, outputs)}", table.value, "require")
+    """`value` names an output or parameter; `minimum`, `maximum` bound it at time 0; `message` says what is wrong
+    otherwise. Raises InputError for names that are none, and for bounds whose units do not fit."""
+    label = f"require {entry.get('value', '')}".rstrip()
+    table = checked(RequirementTable, entry, label, file, "require")
+    value = _known(file, components, table.value, "require: '{}' is no output or parameter")
+    minimum = _bound(file, components, "minimum", table, value)
+    maximum = _bound(file, components, "maximum", table, value)
     return Requirement(
-        (name, variable),
-        -math.inf if table.minimum is None else table.minimum,
-        math.inf if table.maximum is None else table.maximum,
+        value,
+        -math.inf if minimum is None else minimum,
+        math.inf if maximum is None else maximum,
         table.message,
+        table.otherwise,
     )
+
+
+def _bound(
+    file: TomlFile, components: Mapping[str, Component], key: str, table: RequirementTable, value: tuple[str, str]
+) -> float | tuple[str, str] | None:
+    """A bound of a requirement as it is, or by component and variable in a unit that fits the value."""
+    bound: float | str | None = getattr(table, key)
+    if not isinstance(bound, str):
+        return bound
+    label = f"require {table.value}: {key}"
+    name = _known(file, components, bound, f"{label} = '{{}}' must be a number, an output or a parameter")
+    own, wanted = (components[owner].fmu.unit(variable) for owner, variable in (name, value))
+    try:
+        conversion(own, wanted, label)
+    except InputError as error:
+        raise file.fail(str(error), bound, "require") from None
+    return name
+
+
+def _known(file: TomlFile, components: Mapping[str, Component], name: str, message: str) -> tuple[str, str]:
+    """A floating-point or whole number that can be read at time 0, by component and variable."""
+    owner, _, variable = name.partition(".")
+    kinds = ("output", "parameter", "calculatedParameter")
+    if owner not in components or variable not in components[owner].fmu.names(*kinds):
+        names = [f"{c.name}.{v}" for c in components.values() for v in c.fmu.names(*kinds)]
+        raise file.fail(message.format(name) + nearest(name, names), name, "require")
+    kind = components[owner].fmu.type_of(variable)
+    if kind is None or kind.code in (TEXT, BINARY):
+        raise file.fail(f"require: {name} is no number", name, "require")
+    return owner, variable

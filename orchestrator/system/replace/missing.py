@@ -81,8 +81,10 @@ def leave_out(system: System, before: Component, missing: Missing) -> Left:
                 causality = before.fmu.variables[variable].causality
                 missing.need(variable, f"which the power bond {bond.name} needs", causality, can_go=False)
     for requirement in system.requirements:
-        if missing.has(".".join(requirement.value)):
-            missing.need(requirement.value[1], "which a requirement at time 0 needs", "output", can_go=False)
+        for owner, variable in requirement.names:
+            if missing.has(f"{owner}.{variable}"):
+                causality = before.fmu.variables[variable].causality
+                missing.need(variable, "which a requirement at time 0 needs", causality, can_go=False)
     reporting = _reporting(system.reporting, missing, notes)
     unused = [v for v in missing.variables if before.fmu.variables[v].causality == "output"]
     if unused:

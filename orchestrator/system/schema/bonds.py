@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -32,9 +32,16 @@ class BondTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What an output must be at the start of a run."""
+    """What an output or parameter must be at the start of a run; so may its bounds be."""
 
-    value: Annotated[str, Meta(description="the output, `component.output`")]
-    minimum: Annotated[float | None, Meta(description="its least value")] = None
-    maximum: Annotated[float | None, Meta(description="its largest value")] = None
+    value: Annotated[str, Meta(description="the output or parameter, `component.name`")]
+    minimum: Annotated[
+        float | str | None, Meta(description="its least value: a number, or another one, `component.name`")
+    ] = None
+    maximum: Annotated[
+        float | str | None, Meta(description="its largest value: a number, or another one, `component.name`")
+    ] = None
     message: Annotated[str, Meta(description="what to tell otherwise")] = "out of bounds at time 0"
+    otherwise: Annotated[
+        Literal["error", "warning"], Meta(description="whether the run is refused otherwise, or goes on with a warning")
+    ] = "error"

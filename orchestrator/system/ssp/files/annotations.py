@@ -77,7 +77,7 @@ def _bond(bond: Bond) -> dict[str, Any]:
 
 
 def _requirement(requirement: Requirement) -> dict[str, Any]:
-    keys = _stated(requirement, ("value",))
+    keys = {k: ".".join(v) if isinstance(v, tuple) else v for k, v in _stated(requirement, ("value",)).items()}
     return {"value": ".".join(requirement.value)} | {k: v for k, v in keys.items() if v not in (math.inf, -math.inf)}
 
 
