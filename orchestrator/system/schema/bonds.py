@@ -7,6 +7,9 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 
+Bound = Annotated[float | str, Meta(extra={"must": "a number, or the name of an output or parameter"})]
+
+
 class BondTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A power bond: two connections in opposite directions whose signals multiply to a power."""
 
@@ -35,12 +38,8 @@ class RequirementTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """What an output or parameter must be at the start of a run; so may its bounds be."""
 
     value: Annotated[str, Meta(description="the output or parameter, `component.name`")]
-    minimum: Annotated[
-        float | str | None, Meta(description="its least value: a number, or another one, `component.name`")
-    ] = None
-    maximum: Annotated[
-        float | str | None, Meta(description="its largest value: a number, or another one, `component.name`")
-    ] = None
+    minimum: Annotated[Bound | None, Meta(description="its least value: a number, or another one")] = None
+    maximum: Annotated[Bound | None, Meta(description="its largest value: a number, or another one")] = None
     message: Annotated[str, Meta(description="what to tell otherwise")] = "out of bounds at time 0"
     otherwise: Annotated[
         Literal["error", "warning"], Meta(description="whether the run is refused otherwise, or goes on with a warning")

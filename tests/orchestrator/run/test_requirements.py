@@ -67,7 +67,7 @@ def test_a_warning_lets_the_run_go_on_and_stays_with_its_results(
         ),
         (('value = "g.y"', 'maximum = "g.offset"'), r"require g\.y: maximum: .*"),
         (('value = "g.y"', 'otherwise = "shout"'), r"unknown otherwise 'shout'"),
-        (('value = "g.y"', "minimum = true"), r"minimum = True must be a number"),
+        (('value = "g.y"', "minimum = true"), r"minimum must be a number, or the name of"),
     ],
 )
 def test_slips_are_found_when_the_file_is_read(
