@@ -6,7 +6,6 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-
 Bound = Annotated[float | str, Meta(extra={"must": "a number, or the name of an output or parameter"})]
 
 
