@@ -29,7 +29,7 @@ PID, FEEDFORWARD, FORCE = MODES
 
 @pytest.fixture(scope="module")
 def hull_pass(fmus: Path) -> Run:
-    return require_complete(simulate(planned(assemble("hull_pass", {}, fmus=fmus))))
+    return require_complete(simulate(planned(assemble("hull_pass_paper", {}, fmus=fmus))))
 
 
 @pytest.fixture(scope="module")
@@ -201,8 +201,10 @@ def test_constant_speed_overestimates_friction_that_rises(fmus: Path, measured: 
 
 
 def test_start_inside_the_hull_is_refused_before_time_zero(fmus: Path) -> None:
-    with pytest.raises(InputError, match=r"starts inside the hull.*vehicle.delta = 0.025 m at time 0.*hull_pass.toml"):
-        simulate(planned(assemble("hull_pass", {"vehicle.position_start": [0.0, 0.0, 0.02]}, fmus=fmus)))
+    with pytest.raises(
+        InputError, match=r"starts inside the hull.*vehicle.delta = 0.025 m at time 0.*hull_pass_paper.toml"
+    ):
+        simulate(planned(assemble("hull_pass_paper", {"vehicle.position_start": [0.0, 0.0, 0.02]}, fmus=fmus)))
     with pytest.raises(InputError, match=r"starts inside the hull"):
         simulate(planned(assemble("fouling_patch", {"vehicle.hull_point": [0.0, 0.0, 0.3]}, fmus=fmus)))
 
@@ -225,7 +227,7 @@ def test_start_inside_the_hull_is_refused_before_time_zero(fmus: Path) -> None:
 def test_slips_in_the_system_file_are_found_before_the_run(
     fmus: Path, tmp_path: Path, old: str, new: str, message: str
 ) -> None:
-    shipped = load_system("hull_pass", fmus).path
+    shipped = load_system("hull_pass_paper", fmus).path
     text = shipped.read_text(encoding="utf-8")
     assert old in text
     (tmp_path / "case.toml").write_text(text.replace(old, new), encoding="utf-8")

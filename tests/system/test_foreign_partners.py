@@ -87,7 +87,7 @@ def test_a_controller_at_half_the_rate_flies_the_approach(fmus: Path, tmp_path: 
     changes = changes_of(
         [f"controller={fmu}"], [f"controller={FIXTURES / 'foreign_controller.toml'}"], ["controller=10 ms"]
     )
-    plan = planned(assemble("hull_pass", {}, "14 s", fmus, changes))
+    plan = planned(assemble("hull_pass_paper", {}, "14 s", fmus, changes))
     assert plan.clock.periods["controller"] == 2 * plan.clock.periods["vehicle"] and "controller" in plan.samplers
     run = require_complete(simulate(plan))
     signals, summary = Signals(run), summarize(run)

@@ -52,7 +52,7 @@ def energy(lab: Lab) -> Finding:
         "coupling: energy made at the shaft over what it carries": case.summary["coupling_energy_relative"],
         "whole: battery + hull - losses - stored, over battery": unaccounted / battery,
     }
-    closed = lab.case("hull_pass").summary["energy_balance_relative"]
+    closed = lab.case("hull_pass_paper").summary["energy_balance_relative"]
     levels["closed loop: supplied + coupling - losses - stored, over supplied"] = closed
     checks = tuple(at_most(name, 1e-2 if value is closed else 1e-3, abs(value), "1") for name, value in levels.items())
     return Finding(

@@ -53,7 +53,7 @@ def thrust(lab: Lab) -> Finding:
 
 @claim(23, "Without active thrust the vehicle separates from the hull and loses contact.", "section 6.4")
 def separation(lab: Lab) -> Finding:
-    case, held = lab.case("no_thrust"), lab.case("hull_pass")
+    case, held = lab.case("no_thrust"), lab.case("hull_pass_paper")
     delta, force = case.signals["vehicle.delta"], case.signals["brush.F_z"]
     gap, end = -float(delta.values[-1]), case.run.end
     heave = authority(lab.case("nominal"))["heave"]
