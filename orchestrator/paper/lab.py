@@ -93,6 +93,12 @@ class Lab:
         """All runs so far."""
         return list(self._cases.values())
 
+    @property
+    def parameter_sets(self) -> list[str]:
+        """What the sets of all runs so far are called and say of themselves."""
+        systems = (case.run.plan.system for case in self.cases)
+        return list(dict.fromkeys(str(system.parameter_set) for system in systems if system.parameter_set))
+
     def stand(self, values: Mapping[str, object] | None = None) -> Case:
         """The test stand for 10 s, touching at the paper's no-load speed: what sensitivities are measured on."""
         return self.case("test_stand", {"motor.omega_b_start": 20.0, **(values or {})}, "10 s")

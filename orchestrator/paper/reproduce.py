@@ -16,9 +16,10 @@ from .lab import Lab
 
 @dataclass(frozen=True)
 class Reproduction:
-    """A row per claim, see `claim_row`, and the files that were written."""
+    """A row per claim, see `claim_row`, what the parameter sets say of themselves, and the files that were written."""
 
     rows: list[dict[str, Any]]
+    parameter_sets: list[str]
     paths: list[Path] = field(default_factory=list)
 
 
@@ -45,20 +46,20 @@ def reproduce(
         finding = CLAIMS[number].answer(lab)
         rows.append(claim_row(CLAIMS[number], finding, list(lab.used)))
     if numbers:
-        return Reproduction(rows)
+        return Reproduction(rows, lab.parameter_sets)
     paths = [write_file(out / "claims.json", lambda path: write_json(path, rows))]
     from .page.page import report_page
 
     text = report_page(lab, rows)
     paths.append(write_file(out / "report.html", lambda path: path.write_text(text, encoding="utf-8")))
-    return Reproduction(rows, paths)
+    return Reproduction(rows, lab.parameter_sets, paths)
 
 
 def claim_row(claim: Claim, finding: Finding, commands: Sequence[str]) -> dict[str, Any]:
     """One claim as JSON. `paper` and `computed` are numbers, or lists of them where a claim has several checks."""
     checks = [
         {"quantity": c.quantity, "paper": c.paper, "computed": float(c.computed), "unit": c.unit, "rule": c.rule,
-         "holds": bool(c.holds)}
+         "reason": c.reason, "holds": bool(c.holds)}
         for c in finding.checks
     ]  # fmt: skip
     row: dict[str, Any] = {"number": claim.number, "claim": claim.text, "place": claim.place}

@@ -17,7 +17,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..files import prepare_folder, write_file, write_json
 from ..results.files.manifest import plain_value
-from ..results.plots import new_figure
+from ..results.plots import captioned, new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete
@@ -173,4 +173,4 @@ def comparison_figure(name: str, runs: Mapping[str, Run]) -> Figure:
         axis.set_ylabel(label)
     axes[0].legend(loc="best", fontsize="small")
     axes[-1].set_xlabel("time [s]")
-    return figure
+    return captioned(figure, next(iter(runs.values())))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 COLUMNS, SAMPLES = 700, 4  # of a figure: places side by side, and samples in each that can still be told apart
+CAPTION = 150  # characters in a line of it
 STYLES = ("-", "--", "-.", ":")  # of signals in one axis: one does not hide the other
 
 
@@ -26,9 +28,17 @@ def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
     """
     if "kind" in entry:
         drawn: Figure = figure_kind(entry["kind"]).draw(run.calculated, entry)
-        return drawn
+        return captioned(drawn, run)
     signals = Signals(run)
-    return time_series(signals, entry) if all(name in signals for name in entry["signals"]) else None
+    return captioned(time_series(signals, entry), run) if all(name in signals for name in entry["signals"]) else None
+
+
+def captioned(figure: Figure, run: Run) -> Figure:
+    """The figure with what the run's parameter set says of itself below it."""
+    if run.plan.system.parameter_set:
+        said = fill(f"parameters: {run.plan.system.parameter_set}", CAPTION)
+        figure.supxlabel(said, x=0.01, ha="left", fontsize=7, color="dimgray")
+    return figure
 
 
 def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, list[Any]]:

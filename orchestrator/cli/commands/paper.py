@@ -53,6 +53,8 @@ def reproduce(
     tell("every run, by the command that repeats it:")
     found = study(out, fmus, claim or (), lambda command: console.print(command, style="dim", markup=False))
     print_claims(found.rows)
+    for said in found.parameter_sets:
+        tell(f"parameters: {said}")
     if claim:
         print_checks(found.rows)
     else:
@@ -73,14 +75,15 @@ def print_claims(rows: Sequence[Mapping[str, Any]]) -> None:
 
 
 def print_checks(rows: Sequence[Mapping[str, Any]]) -> None:
-    """Every number behind the claims."""
+    """Every number behind the claims, and why its bound is what it is."""
+    from ...paper.claims.claim import BOUNDS
+
     for row in rows:
         for c in row["checks"]:
             sign = "" if c["holds"] else "  does not hold"
-            tell(
-                f"  {row['number']}: {c['quantity']} = {c['computed']:.6g} {c['unit']}, paper {c['paper']:g} "
-                f"({c['rule']}){sign}"
-            )
+            wanted = f"{c['rule']} {c['paper']:g}" if c["rule"] in BOUNDS else f"paper {c['paper']:g} ({c['rule']})"
+            tell(f"  {row['number']}: {c['quantity']} = {c['computed']:.6g} {c['unit']}, {wanted}{sign}")
+            tell(f"     why: {c['reason']}")
         for key in ("arithmetic", "note"):
             if row.get(key):
                 tell(f"  {row['number']}: {row[key]}")

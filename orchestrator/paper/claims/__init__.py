@@ -1,6 +1,6 @@
 """The paper's claims 1 to 25, one function each; importing this package fills the registry `CLAIMS`."""
 
-from . import coupling, filament, sensitivity, table3, vehicle
+from . import coupling, filament, sensitivity, table3, transients, vehicle
 from .claim import CLAIMS, VERDICTS, Check, Claim, Finding
 
 __all__ = [
@@ -13,5 +13,6 @@ __all__ = [
     "filament",
     "sensitivity",
     "table3",
+    "transients",
     "vehicle",
 ]

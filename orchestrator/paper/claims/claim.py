@@ -13,12 +13,14 @@ from ..specification import read_specification
 REPRODUCED = "reproduced"
 BY_CALIBRATION = "reproduced by calibration"
 NOT_REPRODUCIBLE = "not reproducible"
+PRINTED = "as the paper says"
+BOUNDS = ("at most", "at least")  # rules whose number is a bound
 VERDICTS = (REPRODUCED, BY_CALIBRATION, NOT_REPRODUCIBLE)
 
 
 @dataclass(frozen=True)
 class Check:
-    """One number of the paper beside the computed one, the rule that compares them and whether it holds.
+    """One number of the paper beside the computed one, the rule that compares them, its reason, and whether it holds.
 
     `target` names the calibration target that the number is, if it is one.
     """
@@ -29,6 +31,7 @@ class Check:
     unit: str
     rule: str
     holds: bool
+    reason: str  # why this bound
     target: str = ""
 
 
@@ -77,23 +80,25 @@ def calibration_targets() -> frozenset[str]:
     return frozenset(read_specification().targets)
 
 
-def near(quantity: str, paper: float, computed: float, unit: str, relative: float, target: str = "") -> Check:
+def near(
+    quantity: str, paper: float, computed: float, unit: str, relative: float, reason: str, target: str = ""
+) -> Check:
     """Equal to the paper's number within a share of it."""
     holds = math.isfinite(computed) and abs(computed - paper) <= relative * abs(paper)
-    return Check(quantity, paper, computed, unit, f"within {100 * relative:g} %", holds, target)
+    return Check(quantity, paper, computed, unit, f"within {100 * relative:g} %", holds, reason, target)
 
 
-def within(quantity: str, paper: float, computed: float, unit: str, distance: float) -> Check:
+def within(quantity: str, paper: float, computed: float, unit: str, distance: float, reason: str) -> Check:
     """Equal to the paper's number within a distance."""
     rule = f"within {distance:g}" + ("" if unit == "1" else f" {unit}") if distance else "equal"
-    return Check(quantity, paper, computed, unit, rule, abs(computed - paper) <= distance)
+    return Check(quantity, paper, computed, unit, rule, abs(computed - paper) <= distance, reason)
 
 
-def at_most(quantity: str, limit: float, computed: float, unit: str) -> Check:
-    """Not above the paper's number."""
-    return Check(quantity, limit, computed, unit, "at most", computed <= limit)
+def at_most(quantity: str, limit: float, computed: float, unit: str, reason: str = PRINTED) -> Check:
+    """Not above a bound, the paper's unless another reason is given."""
+    return Check(quantity, limit, computed, unit, "at most", computed <= limit, reason)
 
 
-def at_least(quantity: str, limit: float, computed: float, unit: str) -> Check:
-    """Not below the paper's number."""
-    return Check(quantity, limit, computed, unit, "at least", computed >= limit)
+def at_least(quantity: str, limit: float, computed: float, unit: str, reason: str = PRINTED) -> Check:
+    """Not below a bound, the paper's unless another reason is given."""
+    return Check(quantity, limit, computed, unit, "at least", computed >= limit, reason)

@@ -14,7 +14,7 @@ def buoyancy(lab: Lab) -> Finding:
     case = lab.case("nominal")
     F_z, net = abs(case.summary["F_z_mean"]), case.parameter("vehicle.net_buoyancy")
     return Finding(
-        (near("F_z over net buoyancy", 24.0, F_z / net, "1", 0.05),),
+        (near("F_z over net buoyancy", 24.0, F_z / net, "1", 0.05, "'around' a number of two digits (2 %), doubled"),),
         f"{F_z:.1f} N / {net:g} N = {F_z / net:.0f}; 24 would need a net buoyancy of {F_z / 24:.1f} N, Table 2 says "
         "0.3 N",
     )
@@ -42,7 +42,7 @@ def thrust(lab: Lab) -> Finding:
     _, published = thruster(12)
     table = authority(case, float(published.max()), float(-published.min()))
     return Finding(
-        (at_least("F_z over the thrust in the weakest direction", 2.0, F_z / min(forces.values()), "1"),),
+        (at_least("F_z over the thrust in the weakest direction", 2.0, F_z / min(forces.values()), "1", "'twice'"),),
         f"thrust of {', '.join(f'{name} {value:.1f} N' for name, value in forces.items())}",
         f"Thrust at 12 V, all thrusters at full command: {', '.join(f'{k} {v:.1f} N' for k, v in forces.items())}. "
         f"F_z acts in heave, where the ratio is {F_z / forces['heave']:.2f}. With the thrust table instead of the "
@@ -59,9 +59,17 @@ def separation(lab: Lab) -> Finding:
     heave = authority(lab.case("nominal"))["heave"]
     return Finding(
         (
-            at_least("distance between brush and hull at the end", 0.0, gap, "m"),
-            at_most("time in contact", 0.5 * end, case.summary["contact_time"], "s"),
-            at_most("mean |F_z| in the last fifth of the run", 1.0, abs(force.mean(0.8 * end, end)), "N"),
+            at_least("distance between brush and hull at the end", 0.0, gap, "m", "'separates': the brush is clear"),
+            at_most(
+                "time in contact", 0.5 * end, case.summary["contact_time"], "s", "off for the longer part of the run"
+            ),
+            at_most(
+                "mean |F_z| in the last fifth of the run",
+                1.0,
+                abs(force.mean(0.8 * end, end)),
+                "N",
+                "'loses contact': half a percent of the nominal load",
+            ),
         ),
         f"{gap:.3f} m from the hull after {end:g} s, {case.summary['contact_time']:.2f} s of them in contact",
         f"Let go at the nominal penetration, the brush pushes the vehicle off within {1e3 * departure(case):.0f} ms. "

@@ -37,23 +37,33 @@ def report_page(lab: Lab, rows: Sequence[dict[str, Any]]) -> str:
         "title": TITLE, "sections": SECTIONS, "chips": CHIPS,
         "counts": [(verdict, sum(row["verdict"] == verdict for row in rows)) for verdict in VERDICTS],
         "claims": [{"arithmetic": "", "note": "", **row} for row in rows], "table3": table_3(lab),
-        "figures": figures(lab), "readings": readings(lab.case("nominal")), "verification": checks(lab, rows),
+        "figures": figures(lab), "readings": readings(lab), "verification": checks(lab, rows),
         "energy": energy(lab), "motion": motion(lab),
     }  # fmt: skip
-    return render("page.html", {**content, "provenance": provenance(lab)})  # last: of all that was run
+    content |= {"provenance": provenance(lab), "parameter_sets": lab.parameter_sets}  # last: of all that was run
+    return render("page.html", content)
 
 
 def table_3(lab: Lab) -> dict[str, Any]:
-    """The paper's table beside the means of the nominal run, with ratios."""
-    case = lab.case("nominal")
-    rows = [
-        (r["label"], r["unit"], f"{r['reference']:g}", number(r["value"]), f"{r['ratio']:.4f}",
-         "" if r.get("tolerance") is None else f"{100 * r['tolerance']:g} %")
-        for r in comparison(case.run, dict(case.summary))
-    ]  # fmt: skip
+    """The paper's table beside the means of both readings: the rolling brush of all claims, and the cup."""
+    case, cup = lab.case("nominal"), lab.case("cup_nominal")
+    of_cup = {row["label"]: row for row in comparison(cup.run, dict(cup.summary))}
+    rows = []
+    for r in comparison(case.run, dict(case.summary)):
+        beside = of_cup.get(r["label"])
+        bound = "" if r.get("tolerance") is None else f"{100 * r['tolerance']:g} %"
+        rolling = (f"{r['reference']:g}", number(r["value"]), f"{r['ratio']:.4f}", bound)
+        rows.append((r["label"], r["unit"], *rolling, *_cup_cells(beside)))
     begin, end = case.window
     turns = case.summary["window_turns"]
-    return {"turns": turns, "begin": begin, "end": end, "rows": rows, "command": case.command}
+    return {"turns": turns, "begin": begin, "end": end, "rows": rows, "commands": (case.command, cup.command),
+            "tufts": int(sum(cup.parameters("brush.row_tufts"))), "bristles": cup.parameter("brush.bristles_per_tuft"),
+            "deflection": cup.summary["max_deflection_ratio"]}  # fmt: skip
+
+
+def _cup_cells(row: dict[str, Any] | None) -> tuple[str, str]:
+    """Value and ratio of the other reading; it has no pitch rate."""
+    return ("", "") if row is None else (number(row["value"]), f"{row['ratio']:.4f}")
 
 
 def figures(lab: Lab) -> list[dict[str, str]]:

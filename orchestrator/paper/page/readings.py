@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
-from ..lab import Case
+from ..lab import Case, Lab
+
+NO_LOAD_CURRENT = 2.0  # A, typical of a motor of this size
 
 
-def readings(case: Case) -> list[tuple[str, str, str]]:
+def readings(lab: Lab) -> list[tuple[str, str, str]]:
     """Rows (where, as printed, as computed here) of the nominal run."""
+    case, idle = lab.case("nominal"), lab.case("no_load")
     value = case.parameter
     L, d, E, alpha, R_brush = (value(f"brush.{name}") for name in ("L", "d", "E", "alpha", "R_brush"))
     n, N_b = int(value("brush.n")), value("brush.bristles_per_filament")
@@ -17,6 +21,8 @@ def readings(case: Case) -> list[tuple[str, str, str]]:
     share = 221.7 / n
     stall = 12.0 / value("motor.R") * value("motor.K_t")
     ratio, stages = value("motor.gear_ratio_per_stage"), int(value("motor.gear_stages"))
+    split = split_friction(case, NO_LOAD_CURRENT)
+    current = idle.mean("motor.i")
     contact = case.mean("brush.contact_count")
     printed = R_brush - (R_brush - L * math.cos(alpha))
     phases = sum(math.cos(2.0 * math.pi * i / n) for i in range(n))
@@ -64,6 +70,14 @@ def readings(case: Case) -> list[tuple[str, str, str]]:
             f"{stages} stages, N_g = {ratio**stages:.2f}.",
         ),
         (
+            "Table 3, friction of the motor",
+            f"One operating point fixes one number, B_m = {value('motor.B_m'):.3g} N.m.s/rad. It means {current:.0f} A "
+            f"and {idle.mean('motor.P_electrical'):.0f} W off the hull.",
+            f"As fitted. B_m = {split.B_m:.2e}, for a no-load current of {NO_LOAD_CURRENT:g} A, and gear_efficiency = "
+            f"{split.gear_efficiency:.2f} go through the same point, with {split.omega_b:.1f} rad/s off the hull where "
+            "the paper has 20.",
+        ),
+        (
             "Table 3, F_y and yaw/roll torque",
             "F_y opposes the rotation: in the tool frame it lies along the sweep; T_brush is about the brush axis.",
             "F_x along the sweep, T_brush about +y_t; with the brush under the vehicle it is a pitch moment.",
@@ -74,3 +88,24 @@ def readings(case: Case) -> list[tuple[str, str, str]]:
             "Eqs. 17 and 10.",
         ),
     ]
+
+
+@dataclass(frozen=True)
+class Split:
+    """Viscous damping and gear efficiency that share what the fitted B_m takes alone, and the speed without load."""
+
+    B_m: float
+    gear_efficiency: float
+    omega_b: float
+
+
+def split_friction(case: Case, no_load_current: float) -> Split:
+    """B_m [N.m.s/rad] of a no-load current [A], and the efficiency that leads through the run's mean load and speed."""
+    value = case.parameter
+    R, K_t, K_e, V = value("motor.R"), value("motor.K_t"), value("motor.K_e"), case.mean("motor.V_in")
+    N_g = value("motor.gear_ratio_per_stage") ** value("motor.gear_stages")
+    free = (V - R * no_load_current) / K_e  # Eq. 16 at rest
+    B_m = K_t * no_load_current / free
+    speed = N_g * case.mean("motor.omega_b")
+    driving = K_t * (V - K_e * speed) / R - B_m * speed
+    return Split(B_m, -case.mean("brush.T_brush") / (N_g * driving), free / N_g)

@@ -31,3 +31,22 @@ def test_damping_that_gives_the_loaded_speed_of_table_3_gives_a_no_load_speed_ab
 
 def test_one_planetary_stage_cannot_carry_the_torque_of_table_3() -> None:
     assert motor(12.0, -16.63, 4.0, gear_stages=1)["omega_b"] < 0.0
+
+
+def test_calibrated_damping_means_35_a_and_418_w_off_the_hull(measured: Measured) -> None:
+    free = motor(12.0, 0.0, 6.0)
+    measured("motor: current without load with the default B_m [A]", free["i"], "34.8 within 0.1")
+    measured("motor: power without load with the default B_m [W]", free["P_electrical"], "418 within 0.5")
+    assert free["i"] == pytest.approx(34.8, abs=0.1)
+    assert free["P_electrical"] == pytest.approx(418.0, abs=0.5)
+
+
+def test_a_no_load_current_and_a_gear_efficiency_lead_through_the_same_operating_point(measured: Measured) -> None:
+    split = {"B_m": 4.33e-5, "gear_efficiency": 0.61}  # of the README, for 2 A
+    together, apart = (motor(12.0, -16.81, 6.0, **values)["omega_b"] for values in ({}, split))
+    free = motor(12.0, 0.0, 6.0, **split)
+    measured(
+        "motor: speed under 16.81 N.m with friction and gear apart, over that together", apart / together, "1 +- 5e-3"
+    )
+    assert apart == pytest.approx(together, rel=5e-3)  # two digits of the efficiency
+    assert free["i"] == pytest.approx(2.0, rel=2e-3) and free["omega_b"] == pytest.approx(27.2, abs=0.05)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from rovbrush.orchestrator.results.plots import COLUMNS, SAMPLES, STYLES, draw, new_figure
+from rovbrush.orchestrator.paper.lab import Lab
+from rovbrush.orchestrator.results.plots import COLUMNS, SAMPLES, STYLES, draw, figure, new_figure
 
 
 @pytest.mark.parametrize("samples", [50, SAMPLES * COLUMNS - 1, SAMPLES * COLUMNS, 100_003])
@@ -26,3 +29,12 @@ def test_a_ripple_too_fast_to_be_seen_is_a_band_about_its_mean(samples: int) -> 
 
 def test_signals_of_one_axis_have_styles_of_their_own() -> None:
     assert len(set(STYLES)) == len(STYLES) >= 4
+
+
+def test_a_figure_says_what_its_parameter_set_says_of_itself(fmus: Path) -> None:
+    entry = {"file": "forces.png", "title": "Forces", "signals": ["brush.F_z"]}
+    with_a_set, without = (Lab(fmus).case(name, stop="0.02 s").run for name in ("test_stand", "constant_speed"))
+    drawn = figure(with_a_set, entry)
+    assert drawn is not None and drawn.get_supxlabel().startswith("parameters: paper (the paper's Table 3; not a build")
+    plain = figure(without, entry)
+    assert plain is not None and plain.get_supxlabel() == ""
