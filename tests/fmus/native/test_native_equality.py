@@ -40,6 +40,7 @@ WHOLE = {
     "gear_stages": (1, 3),
     "rotor_sense": (-1, 1),
     "mode": (0, 2),
+    "friction_law": (0, 2),
     "n_series": (1, 9),
     "n_parallel": (1, 9),
 }
