@@ -34,7 +34,7 @@ __all__ = [
 
 
 # The commands that load FMUs into their own process.
-LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "strategies", "bench")
+LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench")
 
 
 COMPILE = "ROVBRUSH_COMPILE"  # see fmu/files/compiled.py, which few commands need

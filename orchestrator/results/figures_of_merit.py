@@ -6,9 +6,9 @@
 
 `window` may have an `end` [s] too; both are times as the run counts them. That of a run that ends at `start` or before
 is its second half. Over the window:
-`mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]. Over the whole run: `peak`, the
-largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude of a over that of b, both at the end; `positive`,
-for how long it is above 0 [s].
+`mean`, the time average; `rms`; `frequency`, the strongest line of the spectrum [Hz]; `share`, for what share of it a
+signal is above 0. Over the whole run: `peak`, the largest magnitude; `max`; `min`; `last`; `ratio a b`, the magnitude
+of a over that of b, both at the end; `positive`, for how long it is above 0 [s].
 """
 
 from __future__ import annotations
@@ -59,6 +59,9 @@ def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: fl
     if operation == "rms":
         squares = Signal(signal.name, signal.unit, "", signal.time, signal.values**2)
         return math.sqrt(squares.mean(begin, end))
+    if operation == "share":
+        above = np.asarray(signal.values > 0.0, dtype=float)
+        return Signal(signal.name, "1", "", signal.time, above).mean(begin, end)
     if operation == "positive":
         return float(np.sum(np.diff(signal.time)[signal.values[1:] > 0.0]))
     if operation == "frequency":
@@ -113,6 +116,6 @@ def figure_units(system: System) -> dict[str, str]:
                 unit = system.components[component].fmu.variables[variable].unit or "1"
             else:
                 unit = algorithm_of(system).units.get(variable, "J")
-            units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s"}.get(operation, unit)
+            units[key] = {"frequency": "Hz", "ratio": "1", "positive": "s", "share": "1"}.get(operation, unit)
     units |= {"coupling_energy_relative": "1"} if system.bonds else {}
     return units | ({"energy_balance_relative": "1"} if system.reporting["balance"] else {})

@@ -10,7 +10,7 @@ import typer
 
 from ..console import console, print_table, tell, wrote
 from ..options import FmusOption, OutOption, SetOption, app
-from ..progress import share
+from ..progress import counting, share
 
 if TYPE_CHECKING:
     from ...paper.calibration import Fit
@@ -105,3 +105,26 @@ def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: Fmu
         ]
         print_table(f"{name}: strategies over the same pass", ("", "unit", *columns), cells, words=(0, 1))
     wrote(found.paths, out)
+
+
+@app.command()
+def design(
+    out: OutOption = Path("results"),
+    points: Annotated[
+        int | None,
+        typer.Option("--points", min=0, help="Random points for the error bars; as many as its sweep says, 0: none."),
+    ] = None,
+    fmus: FmusOption = None,
+) -> None:
+    """Which tool, gains, sensors and thrust do the shipped task, with error bars: design.html and design.json."""
+    from ...paper.design.study import design as study
+
+    with counting("sweep monte_carlo", "points") as progress:
+        found = study(out, fmus, points, lambda command: console.print(command, style="dim", markup=False), progress)
+    print_table(
+        "the task, and 5 to 95 % of the points", ("", "unit", "task", "5 %", "95 %"), found.answers, words=(0, 1)
+    )
+    if found.verdict:
+        tell(found.verdict)
+    wrote(found.paths, out)
+    tell(f"open {found.paths[-1]} in a browser")

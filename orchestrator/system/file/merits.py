@@ -6,6 +6,7 @@ import re
 
 OPERATIONS = {
     "mean": 1, "rms": 1, "frequency": 1, "peak": 1, "max": 1, "min": 1, "last": 1, "ratio": 2, "positive": 1,
+    "share": 1,
 }  # and how many signals  # fmt: skip
 WORD = re.compile(r'"([^"]*)"|(\S+)')
 

@@ -1,0 +1,70 @@
+"""`rovbrush design`: the designer's page, and its numbers as design.json."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from ...errors import InputError
+from ...files import prepare_folder, write_file, write_json
+from ..lab import Lab
+from . import sections
+from .spread import Spread, spread
+from .task import Task, task
+
+
+@dataclass(frozen=True)
+class Designed:
+    """The answers as rows (quantity, unit, task, 5 %, 95 %), what is said of the points, and the files."""
+
+    answers: sections.Rows
+    verdict: str
+    paths: list[Path] = field(default_factory=list)
+
+
+def design(
+    out: Path,
+    fmus: Path | None,
+    points: int | None = None,
+    tell: Callable[[str], None] = lambda _command: None,
+    progress: Callable[[int, int], None] = lambda _done, _of: None,
+) -> Designed:
+    """Run the task and the points of its sweep, and write page and numbers.
+
+    `points`: None for as many as the sweep says, 0 for none. They are kept in a folder of `out`, and an interrupted
+    sweep goes on there. `tell` hears the command of each run before it. Raises InputError for a missing library or a
+    folder that cannot be written, before any run.
+    """
+    if find_spec("jinja2") is None:
+        raise InputError("the page needs jinja2: python -m pip install 'rovbrush[report]'")
+    prepare_folder(out)
+    lab = Lab(fmus, tell)
+    asked = task(lab)
+    found = None if points == 0 else spread(asked, out, points or asked.study.random, fmus, progress)
+    from ..page.design import design_page
+
+    text = design_page(lab, asked, found)
+    rows = numbers(asked, found)
+    paths = [
+        write_file(out / "design.json", lambda path: write_json(path, rows)),
+        write_file(out / "design.html", lambda path: path.write_text(text, encoding="utf-8")),
+    ]
+    return Designed(sections.answers(asked, found), "" if found is None else sections.verdict(found), paths)
+
+
+def numbers(asked: Task, found: Spread | None) -> dict[str, Any]:
+    """The page's tables for programs."""
+    points = found and {"held": int(found.held.sum()), "of": len(found.error), "verdict": sections.verdict(found)}
+    return {
+        "task": {
+            "force_N": asked.force, "radius_m": asked.radius if isfinite(asked.radius) else None,
+            "current_m_s": asked.current, "command": asked.case.command,
+        },
+        "short": sections.short(asked, found), "answers": sections.answers(asked, found),
+        "gains": [number.cells for number in sections.gains(asked)], "sensors": sections.sensors(asked),
+        "points": points,
+    }  # fmt: skip
