@@ -43,6 +43,9 @@ class Parameters:
     v_eps: float = parameter(
         0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed", minimum=1e-4, maximum=1.0
     )
+    friction_law: int = parameter(
+        0, "1", "0: Eq. 9 smoothed over v_eps; 1: the same with its largest dry value mu_s, at v_eps", "assumed", 0, 1
+    )
     c_c: float = parameter(
         0.1, "N.s/m", "damping of a pressed tuft along the hull normal", "assumed: zeta = 0.02 at 5 mm", 0.0, 1e5
     )

@@ -2,7 +2,7 @@
 
 from math import atan2, cos, pi, sin, sqrt
 
-from ..library.friction import stribeck
+from ..library.friction import stribeck, stribeck_with_peak
 from .elastica import compliance, sideways
 from .parameters import Parameters
 from .records import Bend, Hull, Inputs, Place, Sliding, State, Tip
@@ -39,9 +39,18 @@ def sliding_at(x: float, y: float, hull: Hull, u: Inputs) -> Sliding:
     return Sliding(u_1=v_1 * scale, u_2=v_2 * scale, V=V)
 
 
+def friction_coefficient(V: float, hull: Hull, p: Parameters) -> float:
+    """F_f/F_n at a sliding speed, by the law of `friction_law`."""
+    if p.friction_law == 0:
+        mu, _ = stribeck(V, hull.mu_s, hull.mu_c, p.v_0, p.k_v, p.v_eps)
+    else:
+        mu, _ = stribeck_with_peak(V, hull.mu_s, hull.mu_c, p.v_0, p.k_v, p.v_eps)
+    return mu
+
+
 def bend_of(slide: Sliding, q: float, D: float, at: Place, hull: Hull, p: Parameters, x: State) -> Bend:
     """The bristle under the friction of a sliding tip that is pressed in by D L; q as known before."""
-    mu, _ = stribeck(slide.V, hull.mu_s, hull.mu_c, p.v_0, p.k_v, p.v_eps)
+    mu = friction_coefficient(slide.V, hull, p)
     # The hull presses along t: its normal and the friction.
     scale = 1.0 / sqrt(1.0 + mu * mu)
     t_x = (hull.n_x + mu * slide.u_1 * hull.n_z) * scale  # Eq. 6

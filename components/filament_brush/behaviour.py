@@ -91,6 +91,18 @@ def test_straight_filament_follows_the_printed_law(unit: Unit) -> None:
     close(unit, "friction power", seen["P_friction"], mu * F_n * v_s, 1e-8)
 
 
+def test_largest_dry_friction_is_mu_s_where_the_peak_is_kept(unit: Unit) -> None:
+    """friction_law = 1, sliding at v_eps: F_f = mu_s F_n; slower and faster it is less."""
+    mu_s, v_eps, R = values(unit, "mu_s", "v_eps", "R_brush")
+    found = []
+    for v_s in (0.8 * v_eps, v_eps, 1.2 * v_eps):
+        inputs = {"omega_b": 1.0, "delta": 5e-3, "v_rov": R - v_s}
+        seen = unit.new(inputs, n=1, alpha=0.0, theta_b_0=0.0, k_v=0.0, friction_law=1)
+        found.append(seen["F_x"] / seen["F_z"])
+    close(unit, "friction at v_eps", found[1], mu_s, 1e-12)
+    holds(found[0] < mu_s > found[2], f"mu = {found[0]:.4g} below and {found[2]:.4g} above v_eps")
+
+
 def test_only_filaments_within_the_contact_arc_touch(unit: Unit) -> None:
     """Straight and radial, those touch whose cos(phi) exceeds 1 - delta/R_brush."""
     n, R = values(unit, "n", "R_brush")

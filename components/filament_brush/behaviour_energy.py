@@ -20,7 +20,8 @@ def stored(running: Running) -> float:
 def test_energy_is_accounted_for(unit: Unit) -> None:
     """Stored = hub + hull - damping - friction - contact; the losses never give back."""
     variants: tuple[dict[str, Any], ...] = (
-        {}, {"c_c": 30.0}, {"N_m": 6, "n": 10}, {"foreshortening": False}, {"C_a": 1.0})
+        {}, {"c_c": 30.0}, {"N_m": 6, "n": 10}, {"foreshortening": False}, {"C_a": 1.0},
+        {"friction_law": 1}, {"friction_law": 2})
     for parameters in variants:
         seen = run(unit, 0.4, H, NOMINAL, **parameters)
         lost = read(seen, "W_damping", "W_friction", "W_contact")

@@ -1,8 +1,8 @@
-"""Contact of a tip with the hull: normal force (Eq. 7) and friction (Eq. 9)."""
+"""Contact of a tip with the hull: normal force (Eq. 7) and friction (Eq. 9, or LuGre)."""
 
 from math import sqrt
 
-from ..library.friction import stribeck
+from ..library.friction import lugre, stribeck, stribeck_with_peak
 from .parameters import Parameters
 from .records import Constants, Friction, Normal
 
@@ -26,7 +26,27 @@ def contact_energy(Delta: float, p: Parameters) -> float:
     return energy
 
 
-def friction_coefficient(v_s: float, p: Parameters, c: Constants) -> Friction:
-    """F_f/F_n of Eq. 9 on the fouled hull, and a bound on its slope."""
-    mu, slope = stribeck(v_s, c.mu_s, c.mu_c, p.v_0, p.k_v, p.v_eps)
-    return Friction(mu, slope)
+def friction_coefficient(v_s: float, z: float, growth: float, p: Parameters, c: Constants) -> Friction:
+    """F_f/F_n on the fouled hull by the law of `friction_law`; z and growth as `lugre` takes them."""
+    z_dot = 0.0
+    spring = 0.0
+    forgets = 0.0
+    if p.friction_law == 0:
+        mu, slope = stribeck(v_s, c.mu_s, c.mu_c, p.v_0, p.k_v, p.v_eps)
+    elif p.friction_law == 1:
+        mu, slope = stribeck_with_peak(v_s, c.mu_s, c.mu_c, p.v_0, p.k_v, p.v_eps)
+    else:
+        dry, z_dot, damping, spring, forgets = lugre(
+            v_s, z, growth, p.mu_s, p.mu_c, p.v_0, p.sigma_0, p.sigma_1)
+        mu = c.fouling * dry + p.k_v * v_s
+        slope = c.fouling * damping + p.k_v
+        spring = c.fouling * spring
+    return Friction(mu, slope, z_dot, spring, forgets)
+
+
+def growth_of_contact(Delta: float, Delta_dot: float) -> float:
+    """(dF_n/dt)/F_n of Eq. 7 without damping where it is positive; 10 um of roughness bound it at first touch."""
+    growth = 0.0
+    if Delta_dot > 0.0:
+        growth = 1.5 * Delta_dot / max(Delta, 1e-5)
+    return growth

@@ -6,7 +6,7 @@ Both read what `constants` filled in.
 from math import cos, pi, sin, sqrt
 
 from ..declare.record import Matrix
-from .contact import friction_coefficient, normal_force
+from .contact import friction_coefficient, growth_of_contact, normal_force
 from .modes import stiffness
 from .parameters import Parameters
 from .records import Constants, Inputs, Modes, Placement, Reach, Stage, Stiffness
@@ -30,6 +30,7 @@ def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S:
     c.omega_max = stiffness(R_h * sin(p.alpha), k, p, c, m, S)
     c.mu_s = u.friction_scale * p.mu_s
     c.mu_c = u.friction_scale * p.mu_c
+    c.fouling = u.friction_scale
 
 
 def free_acceleration(f: Stage, p: Parameters, m: Modes, k: Stiffness) -> None:
@@ -49,6 +50,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
     P_friction = 0.0
     P_contact = 0.0
     P_damping = 0.0
+    f.z_dot = 0.0
     rate = c.omega_max
     y = 0.0
     y_dot = 0.0
@@ -79,7 +81,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             Delta_dot = u.delta_dot - u.omega_b * x - shortening_dot * at.cos_psi + y_dot * at.sin_psi
             v_s = u.omega_b * z - u.v_rov - shortening_dot * at.sin_psi - y_dot * at.cos_psi  # Eq. 10
             normal = normal_force(Delta, Delta_dot, p)  # Eq. 7
-            friction = friction_coefficient(v_s, p, c)
+            friction = friction_coefficient(v_s, f.z, growth_of_contact(Delta, Delta_dot), p, c)
             F_n = normal.F_n
             F_f = friction.mu * F_n  # Eq. 9
             F_a = -F_f * at.sin_psi - F_n * at.cos_psi  # Eq. 6
@@ -89,9 +91,10 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             moment = x * F_n - z * F_f
             P_friction = F_f * v_s
             P_contact = (F_n - normal.F_e) * Delta_dot
-            rise = 1.5 * p.k_c * sqrt(Delta) * (1.0 + abs(friction.mu))
+            f.z_dot = friction.z_dot
+            rise = 1.5 * p.k_c * sqrt(Delta) * (1.0 + abs(friction.mu)) + friction.spring * F_n
             fall = friction.slope * F_n + normal.damping * (1.0 + abs(friction.mu))
-            rate = sqrt(rate * rate + rise * mobility) + fall * mobility
+            rate = sqrt(rate * rate + rise * mobility) + fall * mobility + friction.forgets
     f.F_f = F_f
     f.F_n = F_n
     f.moment = moment

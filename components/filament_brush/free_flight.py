@@ -73,6 +73,7 @@ def advance_free(now: Stage, after: Stage, p: Parameters, k: Stiffness, s: Scrat
     for r in range(N_m):
         now.eta[r] = after.eta[r]
         now.eta_dot[r] = after.eta_dot[r]
+    now.z = 0.0
     return before - relative_energy(now, p, k)
 
 

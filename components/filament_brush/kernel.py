@@ -45,6 +45,7 @@ def initialize(p: Parameters, x: State) -> None:
     x.h_micro_min = p.h_max
     for i in range(p.n):
         x.h_next[i] = p.h_min
+        x.z[i] = 0.0
         for r in range(p.N_m):
             x.eta[i, r] = 0.0
             x.eta_dot[i, r] = 0.0

@@ -30,6 +30,8 @@ def predict(f: Stage, begin: Stage, before: Stage, h: float, p: Parameters) -> N
     for r in range(p.N_m):
         f.eta[r] = begin.eta[r] + h * before.eta_dot[r]
         f.eta_dot[r] = begin.eta_dot[r] + h * before.a[r]
+    if p.friction_law == 2:
+        f.z = begin.z + h * before.z_dot
 
 
 def finish(
@@ -43,14 +45,19 @@ def finish(
         end.eta_dot[r] = now.eta_dot[r] + w * (now.a[r] + 2.0 * (second.a[r] + third.a[r]) + fourth.a[r])
         e = m.omega_r[r] * w * (end.eta_dot[r] - fourth.eta_dot[r])
         error = error + e * e
+    if p.friction_law == 2:
+        end.z = now.z + w * (now.z_dot + 2.0 * (second.z_dot + third.z_dot) + fourth.z_dot)
     return error
 
 
-def with_velocities(error: float, end: Stage, fourth: Stage, h_s: float, p: Parameters) -> float:
-    """The squared error of the velocities on top."""
+def with_velocities(error: float, end: Stage, fourth: Stage, h_s: float, p: Parameters, c: Constants) -> float:
+    """The squared error of the velocities on top, and of z as a velocity."""
     total = error
     for r in range(p.N_m):
         e = h_s / 6.0 * (end.a[r] - fourth.a[r])
+        total = total + e * e
+    if p.friction_law == 2:
+        e = c.omega_max * h_s / 6.0 * (end.z_dot - fourth.z_dot)
         total = total + e * e
     return total
 
@@ -71,7 +78,7 @@ def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, x:
     reach = evaluate(s.fourth, whole, u, p, s.c, x.modes, s.k, x.G)
     error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, x.modes)
     reach = evaluate(s.end, whole, u, p, s.c, x.modes, s.k, x.G)
-    error = with_velocities(error, s.end, s.fourth, h_s, p)
+    error = with_velocities(error, s.end, s.fourth, h_s, p, s.c)
     return Trial(sqrt(error), reach.Delta, reach.rate)
 
 
@@ -95,6 +102,11 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
         now.eta[r] = end.eta[r]
         now.eta_dot[r] = end.eta_dot[r]
         now.a[r] = end.a[r]
+    if p.friction_law == 2:
+        now.z = end.z
+        now.z_dot = end.z_dot
+        if end.F_n == 0.0:  # off the hull nothing bends them
+            now.z = 0.0
     now.F_f = end.F_f
     now.F_n = end.F_n
     now.moment = end.moment

@@ -51,6 +51,20 @@ class Parameters:
     v_eps: float = parameter(
         0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed", minimum=1e-4, maximum=1.0
     )
+    friction_law: int = parameter(
+        0,
+        "1",
+        "0: Eq. 9 smoothed over v_eps; 1: the same with its largest dry value mu_s, at v_eps; 2: LuGre",
+        "assumed",
+        minimum=0,
+        maximum=2,
+    )
+    sigma_0: float = parameter(
+        1e4, "1/m", "LuGre: stiffness of the microscopic bristles over F_n", "assumed: 60 um before mu_s", 1.0, 1e7
+    )
+    sigma_1: float = parameter(
+        1.0, "s/m", "LuGre: their damping over F_n", "assumed: a tenth of critical at a loaded tip", 0.0, 1e4
+    )
     Delta_s: float = parameter(
         1e-4,
         "m",

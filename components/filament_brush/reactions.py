@@ -143,6 +143,7 @@ def take(i: int, f: Stage, p: Parameters, x: State) -> None:
     for r in range(p.N_m):
         f.eta[r] = x.eta[i, r]
         f.eta_dot[r] = x.eta_dot[i, r]
+    f.z = x.z[i]
 
 
 def give(i: int, f: Stage, p: Parameters, x: State) -> None:
@@ -150,3 +151,4 @@ def give(i: int, f: Stage, p: Parameters, x: State) -> None:
     for r in range(p.N_m):
         x.eta[i, r] = f.eta[r]
         x.eta_dot[i, r] = f.eta_dot[r]
+    x.z[i] = f.z

@@ -83,6 +83,7 @@ class State(Record):
     eta: Matrix = value("m", "modal deflections of each filament", lambda p: (p.n, p.N_m))
     eta_dot: Matrix = value("m/s", "their rates", lambda p: (p.n, p.N_m))
     h_next: Vector = value("s", "the next micro-step of each filament", lambda p: p.n)
+    z: Vector = value("m", "bend of LuGre's microscopic bristles at each tip", lambda p: p.n)
     theta_b: float = value("rad", "brush angle")
     J_x: float = value("N.s", "time integral of F_x")
     J_z: float = value("N.s", "time integral of F_z")
@@ -108,6 +109,8 @@ class Stage(Rows):
     eta_dot: Vector = value("m/s", "their rates", MODES)
     a: Vector = value("m/s2", "their accelerations", MODES)
     g: Vector = value("1", "G eta, the gradient of the foreshortening", MODES)
+    z: float = value("m", "bend of LuGre's microscopic bristles")
+    z_dot: float = value("m/s", "its rate")
     F_f: float = value("N", "friction")
     F_n: float = value("N", "normal force")
     moment: float = value("N.m", "moment about the brush axis")
@@ -134,6 +137,7 @@ class Constants(Record):
     omega_max: float = value("rad/s", "bound on the highest natural frequency")
     mu_s: float = value("1", "static friction coefficient of the fouled hull")
     mu_c: float = value("1", "Coulomb friction coefficient of the fouled hull")
+    fouling: float = value("1", "friction_scale")
 
 
 class Scratch(Record):
@@ -209,6 +213,9 @@ class Friction(Record):
 
     mu: float = value("1", "F_f/F_n")
     slope: float = value("s/m", "bound on its slope")
+    z_dot: float = value("m/s", "rate of LuGre's z")
+    spring: float = value("1/m", "bound on what LuGre's z adds to the stiffness at the tip, over F_n")
+    forgets: float = value("1/s", "bound on the rate at which z forgets")
 
 
 class Load(Record):

@@ -22,6 +22,22 @@ def invert(A: Matrix, A_inv: Matrix, size: int) -> None:
                     A_inv[k, j] = A_inv[k, j] - factor * A_inv[i, j]
 
 
+def solve(A: Matrix, b: Vector, size: int) -> None:
+    """b becomes A^-1 b for a positive definite A, which needs no pivoting; A is used up."""
+    for i in range(size):
+        for k in range(i + 1, size):
+            factor = A[k, i] / A[i, i]
+            for j in range(i + 1, size):
+                A[k, j] = A[k, j] - factor * A[i, j]
+            b[k] = b[k] - factor * b[i]
+    for m in range(size):
+        i = size - 1 - m
+        total = b[i]
+        for j in range(i + 1, size):
+            total = total - A[i, j] * b[j]
+        b[i] = total / A[i, i]
+
+
 def of_blocks(M: Matrix, upper: Matrix, coupling: Matrix, lower: Matrix) -> None:
     """The symmetric 6 by 6 matrix of two diagonal blocks and the upper right one."""
     for i in range(3):

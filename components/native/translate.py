@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Set
 from pathlib import Path
 from types import ModuleType
 
@@ -47,14 +48,18 @@ def kernel_in_c(kernel: ModuleType) -> str:
                 run.stdout + run.stderr,
             )
             raise BuildError(f"Pyccel cannot translate {kernel.__name__} (exit code {run.returncode}):\n{said}")
-        plain = plain_c(made.read_text(encoding="utf-8"))
-        return f"{enumerations(cells.records.values())}\n{unaliased(plain, functions_of(parts, records))}"
+        places = enumerations(cells.records.values())
+        plain = plain_c(made.read_text(encoding="utf-8"), set(re.findall(r"\w+", places)))
+        return f"{places}\n{unaliased(plain, functions_of(parts, records))}"
 
 
-def plain_c(text: str) -> str:
-    """Pyccel's C with plain arrays, static functions and no frames around comments."""
+def plain_c(text: str, enumerated: Set[str] = frozenset()) -> str:
+    """Pyccel's C with plain arrays, static functions and no frames around comments.
+
+    `enumerated`: names of constants that stand elsewhere.
+    """
     text = re.sub(r'#include "\w+\.h"\n|^/\*[._]+\*/\n', "", text, flags=re.MULTILINE)
-    text = re.sub(r"^(int64_t|bool) \w+( = 0)?;\n|^void \w+__init\(void\)\n\{.*?^\}\n", "", text, flags=re.M | re.S)
+    text = _with_constants(text, enumerated)
     text = re.sub(r"/\*[ \t]*(.*?)[ \t]*\*/", r"/* \1 */", text)
     while "cspan_at(&" in text:
         text = _element(text, text.index("cspan_at(&"))
@@ -66,6 +71,21 @@ def plain_c(text: str) -> str:
         raise BuildError(f"the translated kernel uses '{left[0]}', which has no plain form in C yet")
     text = re.sub(r"^(?=(double|int64_t|bool|void) \w+\([^;]*\)\n\{)", "static ", text, flags=re.MULTILINE)
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def _with_constants(text: str, elsewhere: Set[str]) -> str:
+    """Constants of a kernel's files, which Pyccel's initialization of the module sets: here as constants of C."""
+    init = re.search(r"^void \w+__init\(void\)\n\{.*?^\}\n", text, flags=re.M | re.S)
+    set_there = dict(re.findall(r"^\s+(\w+) = ([^;\n]+);$", init[0], flags=re.M)) if init else {}
+    text = text.replace(init[0], "") if init else text
+
+    def constant(found: re.Match[str]) -> str:
+        kind, name = found[1], found[2]
+        if name in elsewhere or name not in set_there or "initialised" in name:
+            return ""
+        return f"static const {kind} {name} = {set_there[name]};\n"
+
+    return re.sub(r"^(int64_t|bool|double) (\w+)(?: = 0)?;\n", constant, text, flags=re.M)
 
 
 def _element(text: str, start: int) -> str:

@@ -1,6 +1,7 @@
 """Thruster allocation (Eq. 20): the pseudoinverse of B, and thrusts within their range."""
 
 from ..library.matrices import invert
+from .bounded import nearest
 from .parameters import Parameters
 from .records import Scratch, State
 
@@ -38,26 +39,52 @@ def add_within(first: int, last: int, p: Parameters, x: State, s: Scratch) -> fl
     return scale
 
 
+def by_pseudoinverse(p: Parameters, x: State, s: Scratch) -> bool:
+    """Thrusts F = B^+ tau, whatever their range; True if one is beyond it."""
+    beyond = False
+    for j in range(8):
+        s.F[j] = 0.0
+        for i in range(6):
+            s.F[j] += x.B_pinv[j, i] * s.tau[i]  # Eq. 20
+        if s.F[j] > p.k_T_forward or s.F[j] < -p.k_T_reverse:
+            beyond = True
+    return beyond
+
+
+def is_missed(p: Parameters, x: State, s: Scratch) -> bool:
+    """Do the thrusts give another wrench than tau?"""
+    missed = False
+    for i in range(6):
+        given = 0.0
+        for j in range(8):
+            given += x.B[i, j] * s.F[j]  # Eq. 20
+        if abs(given - s.tau[i]) > 1e-4 * p.k_T_forward:  # what the regular part of the least squares costs is below
+            missed = True
+    return missed
+
+
 def allocate(p: Parameters, x: State, s: Scratch) -> bool:
     """Thrusts F = B^+ tau within their range; True if tau cannot be had in full.
 
-    With `attitude_first` the moments come first and the forces get what is left, one after the other; otherwise every
-    thruster is clipped by itself, which at saturation also bends the moments.
+    With `bounded_least_squares` the nearest wrench that can be had, the moments and the force's direction before its
+    length. Else with `attitude_first` the moments come first and the forces get what is left, one after the other;
+    otherwise every thruster is clipped by itself, which at saturation also bends the moments.
     """
     saturated = False
     for j in range(8):
         s.F[j] = 0.0
-    if p.attitude_first:
+    if p.bounded_least_squares:
+        if by_pseudoinverse(p, x, s):
+            nearest(p, x, s)
+            saturated = is_missed(p, x, s)
+    elif p.attitude_first:
         if add_within(3, 6, p, x, s) < 1.0:
             saturated = True
         for i in range(3):
             if add_within(i, i + 1, p, x, s) < 1.0:
                 saturated = True
     else:
+        saturated = by_pseudoinverse(p, x, s)
         for j in range(8):
-            for i in range(6):
-                s.F[j] += x.B_pinv[j, i] * s.tau[i]  # Eq. 20
-            if s.F[j] > p.k_T_forward or s.F[j] < -p.k_T_reverse:
-                saturated = True
             s.F[j] = max(-p.k_T_reverse, min(p.k_T_forward, s.F[j]))
     return saturated

@@ -7,7 +7,7 @@ from ..library.sampling import first_sample, is_due
 from ..library.thrust import allocation_matrix
 from ..library.vectors import dot, join
 from .allocation import pseudoinverse
-from .force import filter_wrench
+from .force import filter_wrench, point_normal
 from .loops import sample
 from .parameters import Parameters
 from .records import Inputs, Outputs, Scratch, State
@@ -19,15 +19,20 @@ def setup(p: Parameters, x: State, s: Scratch) -> None:
     pseudoinverse(x, s)
 
 
-def initialize(u: Inputs, x: State) -> None:
+def initialize(u: Inputs, p: Parameters, x: State) -> None:
     """Thrusters off until the first sample; the brush voltage is on at once."""
     for i in range(6):
         x.integral[i] = 0.0
         x.nu_last[i] = 0.0
         x.wrench[i] = 0.0
+        x.given[i] = 0.0
+        x.thrust_seen[i] = 0.0
+        x.nu_seen[i] = 0.0
+        x.d_seen[i] = 0.0
     for i in range(3):
         x.F_ref[i] = 0.0
         x.M_ref[i] = 0.0
+        x.into_hull[i] = p.normal[i]
     for j in range(8):
         x.command[j] = 0.0
     x.sample = -1.0
@@ -35,10 +40,12 @@ def initialize(u: Inputs, x: State) -> None:
     x.saturated = 0.0
     x.saturation_count = 0.0
     x.pressing = 0.0
+    x.was_pressing = 0.0
+    x.seen = 0.0
     x.force_integral = 0.0
 
 
-def outputs(p: Parameters, x: State, y: Outputs) -> None:
+def outputs(x: State, y: Outputs) -> None:
     """Write what the last sample decided."""
     for j in range(8):
         y.u_thruster[j] = x.command[j]
@@ -48,7 +55,7 @@ def outputs(p: Parameters, x: State, y: Outputs) -> None:
     y.V_in = x.V_in
     y.saturated = x.saturated
     y.saturation_count = x.saturation_count
-    y.F_n = -dot(x.wrench, p.normal)
+    y.F_n = -dot(x.wrench, x.into_hull)
     y.pressing = x.pressing
 
 
@@ -65,7 +72,9 @@ def velocities(u: Inputs, s: Scratch) -> None:
 
 def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Take the samples that fall into [t, t + h), with the inputs as they are; most often one, or none."""
-    filter_wrench(h, u, p, x, s)
+    if p.mode != 3:
+        filter_wrench(h, u, p, x, s)
+    point_normal(u, p, x, s)
     velocities(u, s)
     join(s.K_P, p.K_velocity, p.K_rate)
     join(s.K_I, p.K_velocity_i, p.K_rate_i)
@@ -77,4 +86,4 @@ def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: 
     while is_due(x.sample, t, h, p.T_s):
         sample(u, p, x, s)
         x.sample += 1.0
-    outputs(p, x, y)
+    outputs(x, y)

@@ -6,7 +6,8 @@ from ..library.rotation import quaternion
 from ..library.vectors import join, shorten, split
 from .allocation import allocate
 from .attitude import attitude_error, to_body
-from .force import feed_forward, press
+from .force import feed_forward, hand_over, press
+from .observer import observe
 from .parameters import Parameters
 from .records import Inputs, Scratch, State
 
@@ -34,6 +35,7 @@ def wrench(p: Parameters, x: State, s: Scratch) -> None:
     for i in range(6):
         acceleration = (s.nu[i] - x.nu_last[i]) / p.T_s
         x.nu_last[i] = s.nu[i]
+        s.acceleration[i] = acceleration
         s.e[i] = s.e[i] - s.nu[i]
         s.tau[i] = s.K_P[i] * s.e[i] + x.integral[i] - s.K_D[i] * acceleration
 
@@ -44,19 +46,24 @@ def integrate(p: Parameters, x: State, s: Scratch) -> None:
         given = 0.0
         for j in range(8):
             given += x.B[i, j] * s.F[j]  # Eq. 20
+        x.given[i] = given
         x.integral[i] = x.integral[i] + p.T_s * (s.K_I[i] * s.e[i] + p.K_windup * (given - s.tau[i]))
         if i < 3 and x.pressing > 0.0:
-            x.force_integral = x.force_integral + p.T_s * p.K_windup * p.normal[i] * (given - s.tau[i])
+            x.force_integral = x.force_integral + p.T_s * p.K_windup * x.into_hull[i] * (given - s.tau[i])
 
 
 def sample(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """Take one sample: from the inputs to the thruster commands."""
+    if p.mode == 3 or p.observed_velocity:
+        observe(p, x, s)
     set_points(u, p, s)
     wrench(p, x, s)
     if p.mode >= 1:
         feed_forward(p, x, s)
-    if p.mode == 2:
+    if p.mode >= 2:
         press(u, p, x, s)
+    if p.bumpless:
+        hand_over(x, s)
     split(s.tau, x.F_ref, x.M_ref)
     x.V_in = u.V_ref
     x.saturated = 0.0

@@ -15,7 +15,13 @@ class Parameters:
     """Cascaded PID for the BlueROV2 Heavy; the thrusters are those of the vehicle, by the same defaults."""
 
     mode: int = parameter(
-        0, "1", "0: PID; 1: PID and feedforward of the tool wrench; 2: force along the hull normal", "assumed", 0, 2
+        0,
+        "1",
+        "0: PID; 1: PID and feedforward of the tool wrench; 2: force along the hull normal; 3: as 2, with the wrench "
+        "that an observer finds from motion and thrust",
+        "assumed",
+        0,
+        3,
     )
     T_s: float = parameter(0.02, "s", "sampling period", "assumed (50 Hz)", minimum=1e-4, maximum=1.0)
     K_position: tuple[float, ...] = parameter(
@@ -54,6 +60,14 @@ class Parameters:
     normal: tuple[float, ...] = parameter(
         (0.0, 0.0, 1.0), "1", "unit vector into the hull, body frame (the tool's z_t)", "assumed", -1.0, 1.0
     )
+    hull_normal: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0),
+        "1",
+        "unit normal of the hull into the water, world frame: force is controlled against it; 0, 0, 0: along `normal`",
+        "assumed",
+        -1.0,
+        1.0,
+    )
     contact_force: float = parameter(
         5.0, "N", "force from which force control begins; it ends at half of it", "assumed", minimum=0.0, maximum=1e4
     )
@@ -62,10 +76,45 @@ class Parameters:
     K_force_d: float = parameter(
         300.0, "N.s/m", "force per velocity along the normal, against it", GAINS, minimum=0.0, maximum=1e5
     )
+    K_force_a: float = parameter(
+        0.0, "kg", "force per acceleration along the normal, against it: added mass", GAINS, minimum=0.0, maximum=1e4
+    )
+    bumpless: bool = parameter(
+        False, "1", "the force along the normal goes on without a jump when its control begins and ends", "assumed"
+    )
+    observed_velocity: bool = parameter(
+        False, "1", "the loops use velocities of the observer, not the measured ones", "assumed"
+    )
+    omega_observer: float = parameter(
+        10.0, "rad/s", "double pole of the observer", "assumed: half the inverse of the thruster lag", 0.1, 1e3
+    )
+    M_observer: tuple[float, ...] = parameter(
+        (17.0, 24.2, 26.07, 0.28, 0.28, 0.28),
+        "kg",
+        "mass and inertia with added mass in the observer's model: surge .. yaw",
+        "Wu 2018; add the tool's",
+        1e-3,
+        1e4,
+    )
+    thruster_lag: float = parameter(
+        0.02, "s", "time constant of the thrust in the observer's model", "T200 step: 63 % at 20 ms", 0.0, 10.0
+    )
     v_max: float = parameter(0.5, "m/s", "limit of the velocity set-point", "assumed", minimum=1e-3, maximum=10.0)
     rate_max: float = parameter(1.0, "rad/s", "limit of the rate set-point", "assumed", minimum=1e-3, maximum=10.0)
     attitude_first: bool = parameter(
         True, "1", "a saturated allocation gives up force before moment; false: clips each thruster", "assumed"
+    )
+    bounded_least_squares: bool = parameter(
+        False,
+        "1",
+        "a saturated allocation gives the nearest wrench, weighted by the two below; false: as `attitude_first` says",
+        "Haerkegaard 2002 (allocation by active sets)",
+    )
+    weight_moment: float = parameter(
+        100.0, "1/m", "weight of a missed moment against a missed length of the force", "assumed: first", 1.0, 1e3
+    )
+    weight_direction: float = parameter(
+        30.0, "1", "weight of a missed force across the requested one, against a missed length", "assumed", 1.0, 1e3
     )
     thruster_position: tuple[float, ...] = parameter(
         POSITIONS, "m", "eight rows (x, y, z), body frame", GEOMETRY_SOURCE, -10.0, 10.0

@@ -41,6 +41,12 @@ CASES = (
     Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
     Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 1}, "feedforward"),
     Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 2, "K_force": 0.3}, "force"),
+    Case(
+        "rov_controller", 0.005, 120, MEASURED | TOOL,
+        {"mode": 2, "K_force_a": 5.0, "bumpless": True, "hull_normal": (0.6, 0.0, -0.8), "bounded_least_squares": True},
+        "bounded",
+    ),
+    Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 3, "observed_velocity": True}, "observer"),
     Case("mission", 0.05, 60, {"x_n": (-0.3, 0.4)}, {"fouling_scale": (1.0, 0.6, 0.6, 1.0, 1.0, 1.4, 1.4, 1.0),
                                                      "t_settle": 0.1, "length": 0.03}),
     Case("constant_speed", 1e-3, 30, {"V_in": (6.0, 9.0), "T_brush": (-10.0, 9.0)}),

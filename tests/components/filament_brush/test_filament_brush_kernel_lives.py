@@ -19,6 +19,10 @@ CASES = (
         "filament_brush", 2e-3, 20, INPUTS, {"n": 20, "N_m": 1, "centrifugal": False, "c_c": 20.0, "Delta_s": 0.0},
         "one mode",
     ),
+    Case("filament_brush", 1e-3, 40, INPUTS, {"n": 8, "friction_law": 1}, "static peak"),
+    Case(
+        "filament_brush", 1e-3, 40, INPUTS | {"omega_b": (1.0, 6.0)}, {"n": 8, "friction_law": 2, "c_c": 5.0}, "LuGre",
+    ),
 )  # fmt: skip
 
 

@@ -39,7 +39,8 @@ WHOLE = {
     "N_m": (1, 6),
     "gear_stages": (1, 3),
     "rotor_sense": (-1, 1),
-    "mode": (0, 2),
+    "mode": (0, 3),
+    "friction_law": (0, 2),
     "n_series": (1, 9),
     "n_parallel": (1, 9),
 }

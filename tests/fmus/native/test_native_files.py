@@ -144,6 +144,19 @@ def test_array_accesses_become_plain() -> None:
     assert plain_c(text) == "x[0] = AT(K, r, f(p[1])) + g(&h[i]);\n"
 
 
+def test_constants_of_a_kernels_file_keep_their_values() -> None:
+    text = (
+        "double SMALL;\nint64_t ROUNDS;\nint64_t State_x;\nbool initialised = 0;\n"
+        "void kernel__init(void)\n{\n    if (!initialised)\n    {\n        State_x = INT64_C(0);\n"
+        "        SMALL = 1e-06;\n        ROUNDS = INT64_C(60);\n        initialised = 1;\n    }\n}\n"
+        "double f(void)\n{\n    return SMALL;\n}\n"
+    )
+    assert plain_c(text, {"State_x"}) == (
+        "static const double SMALL = 1e-06;\nstatic const int64_t ROUNDS = 60;\n"
+        "static double f(void)\n{\n    return SMALL;\n}\n"
+    )
+
+
 def test_changed_token_is_refused_with_a_reason(native: Path, tmp_path: Path) -> None:
     fmu = native / "fmi2" / "dc_motor.fmu"
     folder = Path(fmpy.extract(str(fmu), str(tmp_path / "fmu")))

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, holds, read, same, values, where_known
-from ..testing.suite import Excitation, suite
-from . import behaviour_force
-from .fmu import RovController
+from ...testing.behaviour import Running, Unit, close, holds, read, same, values, where_known
 
 T_S = 0.02
 MEASURED = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")
@@ -22,19 +18,6 @@ def after_one_sample(unit: Unit, inputs: dict[str, Any], **parameters: Any) -> R
     seen = unit.new(inputs, **where_known(unit, T_s=T_S), **parameters)
     seen.step(T_S)
     return seen
-
-
-def geometry(unit: Unit) -> np.ndarray:
-    """B of Eq. 20: the wrench per thrust, from the thrusters' positions and directions."""
-    position, direction = (np.reshape(x, (8, 3)) for x in values(unit, "thruster_position", "thruster_direction"))
-    return np.vstack([direction.T, np.cross(position, direction).T])
-
-
-def given(unit: Unit, seen: Running) -> np.ndarray:
-    """The wrench that the commands give with the thrust curve k_T u|u|."""
-    forward, reverse = values(unit, "k_T_forward", "k_T_reverse")
-    u = seen["u_thruster"]
-    return np.asarray(geometry(unit) @ (np.where(u > 0.0, forward, reverse) * u * np.abs(u)))
 
 
 def wrench(seen: Running) -> np.ndarray:
@@ -96,53 +79,6 @@ def test_moving_set_point_is_followed_without_lag(unit: Unit) -> None:
     close(unit, "requested wrench", wrench(seen), 0.0, 1e-12, 1.0)
 
 
-def test_feasible_wrench_is_given_exactly(unit: Unit) -> None:
-    """What the thrusters can give, they give: B k_T u|u| is the requested wrench in all six directions."""
-    inputs = {"x_ref": 0.3, "y_ref": -0.1, "z_ref": 0.2, "phi_ref": 0.1, "theta_ref": -0.1, "psi_ref": 0.2}
-    for attitude_first in (True, False):
-        seen = after_one_sample(unit, inputs, attitude_first=attitude_first)
-        close(unit, "wrench of the thrusters", given(unit, seen), wrench(seen), 1e-13)
-        same("saturated", seen["saturated"], 0.0)
-
-
-def test_saturation_keeps_the_moment_and_bends_the_force(unit: Unit) -> None:
-    """Beyond the thrusters' range the moment comes first, force gets what is left, and it is told."""
-    inputs, gains = {"z_ref": 10.0, "theta_ref": 0.2}, {"K_velocity": (1e3,) * 3}
-    seen = after_one_sample(unit, inputs, **gains)
-    close(unit, "moment", given(unit, seen)[3:], seen["M_ref"], 1e-12)
-    holds(100.0 < given(unit, seen)[2] < seen["F_ref"][2], "the force is not what is left")
-    close(unit, "largest command", np.abs(seen["u_thruster"]).max(), 1.0, 1e-12)
-    same("saturated, saturation_count", read(seen, "saturated", "saturation_count"), 1.0)
-    clipped = after_one_sample(unit, inputs, attitude_first=False, **gains)
-    holds(abs(given(unit, clipped)[4]) < 0.1 * abs(seen["M_ref"][1]), "clipping keeps the moment")
-
-
-def test_commands_never_exceed_one(unit: Unit) -> None:
-    """Whatever is measured, -1 <= u_thruster <= 1."""
-    rng = np.random.default_rng(1)
-    for attitude_first in (True, False):
-        seen = unit.new({}, **where_known(unit, T_s=T_S), attitude_first=attitude_first)
-        for _ in range(200):
-            seen.set(**dict(zip((*MEASURED, *SET_POINTS), map(float, rng.normal(size=18) * 2.0), strict=True)))
-            seen.step(T_S)
-            largest = np.abs(seen["u_thruster"]).max()
-            holds(largest <= 1.0 + 1e-12, f"a command of {largest:.6g}")
-
-
-def test_saturated_integrals_do_not_wind_up(unit: Unit) -> None:
-    """After 5 s at saturation, back-calculation leaves less than half of the integral that builds up without it."""
-    left = []
-    for K_windup in (5.0, 0.0):
-        seen = unit.new({"x_ref": 100.0}, **where_known(unit, T_s=T_S), K_windup=K_windup, K_velocity=(400.0,) * 3)
-        for _ in range(250):
-            seen.step(T_S)
-        holds(seen["saturation_count"] > 200.0, "the thrusters were to be saturated")
-        seen.set(x_ref=0.0)
-        seen.step(T_S)
-        left.append(float(seen["F_ref"][0]))
-    holds(left[0] < 0.5 * left[1], f"{left[0]:.5g} N are left with back-calculation, {left[1]:.5g} N without")
-
-
 def test_outputs_are_constant_between_samples(unit: Unit) -> None:
     """With four communication steps in a sampling period the commands change at every fourth, and only there."""
     seen = unit.new({"x_ref": 1.0}, T_s=T_S)
@@ -190,14 +126,3 @@ def test_position_error_is_turned_into_the_body_frame(unit: Unit) -> None:
     inputs = {"psi": np.pi / 2, "psi_ref": np.pi / 2, "x_ref": 0.3}
     seen = after_one_sample(unit, inputs, K_velocity=(1.0,) * 3, K_position=(1.0,) * 3)
     close(unit, "force", seen["F_ref"], (0.0, -0.3, 0.0), 1e-14)
-
-
-EXCITATION = Excitation(
-    0.01, 80,
-    {"x_n": (0.0, 0.3), "z_n": (0.1, 0.6), "phi": (0.0, 0.9), "theta": (0.0, 1.6), "psi": (0.0, 3.1), "u": (0.0, 0.2),
-     "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0), "F_tool": (-20.0, 30.0), "M_tool": (-5.0, 4.0),
-     "F_n_ref": (40.0, 30.0), "v_ref": (0.0, 0.1)},
-    {"mode": 2},
-)  # fmt: skip
-ESSENTIAL = "x_n y_n z_n phi theta psi u v w p q r u_thruster V_in"
-SUITE = suite(RovController, ESSENTIAL, EXCITATION, sys.modules[__name__], behaviour_force)

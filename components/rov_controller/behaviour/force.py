@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Unit, close, holds, read, same, values, where_known
+from ...testing.behaviour import Unit, close, holds, read, same, values, where_known
 
 T_S = 0.02
 WRENCH: dict[str, Any] = {"F_tool": (-10.0, 2.0, -30.0), "M_tool": (0.5, -6.0, 0.2)}
