@@ -13,11 +13,31 @@ from rovbrush.components.python.kernels import compiled
 
 
 class RunningKernel(Instance):
-    """An instance whose state can be saved; scratch arrays are no state and are spoilt when it is restored."""
+    """An instance whose state can be saved; scratch arrays are no state and are spoilt when it is restored.
+
+    As in an FMU, an output that is read after inputs were set follows them.
+    """
+
+    stale = False
+
+    def set(self, **inputs: Any) -> None:
+        super().set(**inputs)
+        self.stale = True
+
+    def start(self) -> None:
+        super().start()
+        self.stale = False
+
+    def step(self, h: float) -> None:
+        super().step(h)
+        self.stale = False
 
     def __getitem__(self, name: str) -> Any:
         if any(v.name == name for v in self.declared.inputs):
             return self.values[name]
+        if self.stale and "outputs" in self.signatures:
+            self.call("outputs")
+        self.stale = False
         return super().__getitem__(name)
 
     def save(self) -> dict[str, Any]:

@@ -17,6 +17,12 @@ MEASURED = {
     "q": (0.0, 0.3), "psi_ref": (0.4, 0.3), "V_ref": (11.0, 1.0),
 }  # fmt: skip
 TOOL = {"F_tool": (-20.0, 30.0), "M_tool": (-5.0, 4.0), "F_n_ref": (30.0, 40.0), "v_ref": (0.0, 0.1)}
+NOISY = {
+    "delay": 0.012, "gain": 1.1, "rate_dvl": 15.0, "noise_dvl": 0.01, "dropout_dvl": 0.3, "delay_dvl": 0.1,
+    "noise_force": 0.5, "rate_depth": 50.0, "quantum_depth": 0.002, "rate_gyro": 400.0, "noise_gyro": 0.003,
+    "bias_gyro": (0.1, 0.0, -0.1),
+    "bias_attitude": (0.0, 0.0, 1.0), "r_imu": (0.1, 0.0, -0.2), "noise_accelerometer": 0.02,
+}  # fmt: skip
 CASES = (
     Case("filament_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05)}),
     Case("cup_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05),
@@ -52,6 +58,8 @@ CASES = (
     Case("constant_speed", 1e-3, 30, {"V_in": (6.0, 9.0), "T_brush": (-10.0, 9.0)}),
     Case("battery", 0.5, 60, {"i": (30.0, 70.0), "i_other": (5.0, 4.0)}, {"soc_start": 0.905}),
     Case("battery", 60.0, 60, {"i": (40.0, 70.0)}, {"soc_start": 0.3, "R_1_cell": 0.0}, "emptied"),
+    Case("rov_sensors", 0.005, 60, MEASURED | TOOL | {"nu_dot": (0.0, 0.4)}),
+    Case("rov_sensors", 0.005, 60, MEASURED | TOOL | {"nu_dot": (0.0, 0.4)}, NOISY, "noisy"),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 

@@ -30,6 +30,7 @@ AT_REST = {
     "rov_controller": {"V_in", "saturated", "saturation_count"},
     "mission": {"y_ref", "v_ref[2]"},
     "battery": {"empty"},
+    "rov_sensors": set(),
 }
 
 

@@ -32,6 +32,9 @@ CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
     "mission": (5e-2, {"x_n": (-0.7, 0.3)}),
     "constant_speed": (1e-3, {"V_in": (-3.0, 15.0), "T_brush": (-20.0, 5.0)}),
     "battery": (1.0, {"i": (-30.0, 70.0), "i_other": (0.0, 9.0)}),
+    "rov_sensors": (5e-3, {"x_n": (-0.3, 0.3), "z_n": (-0.5, 0.7), "phi": (-1.0, 1.0), "theta": (-1.5, 1.5),
+                           "psi": (-3.1, 3.1), "u": (-0.3, 0.3), "q": (-0.3, 0.3), "nu_dot": (-1.0, 1.0),
+                           "F_tool": (-50.0, 20.0), "M_tool": (-9.0, 4.0)}),
 }  # fmt: skip
 # Sizes and internal steps set how much work a step is: they vary in small steps so that a test stays a test.
 WHOLE = {
@@ -43,6 +46,7 @@ WHOLE = {
     "friction_law": (0, 2),
     "n_series": (1, 9),
     "n_parallel": (1, 9),
+    "seed": (0, 2147483647),
 }
 STATED = {"h_min", "h_max", "tolerance", "max_step"}
 
