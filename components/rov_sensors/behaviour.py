@@ -151,10 +151,10 @@ def test_accelerometer_on_an_arm_feels_the_turning(unit: Unit) -> None:
     close(unit, "specific force", seen["f_m"], expected, 1e-14)
 
 
-def test_accelerometer_on_a_circle_feels_its_centre(unit: Unit) -> None:
-    """At 2 m/s and 0.5 rad/s to starboard, with constant body velocities, 1 m/s2 points to starboard."""
-    seen = unit.new({"u": 2.0, "r": 0.5}, g=0.0)
-    close(unit, "specific force", seen["f_m"], (0.0, 1.0, 0.0), 1e-14)
+def test_accelerometer_feels_the_acceleration_of_the_body(unit: Unit) -> None:
+    """At the origin it feels the acceleration over ground as it is, whatever the velocity and the rates."""
+    seen = unit.new({"nu_dot": (0.3, 1.0, -0.2, 0.0, 0.0, 0.0), "u": 2.0, "r": 0.5}, g=0.0)
+    close(unit, "specific force", seen["f_m"], (0.3, 1.0, -0.2), 1e-14)
 
 
 EXCITATION = Excitation(

@@ -7,8 +7,7 @@ from ..declare.record import Matrix, Packed, Record, Vector, input_, output, val
 SENSORS = 7
 CHANNELS = 21
 ROWS = 512  # in the ring: a second at 500 Hz, and some more
-ATTITUDE = ("phi", "theta", "psi")
-MOTION = (*ATTITUDE, "u", "v", "w", "p", "q", "r", "nu_dot")
+FELT = ("phi", "theta", "p", "q", "r", "nu_dot")  # by the accelerometer
 
 
 class Inputs(Record):
@@ -26,7 +25,9 @@ class Inputs(Record):
     p: float = input_("rad/s", "roll rate, body frame")
     q: float = input_("rad/s", "pitch rate, body frame")
     r: float = input_("rad/s", "yaw rate, body frame")
-    nu_dot: Vector = input_("m/s2", "rates of u, v, w [m/s2] and of p, q, r [rad/s2]", size=6)
+    nu_dot: Vector = input_(
+        "m/s2", "acceleration of the body origin over ground (omega x v is in it); 4 to 6: angular [rad/s2]; body axes", size=6
+    )
     F_tool: Vector = input_("N", "force of the tool on the vehicle, body frame", size=3)
     M_tool: Vector = input_("N.m", "moment of the tool about the body origin", size=3)
 
@@ -46,7 +47,7 @@ class Outputs(Packed):
     p_m: float = output("rad/s", "measured roll rate (gyro), body frame", ("p",))
     q_m: float = output("rad/s", "measured pitch rate (gyro), body frame", ("q",))
     r_m: float = output("rad/s", "measured yaw rate (gyro), body frame", ("r",))
-    f_m: Vector = output("m/s2", "measured specific force at the accelerometer, body frame", MOTION, size=3)
+    f_m: Vector = output("m/s2", "measured specific force at the accelerometer, body frame", FELT, size=3)
     F_tool_m: Vector = output("N", "measured force of the tool on the vehicle, body frame", ("F_tool",), size=3)
     M_tool_m: Vector = output("N.m", "measured moment of the tool about the body origin", ("M_tool",), size=3)
 

@@ -13,7 +13,6 @@ def specific_force(u: Inputs, p: Parameters, s: Scratch) -> None:
     split(u.nu_dot, s.f, s.alpha)
     clear(3, s.across)
     cross_add(s.across, u.p, u.q, u.r, p.r_imu[0], p.r_imu[1], p.r_imu[2])
-    cross_add(s.f, u.p, u.q, u.r, u.u, u.v, u.w)  # Eq. N1
     cross_add(s.f, s.alpha[0], s.alpha[1], s.alpha[2], p.r_imu[0], p.r_imu[1], p.r_imu[2])  # Eq. N1
     cross_add(s.f, u.p, u.q, u.r, s.across[0], s.across[1], s.across[2])  # Eq. N1
     s.f[0] = s.f[0] + p.g * sin(u.theta)  # Eq. N2
