@@ -26,7 +26,9 @@ class Inputs(Record):
     q: float = input_("rad/s", "pitch rate, body frame")
     r: float = input_("rad/s", "yaw rate, body frame")
     nu_dot: Vector = input_(
-        "m/s2", "acceleration of the body origin over ground (omega x v is in it); 4 to 6: angular [rad/s2]; body axes", size=6
+        "m/s2",
+        "acceleration of the body origin over ground (omega x v is in it); 4 to 6: angular [rad/s2]; body axes",
+        size=6,
     )
     F_tool: Vector = input_("N", "force of the tool on the vehicle, body frame", size=3)
     M_tool: Vector = input_("N.m", "moment of the tool about the body origin", size=3)
