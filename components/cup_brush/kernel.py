@@ -9,7 +9,7 @@ from ..library.integration import equal_steps
 from .elastica import sideways, tabulate
 from .parameters import Parameters
 from .records import Inputs, Outputs, Scratch, State, Tip
-from .sums import add_tip, adopt, book, clear_sums, torque_of_eq15
+from .sums import add_tip, adopt, book, clear_sums, pack_torque, torque_of_eq15
 from .tuft import hull_at, place, press
 
 
@@ -49,6 +49,7 @@ def initialize(p: Parameters, x: State) -> None:
     x.W_hull = 0.0
     x.W_friction = 0.0
     x.W_contact = 0.0
+    x.W_water = 0.0
     x.E_strain = 0.0
     x.deflection_ratio = 0.0
     x.deflection_ratio_max = 0.0
@@ -78,6 +79,9 @@ def tell(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     y.J_z = x.J_z
     y.J_T = x.J_T
     y.T_brush_eq15 = torque_of_eq15(p, y)
+    y.T_water = pack_torque(u, p)
+    y.P_water = -u.omega_b * y.T_water
+    y.T_brush = y.T_brush + y.T_water
     y.P_hub = -u.omega_b * y.T_brush
     y.P_hull = y.F_x * u.v_rov - y.F_z * hull.v_z
     y.P_damping = 0.0
@@ -89,9 +93,10 @@ def tell(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     y.W_damping = 0.0
     y.W_friction = x.W_friction
     y.W_contact = x.W_contact
+    y.W_water = x.W_water
     # inputs that jump do work at once; it is booked when the next step begins
     jump = y.E_strain - x.E_strain
-    y.energy_residual = y.E_strain - (x.W_hub + x.W_hull + jump - x.W_friction - x.W_contact)
+    y.energy_residual = y.E_strain - (x.W_hub + x.W_hull + jump - x.W_friction - x.W_contact - x.W_water)
     y.deflection_ratio = x.deflection_ratio
     y.deflection_ratio_max = x.deflection_ratio_max
     y.micro_steps = x.micro_steps
@@ -125,6 +130,9 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
             E_start = E_start + advance_tuft(k, x.theta_b + 2.0 * pi * i / tufts, count, h_s, u, p, x, s)
             add_tip(s.end, u, y)
     hull = hull_at(u.delta, u, p)
+    T_water = pack_torque(u, p)
+    x.J_T = x.J_T + T_water * h
+    x.W_water = x.W_water - u.omega_b * T_water * h
     x.theta_b = x.theta_b + u.omega_b * h
     x.W_hub = x.W_hub - u.omega_b * (x.J_T - J_T)
     x.W_hull = x.W_hull + E_start - x.E_strain + u.v_rov * (x.J_x - J_x) - hull.v_z * (x.J_z - J_z)

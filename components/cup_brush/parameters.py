@@ -55,6 +55,15 @@ class Parameters:
     Delta_eps: float = parameter(
         5e-8, "m", "penetration below which the normal force starts linearly", "assumed", minimum=1e-12, maximum=0.01
     )
+    rho_w: float = parameter(1025.0, "kg/m3", "density of sea water", "assumed", minimum=0.0, maximum=2000.0)
+    nu_w: float = parameter(1.2e-6, "m2/s", "kinematic viscosity of sea water", "assumed: 15 degrees", 1e-8, 1e-3)
+    pack_drag: float = parameter(
+        0.0, "1", "torque of the water over that on a disc and, around the bristles, a rough cylinder (0: none)",
+        "von Karman 1921, Theodorsen and Regier 1944; 1 is their law", minimum=0.0, maximum=100.0,
+    )
+    pack_roughness: float = parameter(
+        0.0094, "m", "height of that cylinder's roughness", "assumed: half the gap between tufts at the tips", 0.0, 0.1
+    )
     h_max: float = parameter(1e-3, "s", "largest micro-step", "section 3.6", minimum=1e-6, maximum=1e-2)
     theta_b_0: float = parameter(0.0, "rad", "brush angle at the start", "assumed", minimum=-1e3, maximum=1e3)
 

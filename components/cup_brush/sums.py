@@ -1,8 +1,9 @@
 """The tufts of a brush added up: forces and powers at an instant (Eqs. 14, 15), impulses and losses of a micro-step."""
 
-from math import cos, sin
+from math import cos, pi, sin
 
 from ..library.integration import runge_kutta_sum
+from ..library.rotating import cylinder_friction, disc_friction
 from .parameters import Parameters
 from .records import Inputs, Outputs, State, Tip
 
@@ -103,6 +104,18 @@ def adopt(begin: Tip, end: Tip) -> None:
     begin.F_z = end.F_z
     begin.P_friction = end.P_friction
     begin.P_contact = end.P_contact
+
+
+def pack_torque(u: Inputs, p: Parameters) -> float:
+    """Torque of the water on the turning brush: on both sides of a disc and on the cylinder around the bristles."""
+    T_water = 0.0
+    if p.pack_drag > 0.0:
+        speed = abs(u.omega_b)
+        R = p.R_brush
+        Re = speed * R * R / p.nu_w
+        C = disc_friction(Re) * R + 2.0 * pi * p.L * cos(p.alpha) * cylinder_friction(Re, p.pack_roughness / R)
+        T_water = -p.pack_drag * C * 0.5 * p.rho_w * speed * u.omega_b * R * R * R * R
+    return T_water
 
 
 def torque_of_eq15(p: Parameters, y: Outputs) -> float:

@@ -17,7 +17,7 @@ def hub_radius(p: Parameters) -> float:
     return sqrt(p.R_brush * p.R_brush - p.L * p.L * sin(p.alpha) * sin(p.alpha)) - p.L * cos(p.alpha)
 
 
-def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix) -> None:
+def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix, Y: Matrix) -> None:
     """Fill c and k, what is constant over a step."""
     R_h = hub_radius(p)
     c.x_a = R_h * cos(p.alpha) + p.L
@@ -31,6 +31,18 @@ def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S:
     c.mu_s = u.friction_scale * p.mu_s
     c.mu_c = u.friction_scale * p.mu_c
     c.fouling = u.friction_scale
+    c.drag = p.bristles_per_filament * p.shielding * 0.5 * p.rho_w * p.C_d * p.d
+    c.slip = 1.0 - p.co_rotation
+    c.linear = 0.0
+    if p.C_d > 0.0:
+        for i in range(6):
+            for r in range(p.N_m):
+                k.shapes[i, r] = Y[i, r]
+
+
+def modal_mass(c: Constants) -> float:
+    """Modal mass of a bundle."""
+    return c.M
 
 
 def free_acceleration(f: Stage, p: Parameters, m: Modes, k: Stiffness) -> None:

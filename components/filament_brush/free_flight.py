@@ -1,25 +1,35 @@
 """Free flight: filaments that cannot reach the hull within a step share one linear map over it (Eq. 4)."""
 
-from math import sqrt
+from math import cos, sin, sqrt
 
 from ..library.matrices import multiply
+from .filament import modal_mass
 from .parameters import Parameters
-from .records import Constants, Modes, Scratch, Stage, Stiffness
+from .records import Constants, Drag, Inputs, Losses, Modes, Placement, Scratch, Stage, State, Stiffness
+from .water import book_drag, torque_of_drag
 
 
-def free_flight(h: float, p: Parameters, c: Constants, m: Modes, k: Stiffness, s: Scratch) -> None:
+def free_flight(h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, s: Scratch) -> None:
     """Fill P with the map of (eta, eta_dot, 1) over h without contact: Runge-Kutta in 2^k equal micro-steps.
 
+    With drag, of (eta, eta_dot, 1, 1 m/s of water that passes the bristle along -e_t).
+
     For linear equations the classical Runge-Kutta step is the polynomial 1 + hA + .. + (hA)^4/24; k squarings of it
-    give the whole step. omega_max times the micro-step is at most 0.2.
+    give the whole step. The fastest rate times the micro-step is at most 0.2.
     """
     size = 2 * p.N_m + 1
+    fastest = c.omega_max
+    if p.C_d > 0.0:
+        size = size + 1
+        fastest = fastest + 2.0 * c.drag * c.slip * abs(u.omega_b) * c.x_a * p.L / c.M
     h_s = h
     squarings = 0
-    while h_s * c.omega_max > 0.2 and squarings < 60:
+    while h_s * fastest > 0.2 and squarings < 60:
         h_s = 0.5 * h_s
         squarings = squarings + 1
     linear_equations(h_s, p, m, k, s)
+    if p.C_d > 0.0:
+        linear_drag(h_s, u, p, c, m, k, s)
     for order in range(4):
         multiply(size, s.A, s.P, s.Q)
         for i in range(size):
@@ -49,6 +59,31 @@ def linear_equations(h_s: float, p: Parameters, m: Modes, k: Stiffness, s: Scrat
             s.A[N_m + r, q] = -h_s * k.K[r, q]
 
 
+def linear_drag(h_s: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, s: Scratch) -> None:
+    """Add h_s times what drag, linear about omega_b r, does to the rates."""
+    N_m = p.N_m
+    one = 2 * N_m
+    s.P[one + 1, one + 1] = 1.0
+    for j in range(one + 2):
+        s.A[one + 1, j] = 0.0
+        s.A[j, one + 1] = 0.0
+        s.P[one + 1, j] = 0.0
+        s.P[j, one + 1] = 0.0
+    s.P[one + 1, one + 1] = 1.0
+    for r in range(N_m):
+        k.rest[r] = k.load[r] / k.K[r, r]
+    for i in range(6):
+        sweep = c.slip * u.omega_b * (c.x_a - p.L + m.x[i])
+        b = h_s * c.drag * m.weight[i] * abs(sweep) / c.M
+        for r in range(N_m):
+            b_r = b * k.shapes[i, r]
+            s.A[N_m + r, one] = s.A[N_m + r, one] + b_r * sweep
+            k.rest[r] = k.rest[r] + b_r * sweep / (h_s * k.K[r, r])
+            s.A[N_m + r, one + 1] = s.A[N_m + r, one + 1] - 2.0 * b_r
+            for q in range(N_m):
+                s.A[N_m + r, N_m + q] = s.A[N_m + r, N_m + q] - 2.0 * b_r * k.shapes[i, q]
+
+
 def relative_energy(f: Stage, p: Parameters, k: Stiffness) -> float:
     """Kinetic, strain and centrifugal energy per modal mass."""
     energy = 0.0
@@ -75,6 +110,87 @@ def advance_free(now: Stage, after: Stage, p: Parameters, k: Stiffness, s: Scrat
         now.eta_dot[r] = after.eta_dot[r]
     now.z = 0.0
     return before - relative_energy(now, p, k)
+
+
+def losses(f: Stage, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness) -> Losses:
+    """Powers of modal damping and of linear drag on the bristle's own motion."""
+    damping = 0.0
+    drag = 0.0
+    for r in range(p.N_m):
+        damping = damping + c.M * m.damping[r] * f.eta_dot[r] * f.eta_dot[r]
+    for i in range(6):
+        y_dot = 0.0
+        for r in range(p.N_m):
+            y_dot = y_dot + k.shapes[i, r] * f.eta_dot[r]
+        sweep = c.slip * abs(u.omega_b) * (c.x_a - p.L + m.x[i])
+        drag = drag + 2.0 * c.drag * m.weight[i] * sweep * y_dot * y_dot
+    return Losses(damping, drag)
+
+
+def map_in_water(
+    now: Stage, after: Stage, way: Stage, passing: float, p: Parameters, c: Constants, k: Stiffness, s: Scratch,
+) -> float:
+    """As `advance_free`, with water that passes at this speed; the way of eta goes into `way`."""
+    N_m = p.N_m
+    before = relative_energy(now, p, k)
+    for r in range(N_m):
+        way.eta[r] = now.eta[r]
+    advance_free(now, after, p, k, s)
+    for r in range(N_m):
+        now.eta[r] = now.eta[r] + s.P[r, 2 * N_m + 1] * c.slip * passing
+        now.eta_dot[r] = now.eta_dot[r] + s.P[N_m + r, 2 * N_m + 1] * c.slip * passing
+        way.eta[r] = now.eta[r] - way.eta[r]
+    return before - relative_energy(now, p, k)
+
+
+def drag_on_way(
+    way: Stage, h: float, passing: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness,
+) -> Drag:
+    """Impulse of linear drag over the time h in which the deflections went this way."""
+    F_w = 0.0
+    M_w = 0.0
+    work = 0.0
+    for i in range(6):
+        y = 0.0
+        for r in range(p.N_m):
+            y = y + k.shapes[i, r] * way.eta[r]
+        sweep = c.slip * u.omega_b * (c.x_a - p.L + m.x[i])
+        b = c.drag * m.weight[i] * abs(sweep)
+        load = b * (sweep - 2.0 * c.slip * passing)
+        F_i = h * load - 2.0 * b * y
+        F_w = F_w + F_i
+        M_w = M_w + F_i * m.x[i]
+        work = work + load * y
+    return Drag(F_w, M_w, work)
+
+
+def advance_free_in_water(psi: float, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """Map a filament over the communication step, psi in its middle, and book what damping and drag take.
+
+    Forces are linear in the rates, so that their impulses follow from the deflections exactly; psi counts as in the
+    middle. What both losses are together follows from the energy; they share it as their powers do at the two ends.
+    """
+    at = Placement(sin(psi), cos(psi), h_plane=0.0)
+    passing = u.v_rov * at.cos_psi + u.delta_dot * at.sin_psi
+    begin = losses(s.now, u, p, s.c, x.modes, s.k)
+    lost = modal_mass(s.c) * map_in_water(s.now, s.end, s.second, passing, p, s.c, s.k, s)
+    end = losses(s.now, u, p, s.c, x.modes, s.k)
+    drag = drag_on_way(s.second, h, passing, u, p, s.c, x.modes, s.k)
+    damping = begin.damping + end.damping
+    W_damping = (lost + drag.work) * damping / max(damping + begin.drag + end.drag, 1e-300)
+    x.W_damping = x.W_damping + W_damping
+    torque = torque_of_drag(drag.F_w, drag.M_w, p, s.c)
+    x.W_water = x.W_water - u.omega_b * torque - passing * drag.F_w + lost - W_damping
+    book_drag(drag.F_w, drag.M_w, at, p, s.c, x)
+
+
+def is_near_the_flow(f: Stage, u: Inputs, p: Parameters, c: Constants, k: Stiffness) -> bool:
+    """Is the tip's own speed, all energy kinetic and modes in phase, so far below the flow's that drag is linear?"""
+    speed = 0.0
+    for r in range(p.N_m):
+        away = f.eta[r] - k.rest[r]
+        speed = speed + 2.0 * sqrt(f.eta_dot[r] * f.eta_dot[r] + k.K[r, r] * away * away)
+    return speed < p.linear_below * c.slip * abs(u.omega_b) * p.R_brush
 
 
 def tip_speed_bound(f: Stage, p: Parameters, k: Stiffness) -> float:

@@ -6,13 +6,14 @@ Frames and symbols are those of README.md, names and units those of records.py.
 from math import cos, pi, sin
 
 from .contact import contact_energy
-from .filament import constants, hub_radius
-from .free_flight import advance_free, free_flight, tip_speed_bound
+from .filament import constants, hub_radius, modal_mass
+from .free_flight import advance_free, advance_free_in_water, free_flight, is_near_the_flow, tip_speed_bound
 from .micro_steps import advance_touching, evaluate
 from .modes import centrifugal_energy, deflection, mode_table, slope_integrals
 from .parameters import Parameters
 from .reactions import brush_sums, give, take
 from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
+from .water import drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
 def setup(p: Parameters, x: State, s: Scratch) -> None:
@@ -23,6 +24,7 @@ def setup(p: Parameters, x: State, s: Scratch) -> None:
     r_A = hub_radius(p) * cos(p.alpha)
     mode_table(EI_zz, mass, p, x.modes)
     slope_integrals(r_A, A, mass, p, x, s)
+    drag_points(p, x.modes, x.Y, s)
 
 
 def initialize(p: Parameters, x: State) -> None:
@@ -36,6 +38,7 @@ def initialize(p: Parameters, x: State) -> None:
     x.W_damping = 0.0
     x.W_friction = 0.0
     x.W_contact = 0.0
+    x.W_water = 0.0
     x.E_contact = 0.0
     x.E_per_speed_2 = 0.0
     x.speed_2 = 0.0
@@ -46,6 +49,7 @@ def initialize(p: Parameters, x: State) -> None:
     for i in range(p.n):
         x.h_next[i] = p.h_min
         x.z[i] = 0.0
+        x.linear[i] = 0.0
         for r in range(p.N_m):
             x.eta[i, r] = 0.0
             x.eta_dot[i, r] = 0.0
@@ -58,8 +62,13 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
 
 def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """The outputs at a penetration, which goes on within a step."""
-    constants(s.c, s.k, u, p, x.modes, x.S)
+    constants(s.c, s.k, u, p, x.modes, x.S, x.Y)
     brush_sums(delta, u, p, x, y, s)
+    if has_pack_torque(p):
+        T_pack = pack_torque(u, p, s.c)
+        y.T_water = y.T_water + T_pack
+        y.P_water = y.P_water - u.omega_b * T_pack
+    y.T_brush = y.T_brush + y.T_water
     for r in range(6):
         y.kinetic_fraction[r] = y.kinetic_fraction[r] / max(y.E_kinetic, 1e-30)
     y.theta_b = x.theta_b
@@ -71,6 +80,7 @@ def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, 
     y.W_damping = x.W_damping
     y.W_friction = x.W_friction
     y.W_contact = x.W_contact
+    y.W_water = x.W_water
     y.P_hub = -u.omega_b * y.T_brush
     y.P_hull = y.F_x * u.v_rov - y.F_z * u.delta_dot
     accounts(s.c, x, y)
@@ -88,7 +98,7 @@ def accounts(c: Constants, x: State, y: Outputs) -> None:
     y.E_centrifugal = c.speed_2 * x.E_per_speed_2
     # inputs that jump do work at once; it is booked when the next step begins
     jump = y.E_contact - x.E_contact + y.E_centrifugal - x.E_per_speed_2 * x.speed_2
-    supplied = x.W_hub + x.W_hull + jump - x.W_damping - x.W_friction - x.W_contact
+    supplied = x.W_hub + x.W_hull + jump - x.W_damping - x.W_friction - x.W_contact - x.W_water
     y.energy_residual = y.E_kinetic + y.E_strain + y.E_centrifugal + y.E_contact - supplied
 
 
@@ -113,8 +123,18 @@ def advance_filament(i: int, h: float, u: Inputs, p: Parameters, x: State, s: Sc
     at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
     reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
     E_start = contact_energy(reach.Delta, p)
-    if reach.Delta + h * (abs(u.omega_b) * p.R_brush + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k)) < 0.0:
-        x.W_damping = x.W_damping + modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+    farthest = h * (abs(u.omega_b) * p.R_brush + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
+    free = reach.Delta + farthest < 0.0
+    x.linear[i] = 0.0
+    if p.C_d > 0.0:
+        free = reach.Delta + farthest + pushed_by_water(h, s.now, p, s.c) < 0.0
+        free = free and is_near_the_flow(s.now, u, p, s.c, s.k)
+    if free:
+        if p.C_d > 0.0:
+            x.linear[i] = 1.0
+            advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
+        else:
+            x.W_damping = x.W_damping + modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
     else:
         touched = advance_touching(psi, h, x.h_next[i], reach.rate, u, p, x, s)
         x.h_next[i] = touched.h_next
@@ -122,11 +142,6 @@ def advance_filament(i: int, h: float, u: Inputs, p: Parameters, x: State, s: Sc
     give(i, s.now, p, x)
     x.deflection_ratio = max(x.deflection_ratio, abs(deflection(s.now, p, x.modes)) / p.L)
     return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, x.modes, x.S))
-
-
-def modal_mass(c: Constants) -> float:
-    """Modal mass of a bundle."""
-    return c.M
 
 
 def book_step(E_start: float, E_end: float, E_per_speed_2: float, speed_2: float, x: State) -> None:
@@ -140,8 +155,8 @@ def book_step(E_start: float, E_end: float, E_per_speed_2: float, speed_2: float
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Advance the brush by h at constant omega_b, v_rov and delta_dot; delta goes on from its value at the start."""
-    constants(s.c, s.k, u, p, x.modes, x.S)
-    free_flight(h, p, s.c, x.modes, s.k, s)
+    constants(s.c, s.k, u, p, x.modes, x.S, x.Y)
+    free_flight(h, u, p, s.c, x.modes, s.k, s)
     J_x = x.J_x
     J_z = x.J_z
     J_T = x.J_T
@@ -154,6 +169,10 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
         E_start = E_start + filament.E_start
         E_end = E_end + filament.E_end
         E_per_speed_2 = E_per_speed_2 + filament.E_per_speed_2
+    if has_pack_torque(p):
+        T_pack = pack_torque(u, p, s.c)
+        x.J_T = x.J_T + T_pack * h
+        x.W_water = x.W_water - u.omega_b * T_pack * h
     x.theta_b = x.theta_b + u.omega_b * h
     x.W_hub = x.W_hub - u.omega_b * (x.J_T - J_T)
     x.W_hull = x.W_hull + u.v_rov * (x.J_x - J_x) - u.delta_dot * (x.J_z - J_z)

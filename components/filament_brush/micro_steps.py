@@ -8,6 +8,7 @@ from .filament import free_acceleration, tip_force
 from .modes import deflection
 from .parameters import Parameters
 from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Stiffness, Touched, Trial
+from .water import add_drag, book_drag
 
 
 def placement(psi: float, tau: float, u: Inputs, p: Parameters) -> Placement:
@@ -22,7 +23,10 @@ def evaluate(
     """The right-hand side: accelerations, forces and powers from deflection and rates."""
     free_acceleration(f, p, m, k)
     reach = tip_force(f, at, u, p, c, m, G)
-    return reach
+    rate = reach.rate
+    if p.C_d > 0.0:
+        rate = rate + add_drag(f, at, u, p, c, m, k)
+    return Reach(reach.Delta, rate)
 
 
 def predict(f: Stage, begin: Stage, before: Stage, h: float, p: Parameters) -> None:
@@ -113,6 +117,27 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
     now.P_friction = end.P_friction
     now.P_contact = end.P_contact
     now.P_damping = end.P_damping
+    if p.C_d > 0.0:
+        now.F_w = end.F_w
+        now.M_w = end.M_w
+        now.P_water = end.P_water
+
+
+def book_water(tau: float, h_s: float, psi: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """Impulses of the drag in a micro-step from tau on, and its loss."""
+    begin = placement(psi, tau, u, p)
+    half = placement(psi, tau + 0.5 * h_s, u, p)
+    whole = placement(psi, tau + h_s, u, p)
+    book_stage(h_s / 6.0, s.now, begin, p, s.c, x)
+    book_stage(h_s / 3.0, s.second, half, p, s.c, x)
+    book_stage(h_s / 3.0, s.third, half, p, s.c, x)
+    book_stage(h_s / 6.0, s.fourth, whole, p, s.c, x)
+
+
+def book_stage(h: float, f: Stage, at: Placement, p: Parameters, c: Constants, x: State) -> None:
+    """Impulses of the drag at a stage that stands for the time h, and its loss."""
+    book_drag(h * f.F_w, h * f.M_w, at, p, c, x)
+    x.W_water = x.W_water + h * f.P_water
 
 
 def accept(h_s: float, p: Parameters, x: State, s: Scratch) -> None:
@@ -160,6 +185,8 @@ def advance_touching(
             if h_new < h_s or h_new > h_goal:
                 h_goal = h_new
             h_goal = min(h_goal, p.h_max)
+            if p.C_d > 0.0:
+                book_water(tau, h_s, psi, u, p, x, s)
             accept(h_s, p, x, s)
             rate = trial.rate
             running = h_s < left

@@ -22,6 +22,15 @@ def mode_sigma(lam: float) -> float:
     return (sinh(lam) - sin(lam)) / (cosh(lam) + cos(lam))
 
 
+def mode_shape(lam: float, xi: float) -> float:
+    """Y_r(x) at xi = x/L from Eq. 3; e^x carries the exact 1 - sigma_r, as below."""
+    sigma = mode_sigma(lam)
+    one_minus_sigma = (exp(-lam) + cos(lam) + sin(lam)) / (cosh(lam) + cos(lam))
+    growing = 0.5 * one_minus_sigma * exp(lam * xi)
+    decaying = 0.5 * (1.0 + sigma) * exp(-lam * xi)
+    return growing + decaying - cos(lam * xi) + sigma * sin(lam * xi)  # Eq. 3
+
+
 def mode_slope(lam: float, xi: float) -> float:
     """L Y_r'(x) at xi = x/L from Eq. 3; e^x carries the exact 1 - sigma_r, so that nothing cancels at higher modes."""
     sigma = mode_sigma(lam)

@@ -77,6 +77,33 @@ class Parameters:
         0.0, "1", "added-mass coefficient of the water (0: as the paper)", "section 3", minimum=0.0, maximum=5.0
     )
     rho_w: float = parameter(1025.0, "kg/m3", "density of sea water", "assumed", minimum=0.0, maximum=2000.0)
+    nu_w: float = parameter(1.2e-6, "m2/s", "kinematic viscosity of sea water", "assumed: 15 degrees", 1e-8, 1e-3)
+    C_d: float = parameter(
+        0.0, "1", "drag coefficient of a bristle across the flow (0: no drag, as the paper)", "section 6.2", 0.0, 10.0
+    )
+    shielding: float = parameter(
+        1.0, "1", "share of a lone bristle's drag that one in its bundle feels", "assumed", minimum=0.0, maximum=2.0
+    )
+    co_rotation: float = parameter(
+        0.9, "1", "share of the pack's speed that the water within it has", "assumed: balance of torques, README",
+        minimum=0.0, maximum=1.0,
+    )
+    linear_below: float = parameter(
+        0.5, "1", "a tip's own speed over the flow's, below which drag off the hull is linear (0: never)", "assumed",
+        minimum=0.0, maximum=1e9,
+    )
+    width: float = parameter(0.3, "m", "length of the brush along its axis", "assumed", minimum=1e-3, maximum=5.0)
+    pack_drag: float = parameter(
+        0.0, "1", "torque of the spinning pack over that of a rough cylinder (0: none, as the paper)",
+        "Theodorsen and Regier 1944; 1 is their law", minimum=0.0, maximum=100.0,
+    )
+    pack_roughness: float = parameter(
+        0.0094, "m", "height of that cylinder's roughness", "assumed: half the gap between bundles at the tips",
+        minimum=0.0, maximum=0.1,
+    )
+    C_paddle: float = parameter(
+        0.0, "1", "drag coefficient of the bundles as paddles, a bound from above (0: none)", "assumed", 0.0, 10.0
+    )
     theta_b_0: float = parameter(0.0, "rad", "brush angle at the start", "assumed", minimum=-1e3, maximum=1e3)
     tolerance: float = parameter(
         1e-6, "1", "velocity error allowed per micro-step over omega_1 L", "assumed", minimum=1e-12, maximum=1.0

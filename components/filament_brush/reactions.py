@@ -7,6 +7,7 @@ from .micro_steps import evaluate
 from .modes import deflection
 from .parameters import Parameters
 from .records import Base, Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State
+from .water import add_water, take_drag
 
 
 def bending_stiffness(p: Parameters) -> float:
@@ -41,6 +42,9 @@ def base_reactions(f: Stage, load: Load, p: Parameters, c: Constants, m: Modes) 
             inertia = mass * (f.a[r] + m.damping[r] * f.eta_dot[r])
             shear = shear + (inertia - q * f.eta[r]) * m.int_Y[r]
             moment = moment - inertia * m.int_xY[r] - q * r_A * m.int_Y[r] * f.eta[r]
+        if p.C_d > 0.0:
+            shear = shear - f.F_w
+            moment = moment + f.M_w
         if load.F_t != 0.0:
             y = y + load.F_t * p.L * p.L * p.L / (3.0 * EI)
             for r in range(p.N_m):
@@ -61,6 +65,8 @@ def clear_sums(y: Outputs) -> None:
     y.P_damping = 0.0
     y.P_friction = 0.0
     y.P_contact = 0.0
+    y.T_water = 0.0
+    y.P_water = 0.0
     y.E_kinetic = 0.0
     y.E_strain = 0.0
     y.E_contact = 0.0
@@ -130,8 +136,11 @@ def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: 
         psi = phi - p.alpha
         at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - delta)
         take(i, s.now, p, x)
+        take_drag(x.linear[i], s.c)
         reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
         add_tip(s.now, y)
+        if p.C_d > 0.0:
+            add_water(s.now, at, p, s.c, y)
         y.E_contact = y.E_contact + contact_energy(reach.Delta, p)
         shortening = add_energies(s.now, p, s.c, x.modes, y)
         y_tip = add_base(s.now, at, shortening, p, s.c, x.modes, y)

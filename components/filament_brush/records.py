@@ -6,6 +6,7 @@ from ..declare.record import Matrix, Packed, Record, Rows, Vector, calculated, i
 
 REACH = ("omega_b", "delta", "delta_dot")  # what decides where the tips are and how they move
 ALL = (*REACH, "v_rov", "friction_scale")
+WATER = ("omega_b", "delta_dot", "v_rov")
 MODES = 6  # as many as there can be; N_m of them are used
 
 
@@ -23,7 +24,7 @@ class Outputs(Packed):
     """Forces on the brush, its energies, and what tells whether the model is valid."""
 
     F_x: float = output("N", "force on the brush along x_t", ALL)
-    F_z: float = output("N", "force on the brush along z_t", REACH)
+    F_z: float = output("N", "force on the brush along z_t", (*REACH, "v_rov"))
     T_brush: float = output("N.m", "torque on the brush about y_t", ALL)
     contact_count: float = output("1", "filaments in contact", REACH)
     deflection_ratio: float = output("1", "largest |y(L)|/L in the last step")
@@ -41,6 +42,8 @@ class Outputs(Packed):
     P_damping: float = output("W", "power lost in damping", ALL)
     P_friction: float = output("W", "power lost in friction", ALL)
     P_contact: float = output("W", "power lost in contact", ALL)
+    T_water: float = output("N.m", "torque of the water about y_t, part of T_brush", WATER)
+    P_water: float = output("W", "power lost to the water", WATER)
     E_kinetic: float = output("J", "kinetic energy relative to the hub")
     E_strain: float = output("J", "strain energy")
     E_centrifugal: float = output("J", "centrifugal potential", ("omega_b",))
@@ -50,6 +53,7 @@ class Outputs(Packed):
     W_damping: float = output("J", "energy lost in damping")
     W_friction: float = output("J", "energy lost in friction")
     W_contact: float = output("J", "energy lost in contact")
+    W_water: float = output("J", "energy lost to the water")
     energy_residual: float = output("J", "energy that the integration created", ("omega_b", "delta"))
     micro_steps: float = output("1", "micro-steps of touching filaments so far")
     h_micro_min: float = output("s", "shortest micro-step so far, but for those cut by a communication point")
@@ -72,6 +76,8 @@ class Modes(Rows):
     int_xY: Vector = value("m2", "integral of x Y_r", MODES)
     curvature_0: Vector = value("1/m2", "Y_r'' at the root", MODES)
     shear_0: Vector = value("1/m3", "Y_r''' at the root", MODES)
+    x: Vector = value("m", "points of the quadrature along a bristle, as many as modes", MODES)
+    weight: Vector = value("m", "their weights", MODES)
 
 
 class State(Record):
@@ -80,6 +86,8 @@ class State(Record):
     modes: Modes = value("", "numbers of the modes")
     G: Matrix = value("1/m", "integral of Y_r' Y_s'", (MODES, MODES))
     S: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass", (MODES, MODES))
+    Y: Matrix = value("1", "Y_r at the points along a bristle", (MODES, MODES))
+    linear: Vector = value("1", "1: drag of each filament linear in the last step", lambda p: p.n)
     eta: Matrix = value("m", "modal deflections of each filament", lambda p: (p.n, p.N_m))
     eta_dot: Matrix = value("m/s", "their rates", lambda p: (p.n, p.N_m))
     h_next: Vector = value("s", "the next micro-step of each filament", lambda p: p.n)
@@ -93,6 +101,7 @@ class State(Record):
     W_damping: float = value("J", "energy lost in damping")
     W_friction: float = value("J", "energy lost in friction")
     W_contact: float = value("J", "energy lost in contact")
+    W_water: float = value("J", "energy lost to the water")
     E_contact: float = value("J", "elastic energy of the contact at the end of the last step")
     E_per_speed_2: float = value("kg.m2", "centrifugal potential over omega_b^2 at the end of the last step")
     speed_2: float = value("rad2/s2", "omega_b^2 in the last step")
@@ -117,13 +126,18 @@ class Stage(Rows):
     P_friction: float = value("W", "power lost in friction")
     P_contact: float = value("W", "power lost in contact")
     P_damping: float = value("W", "power lost in damping")
+    F_w: float = value("N", "drag along e_t")
+    M_w: float = value("N.m", "its moment about the root")
+    P_water: float = value("W", "power lost to the water")
 
 
 class Stiffness(Record):
-    """The linear part of Eq. 4 at a speed, per modal mass."""
+    """The linear part of Eq. 4 at a speed, per modal mass; the shapes where drag acts."""
 
     K: Matrix = value("1/s2", "stiffness", (MODES, MODES))
     load: Vector = value("m/s2", "centrifugal load K_6r", MODES)
+    rest: Vector = value("m", "deflections at rest in the flow; unused without drag, as shapes", MODES)
+    shapes: Matrix = value("1", "Y_r at the points along a bristle", (MODES, MODES))
 
 
 class Constants(Record):
@@ -138,6 +152,9 @@ class Constants(Record):
     mu_s: float = value("1", "static friction coefficient of the fouled hull")
     mu_c: float = value("1", "Coulomb friction coefficient of the fouled hull")
     fouling: float = value("1", "friction_scale")
+    drag: float = value("kg/m2", "drag of a bundle per length and speed squared")
+    slip: float = value("1", "share of the pack's speed that the water within it lacks")
+    linear: float = value("1", "1: drag linear about the flow of the step")
 
 
 class Scratch(Record):
@@ -150,12 +167,13 @@ class Scratch(Record):
     third: Stage = value("", "at the third stage")
     fourth: Stage = value("", "at the fourth stage")
     end: Stage = value("", "at the end of the micro-step")
-    P: Matrix = value("1", "map of free flight over the step", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
-    Q: Matrix = value("1", "a product", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
-    A: Matrix = value("1", "the linear equations times a micro-step", lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
+    P: Matrix = value("1", "map of free flight over the step", lambda p: (2 * p.N_m + 2, 2 * p.N_m + 2))
+    Q: Matrix = value("1", "a product", lambda p: (2 * p.N_m + 2, 2 * p.N_m + 2))
+    A: Matrix = value("1", "the linear equations times a micro-step", lambda p: (2 * p.N_m + 2, 2 * p.N_m + 2))
     nodes: Vector = value("1", "points of the quadrature", 5)
     weights: Vector = value("1", "their weights", 5)
     slopes: Vector = value("1/m", "Y_r' at a point", MODES)
+    shares: Vector = value("1", "weights of the points along a bristle", MODES)
     filament_phi: Vector = value("rad", "angle from +z_t of filament i", lambda p: p.n, shown=True)
     filament_F_n: Vector = value("N", "normal force of filament i", lambda p: p.n, shown=True)
     filament_F_f: Vector = value("N", "friction of filament i", lambda p: p.n, shown=True)
@@ -183,6 +201,21 @@ class Trial(Record):
     error: float = value("m/s", "error of the velocity")
     Delta: float = value("m", "penetration at the end")
     rate: float = value("1/s", "what limits the next micro-step")
+
+
+class Drag(Record):
+    """Drag on a bundle over a step of free flight."""
+
+    F_w: float = value("N.s", "its impulse along e_t")
+    M_w: float = value("N.m.s", "the moment of that about the root")
+    work: float = value("J", "work of its constant part")
+
+
+class Losses(Record):
+    """What a filament loses in free flight."""
+
+    damping: float = value("W", "to modal damping")
+    drag: float = value("W", "to linear drag, by its own motion")
 
 
 class Touched(Record):

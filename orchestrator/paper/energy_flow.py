@@ -34,6 +34,7 @@ def flows(case: Case) -> list[Flow]:
         Flow("brush", "friction on the hull", case.last("brush.W_friction")),
         Flow("brush", "bristle damping", case.last("brush.W_damping")),
         Flow("brush", "contact loss", case.last("brush.W_contact")),
+        Flow("brush", "water", case.last("brush.W_water")),
         Flow("brush", "elastic and kinetic energy of the bristles", stored_brush),
         Flow("brush", "work on the passing hull", -case.last("brush.W_hull")),
     ]

@@ -25,11 +25,16 @@ NOISY = {
 }  # fmt: skip
 CASES = (
     Case("filament_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05)}),
+    Case(
+        "filament_brush", 1e-3, 12,
+        {"omega_b": (12.0, 9.0), "delta": (0.004, 0.004), "v_rov": (0.05, 0.05), "delta_dot": (0.0, 0.1)},
+        {"C_d": 1.1, "C_a": 1.0, "shielding": 0.2, "pack_drag": 1.0, "C_paddle": 1.2, "linear_below": 2.0}, "wet",
+    ),
     Case("cup_brush", 1e-3, 10, {"omega_b": (15.0, 3.0), "delta": (0.005, 0.003), "v_rov": (0.05, 0.05),
                                  "misalignment": (0.0, 0.05), "delta_dot": (0.0, 0.1)}),
     Case(
         "cup_brush", 1e-3, 10, {"omega_b": (0.0, 3.0), "delta": (0.002, 0.003), "friction_scale": (0.6, 0.6)},
-        {"alpha": 0.2, "row_tufts": (7.0, 5.0, 0.0, 3.0, 0.0, 0.0, 0.0, 1.0)}, "rows",
+        {"alpha": 0.2, "pack_drag": 1.0, "row_tufts": (7.0, 5.0, 0.0, 3.0, 0.0, 0.0, 0.0, 1.0)}, "rows",
     ),
     Case("dc_motor", 1e-3, 60, {"V_in": (8.0, 6.0), "T_brush": (-10.0, 9.0)}),
     Case(

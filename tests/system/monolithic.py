@@ -80,7 +80,7 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     motor_rates, motor_parameters = motor.functions.rates, motor.given("rates", behind=6)
     N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
     constants, evaluate = brush.functions.constants, brush.functions.evaluate
-    of_brush = brush.given("constants", behind=5)
+    of_brush = brush.given("constants", behind=6)
     vehicle_rates, tool_wrench, thruster_wrench, thrust_of = (
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
@@ -100,9 +100,9 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, load, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros(8), np.zeros((5, 6))
-        constants(c, K, load, omega_b, b.friction_scale, *of_brush)
-        x_a, x_t, M, omega_max, mu_s, mu_c = c[0], c[1], c[2], c[5], c[6], c[7]
+        K, load, shapes, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros((6, 6)), np.zeros(11), np.zeros((6, 6))
+        constants(c, K, load, shapes, omega_b, b.friction_scale, *of_brush)
+        x_a, x_t, M, omega_max, mu_s, mu_c, drag, slip, linear = c[0], c[1], c[2], c[5], c[6], c[7], c[8], c[9], c[10]
         F_x, F_z, T_brush = 0.0, 0.0, 0.0
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
@@ -112,9 +112,9 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
             for r in range(N_m):
                 stage[0, r], stage[1, r] = state[eta + r], state[eta_dot + r]
             evaluate(
-                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, N_m, b.k_c, b.c_c, b.v_0,
-                b.k_v, b.v_eps, b.Delta_s, b.foreshortening, x_a, x_t, M, omega_max, mu_s, mu_c, b.modes, K, load,
-                b.G)  # fmt: skip
+                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, b.L, N_m, b.k_c, b.c_c, b.v_0,
+                b.k_v, b.v_eps, b.Delta_s, b.C_d, b.foreshortening, x_a, x_t, M, omega_max, mu_s, mu_c, drag, slip,
+                linear, b.modes, K, load, shapes, b.G)  # fmt: skip
             for r in range(N_m):
                 rate[eta + r], rate[eta_dot + r] = stage[1, r], stage[2, r]
             F_x -= stage[4, 0]

@@ -56,6 +56,7 @@ LOSSES = (  # of motor and brush
     "brush.W_friction",
     "brush.W_damping",
     "brush.W_contact",
+    "brush.W_water",
 )
 
 
