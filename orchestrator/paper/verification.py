@@ -81,7 +81,7 @@ SUITE = (
     SuiteCheck("Motor integration is of fourth order", "refinement", _BEHAVIOUR,
                "test_internal_steps_are_of_fourth_order", "dc_motor/behaviour.py"),
     SuiteCheck("Energy of the brush, filament by filament", "first law", _BEHAVIOUR,
-               "test_energy_is_accounted_for", "filament_brush/behaviour_energy.py"),
+               "test_energy_is_accounted_for", "filament_brush/behaviour/energy.py"),
     SuiteCheck("Energy of the motor", "first law", _BEHAVIOUR,
                "test_energy_is_accounted_for", "dc_motor/behaviour_energy.py"),
     SuiteCheck("Energy of the vehicle", "first law", _BEHAVIOUR,

@@ -17,6 +17,8 @@ from typing import Any
 
 import numpy as np
 from numba import njit
+from rovbrush.components.declare.record import fields_of
+from rovbrush.components.filament_brush.records import Stage
 from rovbrush.components.python.component import component_class
 from rovbrush.components.python.kernels import argument_names, compiled
 from rovbrush.orchestrator.system.model import Component, System
@@ -81,6 +83,11 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
     constants, evaluate = brush.functions.constants, brush.functions.evaluate
     of_brush = brush.given("constants", behind=6)
+    taken = argument_names(brush.kernel, "evaluate")
+    of_evaluate = tuple(brush.values[name] for name in taken[taken.index("v_rov") + 1 : taken.index("x_a")])
+    no_water = (0.0, 1.0, 0.0)  # drag, slip and which form of it
+    scalars = [name for name, field in fields_of(Stage).items() if not field.is_array]
+    forces = scalars.index("F_f")  # F_f, F_n and the moment, behind four rows of arrays
     vehicle_rates, tool_wrench, thruster_wrench, thrust_of = (
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
@@ -100,9 +107,9 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, load, shapes, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros((6, 6)), np.zeros(11), np.zeros((6, 6))
+        K, load, shapes, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros((6, 6)), np.zeros(12), np.zeros((6, 6))
         constants(c, K, load, shapes, omega_b, b.friction_scale, *of_brush)
-        x_a, x_t, M, omega_max, mu_s, mu_c, drag, slip, linear = c[0], c[1], c[2], c[5], c[6], c[7], c[8], c[9], c[10]
+        x_a, x_t, M, omega_max, mu_s, mu_c, fouling = c[0], c[1], c[2], c[5], c[6], c[7], c[8]
         F_x, F_z, T_brush = 0.0, 0.0, 0.0
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
@@ -112,14 +119,13 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
             for r in range(N_m):
                 stage[0, r], stage[1, r] = state[eta + r], state[eta_dot + r]
             evaluate(
-                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, b.L, N_m, b.k_c, b.c_c, b.v_0,
-                b.k_v, b.v_eps, b.Delta_s, b.C_d, b.foreshortening, x_a, x_t, M, omega_max, mu_s, mu_c, drag, slip,
-                linear, b.modes, K, load, shapes, b.G)  # fmt: skip
+                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, *of_evaluate, x_a, x_t, M,
+                omega_max, mu_s, mu_c, fouling, *no_water, b.modes, K, load, shapes, b.G)  # fmt: skip
             for r in range(N_m):
                 rate[eta + r], rate[eta_dot + r] = stage[1, r], stage[2, r]
-            F_x -= stage[4, 0]
-            F_z -= stage[4, 1]
-            T_brush += stage[4, 2]
+            F_x -= stage[4, forces]
+            F_z -= stage[4, forces + 1]
+            T_brush += stage[4, forces + 2]
         rate[2], rate[3], rate[4], rate[5] = omega_b, F_x, F_z, T_brush
 
         # motor

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, same
+from ...testing.behaviour import Running, Unit, close, go_on, holds, read, run, same
 
 H = 1e-3
 NOMINAL = {"omega_b": 15.7, "delta": 5e-3, "v_rov": 0.05}

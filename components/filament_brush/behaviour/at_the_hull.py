@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import numpy as np
 
-from ..testing.behaviour import Running, Unit, close, go_on, holds, read, run, same, values
-from ..testing.suite import Excitation, suite
-from . import behaviour_energy
-from .fmu import FilamentBrush
+from ...testing.behaviour import Running, Unit, close, go_on, holds, read, run, same, values
 
 H = 1e-3  # s, the communication step
 NOMINAL = {"omega_b": 15.7, "delta": 5e-3, "v_rov": 0.05}
@@ -182,13 +178,3 @@ def test_ripple_has_the_blade_pass_frequency(unit: Unit) -> None:
         samples.append(seen["F_z"])
     spectrum = np.abs(np.fft.rfft(samples - np.mean(samples)))
     same("ripples per revolution", int(np.argmax(spectrum)), int(n))
-
-
-EXCITATION = Excitation(
-    1e-3, 40,
-    {"omega_b": (12.0, 6.0), "delta": (4e-3, 3e-3), "v_rov": (0.05, 0.1), "delta_dot": (0.0, 0.5),
-     "friction_scale": (1.0, 0.3)},
-    {"n": 8},
-)  # fmt: skip
-ESSENTIAL = "omega_b delta v_rov F_x F_z T_brush"
-SUITE = suite(FilamentBrush, ESSENTIAL, EXCITATION, sys.modules[__name__], behaviour_energy)
