@@ -224,6 +224,7 @@ def test_a_component_in_a_package_is_a_part_of_it(copy: Path) -> None:
 
 def test_tests_of_a_component_may_fill_a_folder(copy: Path) -> None:
     """`behaviour/__init__.py` takes the place of `behaviour.py`."""
+    (copy.parent / "__init__.py").write_text("")
     text = (copy / "behaviour.py").read_text()
     (copy / "behaviour.py").unlink()
     (copy / "behaviour").mkdir()
