@@ -8,6 +8,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from ..declare.interface import parameter_variables
 from ..errors import BuildError
 from .slave import ComponentSlave
 
@@ -43,8 +44,17 @@ def _module_in(folder: Path) -> ModuleType:
 
 
 def class_in(fmu: ModuleType) -> type[Any]:
-    """The one class that a component's module `fmu` defines. Raises BuildError where it is not one."""
+    """The class that a component's module `fmu` defines. Raises BuildError for none or two, or two names alike."""
     found = [x for x in vars(fmu).values() if isinstance(x, type) and x.__module__ == fmu.__name__]
     if len(found) != 1:
         raise BuildError(f"{fmu.__file__}: there is one class, the component, and here are {len(found)}")
+    for name in _twice(found[0]):
+        what = f"state or scratch has an array '{name}', as parameters or inputs have; rename it"
+        raise BuildError(f"{fmu.__file__}: {what}")
     return found[0]
+
+
+def _twice(declared: type[Any]) -> list[str]:
+    """Arrays with the name of a parameter or input: a kernel's arguments are bound by name."""
+    given = {v.name for v in (*parameter_variables(declared.parameters), *declared.inputs)}
+    return [array.name for array in declared.arrays if array.name in given]

@@ -17,6 +17,6 @@ def kinetic(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
     return E
 
 
-def potential(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
+def potential(z: Motion, x: State, s: Scratch) -> float:
     """Energy of weight and buoyancy, zero with the body origin at depth 0 and the lever level."""
-    return p.net_buoyancy * z.position[2] - x.lever[0] * s.R[2, 0] - x.lever[1] * s.R[2, 1] - x.lever[2] * s.R[2, 2]
+    return x.net_buoyancy * z.position[2] - x.lever[0] * s.R[2, 0] - x.lever[1] * s.R[2, 1] - x.lever[2] * s.R[2, 2]

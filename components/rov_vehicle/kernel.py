@@ -7,10 +7,10 @@ the equations hold in the frame that moves with the water, where the velocity is
 from ..library.integration import equal_steps
 from ..library.rotation import quaternion
 from ..library.thrust import allocation_matrix
-from ..library.vectors import copy
+from ..library.vectors import copy, cross_add, join
 from .energy import kinetic, potential
 from .frames import change_frame, euler_angles, rotation
-from .inertia import mass_matrix
+from .inertia import gravity, mass_matrix
 from .momentum import angular_momentum, longest_step, spin
 from .motion import rates
 from .parameters import Parameters
@@ -21,12 +21,12 @@ from .tool import tool_motion, tool_wrench
 
 
 def setup(p: Parameters, x: State, s: Scratch) -> None:
-    """Allocation matrix B, mass matrix M and its inverse, the lever of weight and buoyancy, the tool's mounting."""
+    """Allocation matrix B, mass matrix M and its inverse, weight and buoyancy, the tool's mounting."""
     for i in range(3):
-        x.lever[i] = p.W * p.r_g[i] - (p.W + p.net_buoyancy) * p.r_b[i]
         for j in range(3):
             x.R_tool[i, j] = p.R_tool_body[3 * i + j]
     allocation_matrix(x.B, p.thruster_position, p.thruster_direction)
+    gravity(p, x, s)
     mass_matrix(p, x, s)
 
 
@@ -38,7 +38,7 @@ def initialize(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     for j in range(8):
         x.thrust[j] = 0.0
     rotation(s.R, x.motion)
-    x.E_start = kinetic(x.motion, p, x, s) + potential(x.motion, p, x, s)
+    x.E_start = kinetic(x.motion, p, x, s) + potential(x.motion, x, s)
 
 
 def place(z: Motion, p: Parameters, s: Scratch) -> None:
@@ -63,11 +63,12 @@ def place(z: Motion, p: Parameters, s: Scratch) -> None:
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
     thruster_wrench(1.0, u, p, x, s)
-    tool_wrench(u, p, x, s)
     spin(u, x, s)
     copy(24, s.stage, x.motion)
     change_frame(s.stage, -1.0, u, s)
+    tool_wrench(u, p, x, s)
     rates(s.k, s.stage, u, p, x, s)
+    write_acceleration(s.k, s.stage, y, s)
     write_powers(s.k, y)
     write_momenta(x.motion, p, x, y, s)
     write_motion(x.motion, y, s)
@@ -83,11 +84,25 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     y.delta_dot = tool.delta_dot
     y.v_rov = tool.v_rov
     y.misalignment = tool.misalignment
+    y.tilt_x = tool.tilt_x
+    y.tilt_y = tool.tilt_y
     y.E_kinetic = kinetic(x.motion, p, x, s)
-    y.E_potential = potential(x.motion, p, x, s)
+    y.E_potential = potential(x.motion, x, s)
     write_works(x.motion, y)
     done = y.W_thruster + y.W_tool + y.W_external + y.W_current - y.W_damping
     y.energy_residual = x.E_start + done - y.E_kinetic - y.E_potential
+
+
+def write_acceleration(k: Motion, z: Motion, y: Outputs, s: Scratch) -> None:
+    """That of the body origin over ground, from the rates k of z through the water: the current is constant."""
+    for i in range(3):
+        s.acceleration[i] = k.v[i]
+    cross_add(s.acceleration, z.omega[0], z.omega[1], z.omega[2], z.v[0], z.v[1], z.v[2])
+    for i in range(3):
+        s.omega_dot[i] = k.omega[i]
+    join(s.nu_dot, s.acceleration, s.omega_dot)
+    for i in range(6):
+        y.nu_dot[i] = s.nu_dot[i]
 
 
 def write_powers(k: Motion, y: Outputs) -> None:
@@ -150,7 +165,6 @@ def change_current(z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) ->
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Advance by h in equal Runge-Kutta steps, of at most max_step."""
-    tool_wrench(u, p, x, s)
     spin(u, x, s)
     count = equal_steps(h, longest_step(p, s))
     dt = h / count
@@ -158,6 +172,7 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
         thrusts(0.0, u, p, x)
     change_current(x.motion, u, p, x, s)
     change_frame(x.motion, -1.0, u, s)
+    tool_wrench(u, p, x, s)
     for _ in range(count):
         runge_kutta(dt, u, p, x, s)
     change_frame(x.motion, 1.0, u, s)

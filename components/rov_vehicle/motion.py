@@ -6,13 +6,16 @@ from .frames import rotation
 from .momentum import gyroscopic, impulses, momenta
 from .parameters import Parameters
 from .records import Inputs, Motion, Scratch, State
+from .tool import tool_wrench
 
 
 def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """The right-hand side: rates k of the motion z, whose velocity is that through the water, nu_r."""
     rotation(s.R, z)
+    if p.wrench_along_normal:
+        tool_wrench(u, p, x, s)
     kinematics(k, z, u, s)
-    water(k, z, p, s)
+    water(k, z, p, x, s)
     # The moment of weight and buoyancy.
     cross_add(s.moment, x.lever[0], x.lever[1], x.lever[2], s.R[2, 0], s.R[2, 1], s.R[2, 2])
     for i in range(3):
@@ -48,7 +51,7 @@ def kinematics(k: Motion, z: Motion, u: Inputs, s: Scratch) -> None:
     k.q[3] = 0.5 * (z.q[0] * r + z.q[1] * q - z.q[2] * p)
 
 
-def water(k: Motion, z: Motion, p: Parameters, s: Scratch) -> None:
+def water(k: Motion, z: Motion, p: Parameters, x: State, s: Scratch) -> None:
     """Damping and net buoyancy: -D nu_r - g of Eq. 19, and the power lost."""
     P_damping = 0.0
     for i in range(3):
@@ -56,7 +59,7 @@ def water(k: Motion, z: Motion, p: Parameters, s: Scratch) -> None:
         D_omega = (p.D_moment[i] + p.D_moment_quadratic[i] * abs(z.omega[i])) * z.omega[i]
         P_damping = P_damping + D_v * z.v[i] + D_omega * z.omega[i]
         # W - B acts along world z, which is the last row of R in the body frame.
-        s.force[i] = -D_v - s.R[2, i] * p.net_buoyancy
+        s.force[i] = -D_v - s.R[2, i] * x.net_buoyancy
         s.moment[i] = -D_omega
         # Force of the water on the vehicle, without the acceleration and Coriolis terms yet.
         s.hydrodynamic[i] = -D_v

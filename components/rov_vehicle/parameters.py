@@ -8,6 +8,7 @@ from ..declare.interface import parameter
 from ..library.thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
 
 WU = "Wu 2018"
+NO_TOOL = "none: the paper gives the tool no mass"
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,22 @@ class Parameters:
     D_moment_quadratic: tuple[float, ...] = parameter(
         (1.55, 1.55, 1.55), "N.m.s2/rad2", "quadratic damping: roll, pitch, yaw", WU, minimum=0.0, maximum=1e5
     )
+    m_tool: float = parameter(
+        0.0, "kg", "mass of the tool: brush, motor, mounting; its weight is m_tool W/m", NO_TOOL, 0.0, 1e4
+    )
+    r_g_tool: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "m", "centre of gravity of the tool, from r_tool", NO_TOOL, -10.0, 10.0
+    )
+    I_tool: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "kg.m2", "moments of inertia of the tool about its centre of gravity", NO_TOOL, 0.0, 1e4
+    )
+    I_products_tool: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "kg.m2", "off-diagonal elements of that inertia matrix: xy, xz, yz", NO_TOOL, -1e4, 1e4
+    )
+    buoyancy_tool: float = parameter(0.0, "N", "weight of the water that the tool displaces", NO_TOOL, 0.0, 1e5)
+    r_b_tool: tuple[float, ...] = parameter(
+        (0.0, 0.0, 0.0), "m", "centre of buoyancy of the tool, from r_tool", NO_TOOL, -10.0, 10.0
+    )
     thruster_position: tuple[float, ...] = parameter(
         POSITIONS, "m", "eight rows (x, y, z)", GEOMETRY_SOURCE, -10.0, 10.0
     )
@@ -72,6 +89,12 @@ class Parameters:
         "assumed",
         -1.0,
         1.0,
+    )
+    wrench_along_normal: bool = parameter(
+        False,
+        "1",
+        "F_z acts along the hull's normal, F_x and v_rov along the hull; false: along z_t and x_t",
+        "false: Eq. 21",
     )
     R_brush: float = parameter(0.15, "m", "brush radius", "Table 2", minimum=1e-3, maximum=10.0)
     hull_point: tuple[float, ...] = parameter(

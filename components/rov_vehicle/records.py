@@ -7,15 +7,16 @@ from ..declare.record import Matrix, Packed, Record, Vector, input_, output, ove
 FORCES = ("F_x", "F_y", "F_z")
 TOOL = (*FORCES, "M_x", "M_y", "M_z")
 SPIN = ("H_x", "H_y", "H_z")
+LOADS = (*TOOL, *SPIN, "F_external", "M_external", "v_c")
 
 
 class Inputs(Record):
     """Commands, the wrench of the tool, further loads, and the water."""
 
     u_thruster: Vector = input_("1", "thruster commands; beyond -1 and 1 they saturate", size=8)
-    F_x: float = input_("N", "force on the tool along x_t")
-    F_y: float = input_("N", "force on the tool along y_t")
-    F_z: float = input_("N", "force on the tool along z_t")
+    F_x: float = input_("N", "force on the tool along x_t (with wrench_along_normal: along the hull)")
+    F_y: float = input_("N", "force on the tool along y_t (or along the hull, across F_x)")
+    F_z: float = input_("N", "force on the tool along z_t (or the normal into the hull)")
     M_x: float = input_("N.m", "moment on the tool about x_t")
     M_y: float = input_("N.m", "moment on the tool about y_t")
     M_z: float = input_("N.m", "moment on the tool about z_t")
@@ -43,10 +44,18 @@ class Outputs(Packed):
     q: float = output("rad/s", "pitch rate, body frame")
     r: float = output("rad/s", "yaw rate, body frame")
     quat: Vector = output("1", "attitude quaternion, body to world, scalar first", size=4)
+    nu_dot: Vector = output(
+        "m/s2",
+        "acceleration of the body origin over ground (omega x v is in it); 4 to 6: angular [rad/s2]; body axes",
+        LOADS,
+        size=6,
+    )
     delta: float = output("m", "penetration of the undeformed brush into the hull plane")
     delta_dot: float = output("m/s", "rate of delta")
     v_rov: float = output("m/s", "speed at which the hull passes under the tool along +x_t")
     misalignment: float = output("rad", "angle between z_t and the normal into the hull")
+    tilt_x: float = output("rad", "angle by which the tool is turned about x_t against the hull")
+    tilt_y: float = output("rad", "angle by which the tool is turned about y_t against the hull")
     thrust: Vector = output("N", "thrust of each thruster", size=8)
     F_control: Vector = output("N", "force of the thrusters, body frame", size=3)
     M_control: Vector = output("N.m", "moment of the thrusters, body frame", size=3)
@@ -96,6 +105,7 @@ class State(Record):
     B: Matrix = value("1", "allocation matrix of Eq. 20: wrench per thrust", (6, 8))
     M: Matrix = value("kg", "mass matrix of Eq. 19 about the body origin", (6, 6))
     M_inv: Matrix = value("1/kg", "its inverse", (6, 6))
+    net_buoyancy: float = value("N", "buoyancy minus weight of vehicle and tool")
     lever: Vector = value("N.m", "W r_g - B r_b, the moment of weight and buoyancy per vertical", 3)
     R_tool: Matrix = value("1", "rotation from tool to body frame", (3, 3))
 
@@ -122,6 +132,9 @@ class Scratch(Record):
     M_disturb: Vector = value("N.m", "its moment about the body origin", 3)
     H: Vector = value("N.m.s", "spin momentum of the tool, body frame", 3)
     M_gyro: Vector = value("N.m", "its gyroscopic moment", 3)
+    acceleration: Vector = value("m/s2", "acceleration of the body origin over ground, body frame", 3)
+    omega_dot: Vector = value("rad/s2", "angular acceleration, body frame", 3)
+    nu_dot: Vector = value("m/s2", "both as one", 6)
     load_force: Vector = value("N", "forces but those of the tool and of inertia, body frame", 3)
     load_moment: Vector = value("N.m", "their moment about the body origin", 3)
     world: Vector = value("N", "a force or linear momentum, world frame", 3)
@@ -131,6 +144,11 @@ class Scratch(Record):
     v_tool: Vector = value("m/s", "velocity of the tool point, body frame", 3)
     z_t: Vector = value("1", "the tool's z axis, world frame", 3)
     tilt: Vector = value("1", "z_t x hull normal", 3)
+    normal: Vector = value("1", "normal into the hull, body frame", 3)
+    along: Vector = value("1", "x_t along the hull, body frame", 3)
+    across: Vector = value("1", "along the hull and across that, body frame", 3)
+    tool_centre: Vector = value("m", "centre of gravity of the tool from the body origin", 3)
+    first_moment: Vector = value("kg.m", "mass times its place, of vehicle and tool", 3)
     mass: Matrix = value("kg", "upper left block of M", (3, 3))
     coupling: Matrix = value("kg.m", "upper right block of M", (3, 3))
     inertia: Matrix = value("kg.m2", "lower right block of M", (3, 3))
@@ -153,3 +171,5 @@ class ToolMotion(Record):
     delta_dot: float = value("m/s", "its rate")
     v_rov: float = value("m/s", "speed at which the hull passes along +x_t")
     misalignment: float = value("rad", "angle between z_t and the normal into the hull")
+    tilt_x: float = value("rad", "angle by which the tool is turned about x_t")
+    tilt_y: float = value("rad", "angle by which it is turned about y_t")

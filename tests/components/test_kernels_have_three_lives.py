@@ -48,6 +48,13 @@ CASES = (
         {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
     ),
     Case("rov_vehicle", 5e-3, 60, {"M_y": (0.0, 4.0)}, {"attitude_start": (0.3, 1.5707963267948966, 2.0)}, "vertical"),
+    Case(
+        "rov_vehicle", 5e-3, 60,
+        {"u_thruster": (0.1, 1.2), "F_x": (-60.0, 50.0), "F_y": (0.0, 9.0), "F_z": (-120.0, 90.0), "H_y": (5.0, 4.0)},
+        {"attitude_start": (0.3, -0.4, 2.0), "m_tool": 4.5, "r_g_tool": (0.02, -0.05, 0.03),
+         "I_tool": (0.05, 0.04, 0.06), "I_products_tool": (0.004, -0.002, 0.003), "buoyancy_tool": 30.0,
+         "r_b_tool": (0.01, 0.02, -0.04), "wrench_along_normal": True}, "tool",
+    ),
     Case("rov_controller", 0.02, 60, MEASURED),
     Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
     Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 1}, "feedforward"),

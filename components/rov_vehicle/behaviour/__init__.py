@@ -1,10 +1,10 @@
-"""What the vehicle does, on its interface: at one moment, in motion, and with a spinning tool."""
+"""What the vehicle does, on its interface: at rest, in motion, against the hull, and with the tool's spin and mass."""
 
 from __future__ import annotations
 
 from ...testing.suite import Excitation, suite
 from ..fmu import RovVehicle
-from . import at_rest, motion, spin
+from . import at_rest, hull, motion, spin, tool_mass
 
 EXCITATION = Excitation(
     5e-3, 60,
@@ -13,4 +13,4 @@ EXCITATION = Excitation(
     {"attitude_start": (0.3, -0.4, 2.0), "rates_start": (0.1, 0.5, -0.2)},
 )  # fmt: skip
 ESSENTIAL = f"u_thruster F_x F_z M_y {' '.join(motion.POSE)} {' '.join(motion.VELOCITY)} delta delta_dot v_rov"
-SUITE = suite(RovVehicle, ESSENTIAL, EXCITATION, at_rest, motion, spin)
+SUITE = suite(RovVehicle, ESSENTIAL, EXCITATION, at_rest, hull, motion, spin, tool_mass)

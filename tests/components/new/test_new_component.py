@@ -175,6 +175,8 @@ def copy(body: Path, tmp_path: Path) -> Path:
         ("fmu.py", "from . import kernel\n", "import rovbrush.orchestrator\nfrom . import kernel\n",
          r"fmu\.py:\d+: an FMU carries rovbrush.components only"),
         ("fmu.py", "\n\nclass ", "\n\nclass Other:\n    pass\n\n\nclass ", r"fmu\.py: there is one class.* here are 2"),
+        ("records.py", '    v: float = value(', '    m: float = value("kg", "masses", 3)\n    v: float = value(',
+         r"fmu\.py: state or scratch has an array 'm', as parameters or inputs have; rename it"),
     ],
 )  # fmt: skip
 def test_a_fault_in_a_component_is_told_with_its_file(copy: Path, file: str, old: str, new: str, error: str) -> None:
