@@ -27,7 +27,7 @@ AT_REST = {
     "filament_brush": {"P_contact", "W_contact", "kinetic_fraction[4]", "kinetic_fraction[5]", "kinetic_fraction[6]"},
     "cup_brush": {"P_damping", "W_damping", "E_kinetic", "E_centrifugal", "E_contact"},  # what such a brush has not
     "rov_vehicle": {"F_disturb[2]", "M_disturb[1]", "M_disturb[3]", "M_gyro[2]"},
-    "rov_controller": {"V_in"},
+    "rov_controller": {"V_in", "saturated", "saturation_count"},
     "mission": {"y_ref", "v_ref[2]"},
     "battery": {"empty"},
     "rov_sensors": set(),
