@@ -1,8 +1,9 @@
-"""Control strategies beside each other, over the same pass: PID, PID with feedforward, force along the hull normal.
+"""Control strategies beside each other, over the same pass: PID, PID with feedforward, and force along the hull
+normal, by a force sensor or by an observer that finds the tool's wrench from motion and thrust.
 
 The force on the hull is judged as its moving mean over WINDOW, which takes out the ripple of the blades (125 Hz and
 more) that no thruster can follow. All errors count while the brush touches and the full force is asked for; the error
-of position is that along the hull, since the strategy with force control leaves the position along the normal free.
+of position is that along the hull, since the strategies with force control leave the position along the normal free.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from ..system.assemble import assemble
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MODES = ("PID", "PID + feedforward", "force control")
+MODES = ("PID", "PID + feedforward", "force control", "force, observed")
 SYSTEMS = ("hull_pass", "fouling_patch")
 WINDOW = 0.05  # s
 BAND = 0.1  # of the force set-point

@@ -24,7 +24,7 @@ from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 
 Table = dict[str, dict[str, dict[str, float]]]
-PID, FEEDFORWARD, FORCE = MODES
+PID, FEEDFORWARD, FORCE, OBSERVED = MODES
 
 
 @pytest.fixture(scope="module")
@@ -141,6 +141,13 @@ def test_force_control_holds_the_force_where_the_thrusters_can(table: Table, mea
         )
         assert columns[FORCE]["force_within"] >= 0.9
         assert columns[FORCE]["saturated"] < 0.01
+
+
+def test_force_is_held_without_a_force_sensor(table: Table, measured: Measured) -> None:
+    for name, columns in table.items():
+        share = columns[OBSERVED]["force_within"]
+        measured(f"{name}: share of contact within 10 % of the force, by the observer", share, "0.9")
+        assert share >= 0.9 and columns[OBSERVED]["saturated"] < 0.01
 
 
 def test_force_control_has_a_third_of_the_force_error_of_pid(table: Table, measured: Measured) -> None:

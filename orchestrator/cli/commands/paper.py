@@ -91,7 +91,7 @@ def print_checks(rows: Sequence[Mapping[str, Any]]) -> None:
 
 @app.command()
 def strategies(out: OutOption = Path("results"), set_: SetOption = [], fmus: FmusOption = None) -> None:  # noqa: B006
-    """Compare the controller's strategies over the same passes: PID, feedforward, force control."""
+    """Compare the controller's strategies over the same passes: PID, feedforward, force by a sensor, by an observer."""
     from ...paper.strategies import ROWS
     from ...paper.strategies import strategies as study
     from ...system.request import assignments
