@@ -9,6 +9,7 @@ from typing import Any
 
 from ...results.files.manifest import PACKAGES
 from ...results.summary import comparison
+from .. import water
 from ..claims import VERDICTS
 from ..lab import Lab
 from .figures import paper_figures
@@ -25,6 +26,7 @@ SECTIONS = (  # each a template of that name
     ("figures", "Figures 2, 3 and 4"),
     ("readings", "How the equations were read"),
     ("verification", "Verification"),
+    ("water", "In water"),
     ("energy", "Energy from battery to hull"),
     ("motion", "In motion"),
     ("provenance", "What was run"),
@@ -38,7 +40,7 @@ def report_page(lab: Lab, rows: Sequence[dict[str, Any]]) -> str:
         "counts": [(verdict, sum(row["verdict"] == verdict for row in rows)) for verdict in VERDICTS],
         "claims": [{"arithmetic": "", "note": "", **row} for row in rows], "table3": table_3(lab),
         "figures": figures(lab), "readings": readings(lab), "verification": checks(lab, rows),
-        "energy": energy(lab), "motion": motion(lab),
+        "water": in_water(lab), "energy": energy(lab), "motion": motion(lab),
     }  # fmt: skip
     content |= {"provenance": provenance(lab), "parameter_sets": lab.parameter_sets}  # last: of all that was run
     return render("page.html", content)
@@ -64,6 +66,16 @@ def table_3(lab: Lab) -> dict[str, Any]:
 def _cup_cells(row: dict[str, Any] | None) -> tuple[str, str]:
     """Value and ratio of the other reading; it has no pitch rate."""
     return ("", "") if row is None else (number(row["value"]), f"{row['ratio']:.4f}")
+
+
+def in_water(lab: Lab) -> list[dict[str, Any]]:
+    """Effects and errors of the water on each brush."""
+    return [
+        {"name": brush.name, "shielding": brush.shielding, "co_rotation": brush.co_rotation,
+         "effects": (water.EFFECTS, water.effects(lab, brush)), "errors": (water.ERRORS, water.errors(lab, brush)),
+         "dry": brush.run(lab, {}).command, "wet": brush.run(lab, brush.wet).command}
+        for brush in water.brushes(lab)
+    ]  # fmt: skip
 
 
 def figures(lab: Lab) -> list[dict[str, str]]:
