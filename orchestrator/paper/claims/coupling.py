@@ -78,7 +78,7 @@ def energy(lab: Lab) -> Finding:
     closed = lab.case("hull_pass_paper").summary["energy_balance_relative"]
     levels["closed loop: supplied + coupling - losses - stored, over supplied"] = closed
     checks = tuple(
-        at_most(name, 1e-2, abs(value), "1", "controller and vehicle exchange every 20 and 5 ms: the claim's percent")
+        at_most(name, 1e-2, abs(value), "1", "controller and vehicle exchange every 20 and 5 ms: ten times the others")
         if value is closed
         else at_most(name, 1e-3, abs(value), "1", "'conserved': an eighth of the least change that the paper tells of")
         for name, value in levels.items()

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
+from ...system.assemble import assemble
+from ..margins.limits import delay_limit
+from ..margins.open_loop import BEGIN, LENGTH, open_loop
+from ..margins.table import BRUSHES, varied
 from ..strategies import merits
 from .origins import Number, numbers
 from .spread import LIMIT, Spread
@@ -36,7 +41,8 @@ SENSORS = (  # what is measured, the sensor and the quantity as the parameters o
     ("tool force", "force", "force"),
     ("tool moment", "force", "moment"),
 )
-GAINS = ("mode", "T_s", "K_", "observer", "F_", "limit")
+GEOMETRY = ("thruster_position", "thruster_direction")  # of the controller: no gains
+ASKED = {"phase": 40.0, "phase, twice as stiff": 20.0, "delay": 0.03}  # deg and s: what a loop in contact should have
 
 
 @dataclass(frozen=True)
@@ -124,7 +130,24 @@ def brush(task: Task) -> Brush:
 
 def gains(task: Task) -> list[Number]:
     """What the controller is tuned with."""
-    return numbers(task, "controller", GAINS)
+    return [number for number in numbers(task, "controller") if number.name not in GEOMETRY]
+
+
+def margins(task: Task, fmus: Path | None) -> Rows:
+    """What the loop of the force leaves, with the brush as it is and one twice as stiff: brush, then texts."""
+    length = f"{BEGIN + LENGTH:g} s"
+    asked = assemble(task.study.system, task.study.values, length, fmus)
+    mode, rows = int(task.case.parameter("controller.mode")), list[tuple[str, ...]]()
+    for brush, factor in BRUSHES.items():
+        system = varied(asked, mode, factor)
+        loop, stiffness = open_loop(system)
+        late = f"{1e3 * delay_limit(system):.0f}" if "sensors" in system.components else ""
+        phase = ASKED["phase"] if factor == 1.0 else ASKED["phase, twice as stiff"]
+        rows.append((
+            brush, f"{1e-3 * stiffness:.1f}", f"{np.degrees(loop.phase_margin):.0f}", f"{phase:g}",
+            f"{1e3 * loop.delay_margin:.0f}", f"{1e3 * ASKED['delay']:g}", f"{loop.gain_margin:.1f}", late,
+        ))  # fmt: skip
+    return rows
 
 
 def sensors(task: Task) -> Rows:

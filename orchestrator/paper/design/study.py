@@ -45,10 +45,11 @@ def design(
     lab = Lab(fmus, tell)
     asked = task(lab)
     found = None if points == 0 else spread(asked, out, points or asked.study.random, fmus, progress)
+    margins = sections.margins(asked, fmus)
     from ..page.design import design_page
 
-    text = design_page(lab, asked, found)
-    rows = numbers(asked, found)
+    text = design_page(lab, asked, margins, found)
+    rows = {**numbers(asked, found), "margins": margins}
     paths = [
         write_file(out / "design.json", lambda path: write_json(path, rows)),
         write_file(out / "design.html", lambda path: path.write_text(text, encoding="utf-8")),

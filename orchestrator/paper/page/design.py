@@ -29,7 +29,7 @@ SECTIONS = (  # each a template of that name
 )
 
 
-def design_page(lab: Lab, task: Task, found: Spread | None) -> str:
+def design_page(lab: Lab, task: Task, margins: sections.Rows, found: Spread | None) -> str:
     """The whole document."""
     brush = sections.brush(task)
     content: dict[str, Any] = {
@@ -50,6 +50,7 @@ def design_page(lab: Lab, task: Task, found: Spread | None) -> str:
             "motor": [number.cells for number in brush.motor],
         },
         "gains": [number.cells for number in sections.gains(task)],
+        "margins": margins,
         "sensors": sections.sensors(task),
         "spread": None if found is None else spread_content(found),
         "spread_image": "" if found is None else image(spread_figure(found)),
