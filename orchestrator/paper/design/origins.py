@@ -48,7 +48,7 @@ def _number(task: Task, component: str, name: str, values: list[str]) -> Number:
     variable = variables[name] if name in variables else variables[f"{name}[1]"]
     said = variable.description or ""
     source = SOURCE.search(said)
-    meaning = SOURCE.sub("", said)
+    meaning = SOURCE.sub("", said).replace("`", "")
     while len(values) > 1 and values[-1] == values[-2] and len(values) > 3:
         values = values[:-1]  # the rest of an array is like its last
     text = values[0] if len(set(values)) == 1 else ", ".join(values)

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.paper.design import study
+from rovbrush.orchestrator.paper.design import sections, study
 from rovbrush.orchestrator.paper.design.origins import numbers
 from rovbrush.orchestrator.paper.design.sections import answers, sensors, verdict
 from rovbrush.orchestrator.paper.design.spread import LIMIT, Cause, Spread
 from rovbrush.orchestrator.paper.design.task import SWEEP, Task, force_error, task
 from rovbrush.orchestrator.paper.lab import Lab
+from rovbrush.orchestrator.paper.margins.table import BRUSHES
 from rovbrush.orchestrator.paper.page.design import SECTIONS, spread_figure
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
 
@@ -26,7 +27,11 @@ POINTS = 2
 @pytest.fixture(scope="module")
 def out(fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("design")
-    study.design(folder, fmus, POINTS)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            sections, "delay_limit", lambda _system: 0.05
+        )  # a dozen runs; tests/system/test_margins.py has it
+        study.design(folder, fmus, POINTS)
     return folder
 
 
@@ -51,6 +56,14 @@ def test_page_and_numbers_answer_the_task_with_error_bars(out: Path, asked: Task
     assert [row[0] for row in found["short"]] == [
         "Which brush", "Which strategy and gains", "Which sensors", "How much thrust", "How sure"
     ]  # fmt: skip
+
+
+def test_margins_stand_for_the_brush_and_for_one_twice_as_stiff(out: Path) -> None:
+    found = json.loads((out / "design.json").read_text(encoding="utf-8"))["margins"]
+    assert [row[0] for row in found] == list(BRUSHES)
+    stiffness = [float(row[1]) for row in found]
+    assert 1.5 < stiffness[1] / stiffness[0] < 2.5
+    assert [float(row[3]) for row in found] == [40.0, 20.0] and all(float(row[2]) > 0.0 for row in found)
 
 
 def test_page_loads_nothing_from_elsewhere_and_has_every_section(out: Path) -> None:
@@ -99,6 +112,16 @@ def test_ranges_are_centred_on_what_the_task_has(asked: Task) -> None:
     for name, width in seen.items():
         exact = {"vehicle.net_buoyancy": 1.0, "brush.L": 0.01, "vehicle.m": 0.01}.get(name, 0.2)
         assert width == pytest.approx(exact, rel=0.01), name
+
+
+def test_sensors_are_told_one_by_one_with_the_file_that_has_them(fmus: Path) -> None:
+    case = Lab(fmus).case("station_keeping", stop="0.1 s")
+    rows = {row[0]: row[1:] for row in sensors(Task(sweep_file(SWEEP), case))}
+    assert rows["depth"][:2] == (
+        f"{case.parameter('sensors.rate_depth'):.5g} 1/s",
+        f"{case.parameter('sensors.delay_depth'):.5g} s",
+    )
+    assert len(rows) == 8 and all(row[-1] == "station_keeping.toml" for row in rows.values())
 
 
 def test_without_points_there_are_no_error_bars_and_without_sensors_the_page_says_so(asked: Task) -> None:
