@@ -44,17 +44,24 @@ def _module_in(folder: Path) -> ModuleType:
 
 
 def class_in(fmu: ModuleType) -> type[Any]:
-    """The class that a component's module `fmu` defines. Raises BuildError for none or two, or two names alike."""
+    """The one class that a component's module `fmu` defines. Raises BuildError where it is not one."""
     found = [x for x in vars(fmu).values() if isinstance(x, type) and x.__module__ == fmu.__name__]
     if len(found) != 1:
         raise BuildError(f"{fmu.__file__}: there is one class, the component, and here are {len(found)}")
-    for name in _twice(found[0]):
-        what = f"state or scratch has an array '{name}', as parameters or inputs have; rename it"
-        raise BuildError(f"{fmu.__file__}: {what}")
+    _require_names(found[0], str(fmu.__file__))
     return found[0]
 
 
-def _twice(declared: type[Any]) -> list[str]:
-    """Arrays with the name of a parameter or input: a kernel's arguments are bound by name."""
-    given = {v.name for v in (*parameter_variables(declared.parameters), *declared.inputs)}
-    return [array.name for array in declared.arrays if array.name in given]
+def _require_names(declared: type[Any], file: str) -> None:
+    """Raise BuildError for a variable that a kernel, or a host, could not tell from something else."""
+    taken = {"t": "the time", "h": "the step size", "y": "the outputs"}
+    taken |= {array.name: "an array of state or scratch" for array in declared.arrays}
+    arguments = (*parameter_variables(declared.parameters), *declared.inputs)
+    for variable in (*arguments, *declared.outputs):
+        if variable in declared.outputs:  # no argument of its own
+            taken = {a.name: f"the {a.causality} before it" for a in arguments}
+        if variable.name in taken:
+            raise BuildError(
+                f"{file}: the {variable.causality} '{variable.name}' has the name of {taken[variable.name]}; rename it"
+            )
+        taken[variable.name] = f"the {variable.causality} before it"

@@ -72,6 +72,9 @@ CASES = (
     Case("battery", 60.0, 60, {"i": (40.0, 70.0)}, {"soc_start": 0.3, "R_1_cell": 0.0}, "emptied"),
     Case("rov_sensors", 0.005, 60, MEASURED | TOOL | {"nu_dot": (0.0, 0.4)}),
     Case("rov_sensors", 0.005, 60, MEASURED | TOOL | {"nu_dot": (0.0, 0.4)}, NOISY, "noisy"),
+    Case("tool_frame", 1e-3, 20, {"delta": (0.005, 0.003), "tilt_x": (0.0, 0.3), "tilt_y": (0.1, 0.3), "q": (0.0, 0.5),
+                                  "r": (0.1, 0.5), "F_x_tool": (-5.0, 9.0), "F_z_tool": (-20.0, 9.0)},
+         {"x_tool": (0.16, -0.16, 0.0), "y_tool": (-0.1, 0.1, 0.3), "hull_curvature": 0.2}),
 )  # fmt: skip
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 

@@ -176,7 +176,14 @@ def copy(body: Path, tmp_path: Path) -> Path:
          r"fmu\.py:\d+: an FMU carries rovbrush.components only"),
         ("fmu.py", "\n\nclass ", "\n\nclass Other:\n    pass\n\n\nclass ", r"fmu\.py: there is one class.* here are 2"),
         ("records.py", '    v: float = value(', '    m: float = value("kg", "masses", 3)\n    v: float = value(',
-         r"fmu\.py: state or scratch has an array 'm', as parameters or inputs have; rename it"),
+         r"fmu\.py: the parameter 'm' has the name of an array of state or scratch; rename it"),
+        ("parameters.py", "    d: float", "    h: float", r"fmu\.py: the parameter 'h' has the name of the step size"),
+        ("parameters.py", "    d: float", "    y: float", r"fmu\.py: the parameter 'y' has the name of the outputs"),
+        ("parameters.py", "    d: float", "    state: float", r"fmu\.py: the parameter 'state' has the name of an"),
+        ("records.py", "    F: float = input_", "    d: float = input_",
+         r"fmu\.py: the input 'd' has the name of the parameter before it"),
+        ("records.py", "    v: float = output", "    F: float = output",
+         r"fmu\.py: the output 'F' has the name of the input before it"),
     ],
 )  # fmt: skip
 def test_a_fault_in_a_component_is_told_with_its_file(copy: Path, file: str, old: str, new: str, error: str) -> None:
