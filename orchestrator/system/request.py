@@ -59,9 +59,10 @@ class Request:
         return cls(**values)  # type: ignore[arg-type]
 
 
-def set_name(text: str) -> str:
-    """A parameter set, by its name or by the path of its file, which then holds in any folder."""
-    return str(Path(text).absolute()) if text.endswith(".toml") or os.path.isfile(text) else text
+def set_name(text: str, folder: Path | None = None) -> str:
+    """A parameter set, by its name or by the path of its file, from `folder` or here, which then holds anywhere."""
+    path = folder / text if folder and text else Path(text)
+    return str(path.absolute()) if text.endswith(".toml") or os.path.isfile(path) else text
 
 
 def _absolute(text: str) -> str:

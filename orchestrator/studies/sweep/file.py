@@ -3,6 +3,7 @@
 description = "what for"
 system = "nominal"                 # a shipped system, or a path beside this file (.toml, .ssp, .ssd, .fmu)
 stop_time = "5 s"                  # optional, as the rest; also start_time
+parameters = "roller"              # another parameter set than the system's
 random = 50                        # random points in place of a grid, drawn with `seed`
 seed = 1
 design = "sobol"                   # how they are drawn: "random" if not given, "latin", "sobol"
@@ -22,6 +23,7 @@ from pathlib import Path
 from ...errors import InputError, nearest
 from ...system.file.shipped import SYSTEMS, shipped_systems
 from ...system.formats import ENDINGS, is_system_file
+from ...system.request import set_name
 from ...system.schema.checked import checked
 from ...system.schema.sweep import SweepTable
 from ...toml_file import TomlFile
@@ -44,6 +46,7 @@ class SweepFile:
     summary: dict[str, str] = field(default_factory=dict)
     design: str = ""
     start: str = ""
+    parameters: str = ""
 
 
 def shipped_sweeps() -> list[str]:
@@ -72,7 +75,7 @@ def sweep_file(name: str) -> SweepFile:
     return SweepFile(
         path.stem, str(path.resolve().parent / table.system) if beside else table.system, table.description,
         _text(table.stop_time), table.random, table.seed, dict(table.set), dict(table.vary), dict(table.summary),
-        table.design, _text(table.start_time),
+        table.design, _text(table.start_time), set_name(table.parameters, path.resolve().parent),
     )  # fmt: skip
 
 

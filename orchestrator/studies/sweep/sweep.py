@@ -108,10 +108,11 @@ def sweep(
         raise InputError("--points lists every point; leave --vary and --random out")
     count = options.random or (0 if options.points else study.random)
     check_count(count, f"--random {count}" if options.random else f"{study.name}: random = {count}")
+    changes = options.changes if options.changes.parameters else replace(options.changes, parameters=study.parameters)
     job = Job(
         study.system, str(options.fmus.resolve()) if options.fmus else "",
         tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in values.items() if key not in vary),
-        tuple(study.summary.items()), options.stop or study.stop, changes=options.changes,
+        tuple(study.summary.items()), options.stop or study.stop, changes=changes,
         start=options.start or study.start,
     )  # fmt: skip
     system = job_system(job)

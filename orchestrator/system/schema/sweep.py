@@ -20,6 +20,9 @@ class SweepTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         Meta(description='what is varied: `"low:high:count"`, `"low:high:count:log"` or a list of values'),
     ]
     description: Annotated[str, Meta(description="what it is for")] = ""
+    parameters: Annotated[
+        str, Meta(description="a parameter set in place of the system's own: its name, or a file beside this one")
+    ] = ""
     start_time: Annotated[Instant | None, Meta(description="another start time than the system's")] = None
     stop_time: Annotated[Instant | None, Meta(description="another stop time than the system's")] = None
     random: Annotated[Whole, Meta(description="so many random points in place of a grid")] = 0

@@ -21,6 +21,7 @@ from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.request import changes_of
 from sweep_cases import design_of, plain_case
 
 
@@ -163,3 +164,24 @@ def test_a_parameter_without_any_effect_is_named(
     assert rovbrush(monkeypatch, "sweep", case, *vary, "--out", tmp_path, "--fmus", fmus, "--workers", "1") == 0
     said = capsys.readouterr().out
     assert said.count("has no effect here") == 1 and "w.w has no effect here" in said
+
+
+@pytest.mark.parametrize("name", ["soft", "soft.toml"])
+def test_a_sweep_file_names_a_parameter_set(tmp_path: Path, fmus: Path, name: str) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(system_text({"g": ("gain", "1 ms", {"=u": 1.0})}, stop="2 ms") + '[summary]\ny = "last g.y"\n')
+    (tmp_path / "soft.toml").write_text("[g]\nk = 0.5\n")
+    (tmp_path / "hard.toml").write_text("[g]\nk = 7.0\n")
+    study = tmp_path / "study.toml"
+    study.write_text(f'system = "case.toml"\nparameters = "{name}"\n[vary]\n"g.offset" = [0.0, 1.0]\n')
+    swept = sweep(str(study), tmp_path / "out", Options(fmus=fmus, workers=1)).require_all()
+    assert swept["y"].values.tolist() == [0.5, 1.5]
+    over = Options(fmus=fmus, workers=1, changes=changes_of((), (), (), parameters=str(tmp_path / "hard.toml")))
+    assert sweep(str(study), tmp_path / "hard", over).require_all()["y"].values.tolist() == [7.0, 8.0]
+
+
+def test_a_set_that_a_sweep_file_names_must_be_there(tmp_path: Path, fmus: Path) -> None:
+    study = tmp_path / "study.toml"
+    study.write_text('system = "test_stand"\nparameters = "rollr"\n[vary]\n"motor.R" = [0.08, 0.09]\n')
+    with pytest.raises(InputError, match=r"no parameter set 'rollr'; did you mean 'roller'"):
+        sweep(str(study), tmp_path / "out", Options(fmus=fmus, workers=1))
