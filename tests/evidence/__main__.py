@@ -35,6 +35,7 @@ def main(arguments: list[str] | None = None, folder: Path = HERE, kept: Path = F
         if options.names and claim.name not in options.names:
             continue
         count = claim.count if options.count is None else options.count
+        count = min(count, claim.count) if claim.finite else count
         journal = Journal(claim, options.seed, kept, options.fresh)
         tried = {index: case for index, case in journal.read().items() if index < count}
         wanted = [index for index in range(count) if index not in tried]

@@ -26,6 +26,7 @@ class Claim:
     path: Path
     one: Callable[[int, Path], str]
     prepare: Callable[[Path], None] | None
+    finite: bool  # there are no more cases than `count`
 
 
 def load(path: Path) -> Claim:
@@ -45,6 +46,7 @@ def load(path: Path) -> Claim:
         path,
         module.one,
         getattr(module, "prepare", None),
+        getattr(module, "FINITE", False),
     )
 
 

@@ -105,6 +105,7 @@ WAYS = (
 )  # fmt: skip
 CASES = [(way, mode) for way in WAYS for mode in MODES]
 COUNT = len(CASES)
+FINITE = True
 
 
 def prepare(folder: Path) -> None:

@@ -90,3 +90,8 @@ def test_prepare_is_called_once_per_worker(tmp_path: Path) -> None:
         "def one(index, folder):\n    return '' if (folder.parent / 'made').exists() else 'not prepared'\n"
     )
     assert tried(tmp_path, body)[0] == 0
+
+
+def test_a_claim_of_so_many_cases_and_no_more_has_no_others(tmp_path: Path) -> None:
+    code, rows = tried(tmp_path, f"FINITE = True\n{GOOD}", "--count", "40")
+    assert code == 0 and [row["index"] for row in rows] == list(range(6))
