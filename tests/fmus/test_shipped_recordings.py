@@ -28,6 +28,7 @@ AT_REST = {
     "cup_brush": {"P_damping", "W_damping", "E_kinetic", "E_centrifugal", "E_contact"},  # what such a brush has not
     "rov_vehicle": {"F_disturb[2]", "M_disturb[1]", "M_disturb[3]", "M_gyro[2]"},
     "rov_controller": {"V_in", "saturated", "saturation_count"},
+    "tool_frame": {"H_y"},  # cups spin about z_t
     "mission": {"y_ref", "v_ref[2]"},
     "battery": {"empty"},
     "rov_sensors": set(),
