@@ -14,7 +14,7 @@ from .errors import BuildError, UnknownComponentError
 HERE = Path(__file__).parent
 COMPONENTS = (
     "filament_brush", "cup_brush", "dc_motor", "rov_vehicle", "rov_controller", "mission", "constant_speed", "battery",
-    "rov_sensors", "tool_frame",
+    "rov_sensors", "tool_frame", "hull_fouling",
 )  # fmt: skip
 NATIVE = ("fmi2", "fmi3")  # the folders of native FMUs
 

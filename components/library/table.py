@@ -1,6 +1,6 @@
-"""Smooth functions of two variables from tables over even steps, with continuous first derivatives."""
+"""Functions from tables: of one variable, straight between places; of two, smooth, from even steps."""
 
-from ..declare.record import Matrix
+from ..declare.record import Matrix, Vector
 
 
 def extend(table: Matrix, rows: int, columns: int) -> None:
@@ -38,3 +38,16 @@ def look_up(table: Matrix, x: float, y: float, rows: int, columns: int) -> float
     return cubic(
         x - i, along_row(table, i, j, v), along_row(table, i + 1, j, v), along_row(table, i + 2, j, v),
         along_row(table, i + 3, j, v))
+
+
+def straight(x: float, places: Vector, values: Vector, count: int) -> float:
+    """At x, straight between values at rising places; beyond the ends the first or last value."""
+    value = values[0]
+    for k in range(count - 1):
+        width = places[k + 1] - places[k]
+        if x >= places[k + 1]:
+            value = values[k + 1]
+        elif x > places[k] and width > 0.0:
+            part = (x - places[k]) / width
+            value = values[k] + part * (values[k + 1] - values[k])
+    return value

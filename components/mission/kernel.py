@@ -2,21 +2,14 @@
 
 from ..declare.record import Vector
 from ..library.sampling import first_sample, is_due
+from ..library.table import straight
 from .parameters import Parameters
 from .records import Inputs, Outputs, State, Stretch, Times
 
 
 def friction_at(s: float, p: Parameters) -> float:
     """The friction scale at the place s of the pass; beyond the ends of the table its first or last value."""
-    scale = p.fouling_scale[0]
-    for k in range(7):
-        width = p.fouling_place[k + 1] - p.fouling_place[k]
-        if s >= p.fouling_place[k + 1]:
-            scale = p.fouling_scale[k + 1]
-        elif s > p.fouling_place[k] and width > 0.0:
-            part = (s - p.fouling_place[k]) / width
-            scale = p.fouling_scale[k] + part * (p.fouling_scale[k + 1] - p.fouling_scale[k])
-    return scale
+    return straight(s, p.fouling_place, p.fouling_scale, 8)
 
 
 def stretch(t: float, begin: float, length: float, v: float) -> Stretch:
