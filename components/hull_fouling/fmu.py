@@ -14,7 +14,7 @@ class HullFouling(ComponentSlave):
 
     parameters = Parameters
     kernel = kernel
-    default_step = 5e-3
+    default_step = 0.05
     inputs = variables_of(Inputs)
     outputs = variables_of(Outputs)
     arrays = arrays_of(State)

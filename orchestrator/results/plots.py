@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..system.file.figure_kinds import figure_kind
+from .profiles import Profiles, profiles
 from .signals import Signals
 from .tables import Run
 
@@ -24,8 +25,11 @@ def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
     """The figure of a `[[figures]]` entry; None if a signal of it was not recorded.
 
     An entry has `file`, `title` and `signals`, or a `kind` (see `figure_kinds`); optional: `from`, `to` [s] and
-    `reference` (a value drawn as a dashed line).
+    `reference` (a value drawn as a dashed line), or `along` (see `profiles`).
     """
+    if "along" in entry:
+        found = profiles(run, entry)
+        return captioned(along(found, entry["title"]), run) if found else None
     if "kind" in entry:
         drawn: Figure = figure_kind(entry["kind"]).draw(run.calculated, entry)
         return captioned(drawn, run)
@@ -93,4 +97,21 @@ def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
         if len(members) > 1 or "reference" in entry:
             axis.legend(loc="best", fontsize="small")
     axes[-1].set_xlabel("time [s]")
+    return figure
+
+
+def along(found: Profiles, title: str) -> Figure:
+    """One axis per signal, all its instants in it; a value reaches half way to the next place."""
+    names = list(dict.fromkeys(vector.name for vector in found.vectors))
+    figure, axes = new_figure(title, len(names))
+    for axis, name in zip(axes, names, strict=True):
+        members = [vector for vector in found.vectors if vector.name == name]
+        for k, vector in enumerate(members):
+            style = STYLES[k % len(STYLES)]
+            line = {"drawstyle": "steps-mid", "linewidth": 1.1, "label": vector.when}
+            axis.plot(found.along.values, vector.values, style, **line)
+        axis.set_ylabel(members[0].label)
+        if len(members) > 1:
+            axis.legend(loc="best", fontsize="small")
+    axes[-1].set_xlabel(found.along.label)
     return figure

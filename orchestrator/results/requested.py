@@ -11,6 +11,7 @@ from ..errors import InputError, counted, nearest
 from ..system.file.figure_kinds import figure_kind
 from ..system.file.merits import OPERATIONS, merit
 from ..system.model import System
+from .profiles import check_profiles
 
 FORMATS = (".png", ".pdf", ".svg")
 ALWAYS = ("real_time_factor", "wall_s", "simulated_s", "start_s", "peak_memory_MB")  # figures of merit of every run
@@ -67,6 +68,9 @@ def check_figure(entry: Mapping[str, Any], recorded: set[str], system: System, l
         return
     if not entry["signals"]:
         raise InputError(f"{label}: signals must be a list of names")
+    if "along" in entry:
+        check_profiles(entry, recorded, system, label)
+        return
     for name in map(str, entry["signals"]):
         if name not in recorded:
             raise InputError(f"{label}: '{name}' is not recorded{nearest(name, recorded)}")

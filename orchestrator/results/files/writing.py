@@ -114,7 +114,7 @@ def write_products(
     figures = run.plan.system.reporting["figures"]
     table = [TABLE] * isinstance(run.recorded, list)
     said = [MESSAGES] * bool(run.messages)
-    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, *(str(entry["file"]) for entry in figures)]
+    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, *_names(figures)]
     files += [name for names, _ in more for name in names]
 
     def summed() -> list[Path]:
@@ -148,6 +148,8 @@ def write_products(
             written.attempt("the comparison", compared)
             written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, written.summary)))
         for entry in figures:
+            if "table" in entry:
+                written.attempt(str(entry["table"]), lambda entry=entry: _profiles(run, entry, folder))  # type: ignore[misc]
             written.attempt(str(entry["file"]), lambda entry=entry: _figure(run, entry, folder))  # type: ignore[misc]
         for names, make in more:
             written.attempt(", ".join(names), lambda make=make: make(run, folder))  # type: ignore[misc]
@@ -159,6 +161,19 @@ def write_products(
 def write_messages(messages: Sequence[str], path: Path) -> None:
     """What FMUs logged, one message a line."""
     path.write_text("".join(f"{message}\n" for message in messages), encoding="utf-8")
+
+
+def _names(figures: Sequence[Mapping[str, Any]]) -> list[str]:
+    """The files of figures, the tables of those that have one before them."""
+    return [str(entry[key]) for entry in figures for key in ("table", "file") if key in entry]
+
+
+def _profiles(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:
+    from ..profiles import profiles, write_profiles
+
+    if profiles(run, entry) is None:
+        return []
+    return [write_file(folder / str(entry["table"]), lambda path: write_profiles(run, entry, path))]
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:

@@ -164,6 +164,11 @@ def _check_figure(file: TomlFile, entry: dict[str, Any], label: str) -> None:
     for key in further or ("signals",):
         if key not in entry:
             raise file.fail(f"{label}: '{key}' is missing", "[[figures]]")
+    if "along" in entry and kind is not None:
+        raise file.fail(f"{label}: along goes with signals, and a figure of a kind has its own", "along", "figures")
+    for key in ("at", "table"):
+        if key in entry and "along" not in entry:
+            raise file.fail(f"{label}: {key} goes with `along`, what the signals are drawn along", key, "figures")
 
 
 def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]) -> TomlFile:

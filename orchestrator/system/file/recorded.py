@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import fnmatchcase
+from typing import Any
 
 from ...errors import InputError, nearest
 from ..model import Component, System
@@ -114,10 +115,23 @@ def select_recorded(system: System, patterns: Sequence[str]) -> System:
     figures = [
         entry
         for entry in system.reporting.get("figures", ())
-        if all(str(name).startswith("coupling.") or kept.has(str(name)) for name in entry.get("signals", ()))
+        if all(str(name).startswith("coupling.") or kept.has(str(name)) for name in _drawn(system, entry))
     ]
     record = (*record, *reported_names(system))
     return replace(system, record=record, reporting={**system.reporting, "figures": figures})
+
+
+def _drawn(system: System, entry: Mapping[str, Any]) -> list[str]:
+    """The signals that a figure needs; of one along an array the elements of its arrays."""
+    names = [str(name) for name in entry.get("signals", ())]
+    if "along" not in entry:
+        return names
+    found = []
+    for name in names:
+        owner, _, variable = name.partition(".")
+        inside = system.components[owner].fmu.expand(variable) if owner in system.components else []
+        found += [f"{owner}.{one}" for one in inside] or [name]
+    return found
 
 
 def reported_names(system: System) -> list[str]:

@@ -143,7 +143,10 @@ def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str])
         if figure.get("kind") in figure_kinds():
             absent = [f"{missing.name}.{v}" for v in missing.variables]
             signals = figure_kind(figure["kind"]).shows(figure, absent)
-        shown = [s for s in signals if not lost([s], f"figure {figure.get('file', '')}: {s}")]
+        first = "[1]" if "along" in figure else ""  # of an array: all of it, or nothing
+        if first and lost([f"{figure['along']}{first}"], f"figure {figure.get('file', '')}: {figure['along']}"):
+            continue
+        shown = [s for s in signals if not lost([f"{s}{first}"], f"figure {figure.get('file', '')}: {s}")]
         if shown == signals:
             figures.append(figure)
         elif shown and "signals" in figure:

@@ -39,7 +39,7 @@ class Comparison(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Figure(Struct, frozen=True, kw_only=True):
-    """A figure of signals over time, or of a kind that a package adds with keys of its own."""
+    """A figure of signals over time, of arrays along another, or of a kind that a package adds with keys of its own."""
 
     file: Annotated[str, Meta(description="a plain name that ends in .png, .pdf or .svg")]
     title: Annotated[str, Meta(description="what stands above it")]
@@ -49,4 +49,15 @@ class Figure(Struct, frozen=True, kw_only=True):
     )
     to: Annotated[Number | None, Meta(description="where the time axis ends [s]")] = None
     reference: Annotated[Number | None, Meta(description="a line at this value")] = None
+    along: Annotated[
+        str | None,
+        Meta(
+            description="an array, outputs or calculated parameters: the signals, arrays of as many elements, are "
+            "drawn along it, as they are at the end of the run"
+        ),
+    ] = None
+    at: Annotated[list[Number], Meta(description="with `along`: instants [s], in place of the end")] = []
+    table: Annotated[
+        str | None, Meta(description="with `along`: a plain name that ends in .csv, of a table of what is drawn")
+    ] = None
     kind: Annotated[str | None, Meta(description="of another figure, by the name of its entry point")] = None
