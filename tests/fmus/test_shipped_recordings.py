@@ -32,6 +32,7 @@ AT_REST = {
     "mission": {"y_ref", "v_ref[2]"},
     "battery": {"empty"},
     "rov_sensors": set(),
+    "hull_fouling": set(),
 }
 
 

@@ -56,7 +56,12 @@ class Figure(Struct, frozen=True, kw_only=True):
             "drawn along it, as they are at the end of the run"
         ),
     ] = None
-    at: Annotated[list[Number], Meta(description="with `along`: instants [s], in place of the end")] = []
+    at: Annotated[
+        list[Number],
+        Meta(
+            description="with `along`: instants [s] in place of the end, of which those are shown that the run reaches"
+        ),
+    ] = []
     table: Annotated[
         str | None, Meta(description="with `along`: a plain name that ends in .csv, of a table of what is drawn")
     ] = None
