@@ -159,13 +159,13 @@ def _check_figure(file: TomlFile, entry: dict[str, Any], label: str) -> None:
     kinds, kind = figure_kinds(), entry.get("kind")
     if isinstance(kind, str) and kind not in kinds:
         raise file.fail(f"{label}: unknown kind '{kind}'{nearest(kind, kinds)}", "kind", "figures")
+    if "along" in entry and kind is not None:
+        raise file.fail(f"{label}: along goes with signals, and a figure of a kind has its own", "along", "figures")
     further = figure_kind(kind).KEYS if isinstance(kind, str) else ()
     checked(Figure, entry, label, file, "figures", further=further)
     for key in further or ("signals",):
         if key not in entry:
             raise file.fail(f"{label}: '{key}' is missing", "[[figures]]")
-    if "along" in entry and kind is not None:
-        raise file.fail(f"{label}: along goes with signals, and a figure of a kind has its own", "along", "figures")
     for key in ("at", "table"):
         if key in entry and "along" not in entry:
             raise file.fail(f"{label}: {key} goes with `along`, what the signals are drawn along", key, "figures")

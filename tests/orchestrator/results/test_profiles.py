@@ -41,7 +41,7 @@ WRONG = {
     "instants without an array": ('along = "brush.lambda_r"\n', "", "at goes with `along`"),
     "a kind of its own": ("at = ", 'kind = "mode_shapes"\nat = ', "along goes with signals"),
     "no signals": ('["brush.kinetic_fraction"]', "[]", "signals must be a list of names"),
-    "instant that is no number": ("at = [0.005", 'at = ["5 ms"', "not a number"),
+    "instant that is no number": ("at = [0.005", 'at = ["5 ms"', "at must be a list, each entry a number"),
 }
 
 
