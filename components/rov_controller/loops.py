@@ -54,9 +54,9 @@ def integrate(p: Parameters, x: State, s: Scratch) -> None:
 
 def sample(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """Take one sample: from the inputs to the thruster commands."""
+    set_points(u, p, s)
     if p.mode == 3 or p.observed_velocity:
         observe(p, x, s)
-    set_points(u, p, s)
     wrench(p, x, s)
     if p.mode >= 1:
         feed_forward(p, x, s)

@@ -3,11 +3,13 @@
 In each of six directions M dnu/dt = thrust + w + d with the thrust B F behind its lag, a measured wrench w where there
 is one, and d constant but for the correction: a Luenberger observer of (nu, d) with a double pole at omega_observer,
 which is the observer of Ohnishi, Shibata and Murakami (1996) with a filter of second order. What the model lacks (drag,
-Coriolis, weight and buoyancy) counts as disturbance.
+Coriolis, restoring moments, an unknown part of the buoyancy) counts as disturbance.
 """
 
 from math import exp
 
+from ..library.vectors import clear
+from .attitude import to_body
 from .parameters import Parameters
 from .records import Scratch, State
 
@@ -24,12 +26,15 @@ def observe(p: Parameters, x: State, s: Scratch) -> None:
     if p.thruster_lag > 0.0:
         keep = exp(-p.T_s / p.thruster_lag)
         lagging = p.thruster_lag / p.T_s * (1.0 - keep)
+    clear(6, s.known)
+    s.known[2] = -p.net_buoyancy
+    to_body(s.known, s.attitude)
     for i in range(6):
         if x.seen == 0.0:
             x.nu_seen[i] = s.nu[i]
         else:
             # The thrust approached what was asked for: its mean over the sample and its value now.
-            force = x.given[i] + (x.thrust_seen[i] - x.given[i]) * lagging + x.d_seen[i]
+            force = x.given[i] + (x.thrust_seen[i] - x.given[i]) * lagging + s.known[i] + x.d_seen[i]
             x.thrust_seen[i] = x.given[i] + (x.thrust_seen[i] - x.given[i]) * keep
             if p.mode != 3:
                 force = force + x.wrench[i]

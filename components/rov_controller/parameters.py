@@ -96,6 +96,9 @@ class Parameters:
         1e-3,
         1e4,
     )
+    net_buoyancy: float = parameter(
+        0.0, "N", "buoyancy minus weight of vehicle and tool, in the observer's model", "assumed: trimmed", -1e4, 1e4
+    )
     thruster_lag: float = parameter(
         0.02, "s", "time constant of the thrust in the observer's model", "T200 step: 63 % at 20 ms", 0.0, 10.0
     )

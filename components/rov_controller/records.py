@@ -85,6 +85,7 @@ class Scratch(Record):
     e: Vector = value("m/s", "errors of velocity and rate", 6)
     nu: Vector = value("m/s", "velocity and rate that the loops use", 6)
     acceleration: Vector = value("m/s2", "their rate of change", 6)
+    known: Vector = value("N", "weight less buoyancy in the observer's model, body frame", 6)
     measured: Vector = value("N", "measured tool wrench", 6)
     tau: Vector = value("N", "requested wrench", 6)
     F: Vector = value("N", "thrusts", 8)

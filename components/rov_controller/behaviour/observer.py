@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...testing.behaviour import Unit, close, holds, read, same, values, where_known
@@ -38,6 +40,27 @@ def test_thrust_of_its_own_is_no_disturbance(unit: Unit) -> None:
         w += (asked * T_S + (thrust - asked) * lag * (1.0 - keep)) / M[2]
         thrust = asked + (thrust - asked) * keep
     close(unit, "observed force", worst, 0.0, 1e-9, 1.0)
+
+
+def test_known_buoyancy_is_no_disturbance(unit: Unit) -> None:
+    """A body that 8 N lift, level or pitched: the observer that knows it sees no force on the hull."""
+    M, lag = values(unit, "M_observer", "thruster_lag")
+    keep = float(np.exp(-T_S / lag))
+    for theta in (0.0, 0.3):
+        up = -8.0 * np.array([-np.sin(theta), 0.0, np.cos(theta)])
+        inputs = {"theta": theta, "theta_ref": theta}
+        chosen: dict[str, Any] = {"mode": 3, "net_buoyancy": 8.0, "hull_normal": (0.0, 0.0, -1.0)}
+        seen = unit.new(inputs, **where_known(unit, T_s=T_S), **chosen)
+        v, thrust, worst = np.zeros(3), np.zeros(3), 0.0
+        for _ in range(600):
+            seen.set(u=float(v[0]), w=float(v[2]))
+            seen.step(T_S)
+            worst = max(worst, abs(float(seen["F_n"])))
+            asked = given(unit, seen)[:3]
+            v = v + ((asked + up) * T_S + (thrust - asked) * lag * (1.0 - keep)) / M[:3]
+            thrust = asked + (thrust - asked) * keep
+        close(unit, "observed force", worst, 0.0, 1e-9, 1.0)
+        close(unit, "force of the thrusters", thrust, -up, 1e-3)
 
 
 def test_force_reaches_its_set_point_on_a_rigid_hull_by_the_observer(unit: Unit) -> None:
