@@ -1,9 +1,10 @@
-"""The mass matrix of Eq. 19, weight and buoyancy, of the vehicle with its tool."""
+"""The mass matrix of Eq. 19, weight, buoyancy and the energies that follow, of the vehicle with its tool."""
 
 from ..library.matrices import invert, of_blocks
+from ..library.rotation import turned_back
 from ..library.vectors import dot
 from .parameters import Parameters
-from .records import Scratch, State
+from .records import Motion, Scratch, State
 
 
 def gravity(p: Parameters, x: State, s: Scratch) -> None:
@@ -54,3 +55,20 @@ def add_tool(p: Parameters, s: Scratch) -> None:
     s.inertia[0, 1] = s.inertia[0, 1] + (p.I_products_tool[0] - p.m_tool * s.tool_centre[0] * s.tool_centre[1])
     s.inertia[0, 2] = s.inertia[0, 2] + (p.I_products_tool[1] - p.m_tool * s.tool_centre[0] * s.tool_centre[2])
     s.inertia[1, 2] = s.inertia[1, 2] + (p.I_products_tool[2] - p.m_tool * s.tool_centre[1] * s.tool_centre[2])
+
+
+def kinetic(z: Motion, p: Parameters, x: State, s: Scratch) -> float:
+    """Kinetic energy: rigid body over ground plus added mass through the water, with z over ground."""
+    E = 0.0
+    for i in range(6):
+        for j in range(6):
+            E += 0.5 * z.nu[i] * x.M[i, j] * z.nu[j]
+    for i in range(3):
+        v_r = z.v[i] - turned_back(s.R, i, x.current)
+        E += 0.5 * p.added_mass[i] * (v_r * v_r - z.v[i] * z.v[i])
+    return E
+
+
+def potential(z: Motion, x: State, s: Scratch) -> float:
+    """Energy of weight and buoyancy, zero with the body origin at depth 0 and the lever level."""
+    return x.net_buoyancy * z.position[2] - x.lever[0] * s.R[2, 0] - x.lever[1] * s.R[2, 1] - x.lever[2] * s.R[2, 2]

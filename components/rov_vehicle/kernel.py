@@ -8,15 +8,13 @@ from ..library.integration import equal_steps
 from ..library.rotation import quaternion
 from ..library.thrust import allocation_matrix
 from ..library.vectors import copy, cross_add, join
-from .energy import kinetic, potential
 from .frames import change_frame, euler_angles, rotation
-from .inertia import gravity, mass_matrix
+from .inertia import gravity, kinetic, mass_matrix, potential
 from .momentum import angular_momentum, longest_step, spin
-from .motion import rates
+from .motion import rates, runge_kutta
 from .parameters import Parameters
-from .propulsion import thruster_wrench, thrusts
+from .propulsion import draw, steady, take_commands, thruster_wrench, thrusts, until_next_command
 from .records import Inputs, Motion, Outputs, Scratch, State
-from .runge_kutta import runge_kutta
 from .tool import tool_motion, tool_wrench
 
 
@@ -37,6 +35,11 @@ def initialize(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
         x.current[i] = u.v_c[i]
     for j in range(8):
         x.thrust[j] = 0.0
+        x.command[j] = 0.0
+    x.i_thruster = 0.0
+    x.count_held = 0.0
+    x.first_held = 0.0
+    x.clock = 0.0
     rotation(s.R, x.motion)
     x.E_start = kinetic(x.motion, p, x, s) + potential(x.motion, x, s)
 
@@ -62,7 +65,7 @@ def place(z: Motion, p: Parameters, s: Scratch) -> None:
 
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
-    thruster_wrench(1.0, u, p, x, s)
+    thruster_wrench(1.0, x, s)
     spin(u, x, s)
     copy(24, s.stage, x.motion)
     change_frame(s.stage, -1.0, u, s)
@@ -73,7 +76,10 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     write_momenta(x.motion, p, x, y, s)
     write_motion(x.motion, y, s)
     for i in range(8):
-        y.thrust[i] = x.thrust[i]
+        y.thrust[i] = s.F[i]
+        if p.hull_loss > 0.0:
+            y.thrust[i] = s.F_near[i]
+    y.i_thruster = x.i_thruster
     for i in range(3):
         y.F_control[i] = s.F_control[i]
         y.M_control[i] = s.M_control[i]
@@ -164,16 +170,29 @@ def change_current(z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) ->
 
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Advance by h in equal Runge-Kutta steps, of at most max_step."""
+    """Advance by h, from one change of the commands that act to the next, in equal Runge-Kutta steps."""
     spin(u, x, s)
-    count = equal_steps(h, longest_step(p, s))
-    dt = h / count
-    if p.thruster_lag <= 0.0:
-        thrusts(0.0, u, p, x)
     change_current(x.motion, u, p, x, s)
     change_frame(x.motion, -1.0, u, s)
     tool_wrench(u, p, x, s)
-    for _ in range(count):
-        runge_kutta(dt, u, p, x, s)
+    take_commands(u, p, x)
+    left = h
+    while left > 0.0:
+        part = until_next_command(left, x)
+        advance(part, u, p, x, s)
+        left -= part
     change_frame(x.motion, 1.0, u, s)
     outputs(u, p, x, y, s)
+
+
+def advance(h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """Advance the motion through the water by h with constant commands."""
+    draw(h, steady(u, p, x, s), p, x)
+    if p.thruster_lag <= 0.0:
+        thrusts(0.0, x, s)
+    thruster_wrench(1.0, x, s)
+    count = equal_steps(h, longest_step(p, s))
+    dt = h / count
+    for _ in range(count):
+        runge_kutta(dt, u, p, x, s)
+    x.clock += h

@@ -1,10 +1,14 @@
-"""Equations of motion (Eqs. 18, 19) in the frame that moves with the water."""
+"""Equations of motion (Eqs. 18, 19) in the frame that moves with the water, and their integration."""
 
+from math import exp, sqrt
+
+from ..library.integration import runge_kutta_stage
 from ..library.rotation import turned_back
-from ..library.vectors import cross_add, join
+from ..library.vectors import add_scaled, clear, copy, cross_add, join
 from .frames import rotation
 from .momentum import gyroscopic, impulses, momenta
 from .parameters import Parameters
+from .propulsion import near_hull, thruster_wrench, thrusts
 from .records import Inputs, Motion, Scratch, State
 from .tool import tool_wrench
 
@@ -14,6 +18,8 @@ def rates(k: Motion, z: Motion, u: Inputs, p: Parameters, x: State, s: Scratch) 
     rotation(s.R, z)
     if p.wrench_along_normal:
         tool_wrench(u, p, x, s)
+    if p.hull_loss > 0.0:
+        near_hull(z, p, x, s)
     kinematics(k, z, u, s)
     water(k, z, p, x, s)
     # The moment of weight and buoyancy.
@@ -93,3 +99,41 @@ def powers(k: Motion, z: Motion, u: Inputs, p: Parameters, s: Scratch) -> None:
     k.W_thruster = P_thruster
     k.W_tool = P_tool
     k.W_external = P_external
+
+
+def runge_kutta(dt: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """One classical Runge-Kutta step of the motion through the water; the thrusters' lag is solved exactly.
+
+    It begins and ends with the thrusters' wrench in F_control and M_control.
+    """
+    half_decay = 0.0
+    decay = 0.0
+    if p.thruster_lag > 0.0:
+        half_decay = exp(-0.5 * dt / p.thruster_lag)
+        decay = exp(-dt / p.thruster_lag)
+    copy(24, s.stage, x.motion)
+    clear(24, s.increment)
+    for stage in range(4):
+        weight = 2.0
+        if stage == 1:
+            thruster_wrench(half_decay, x, s)
+        if stage == 0:
+            weight = 1.0
+        if stage == 3:
+            thruster_wrench(decay, x, s)
+            weight = 1.0
+        rates(s.k, s.stage, u, p, x, s)
+        ahead = 0.5 * dt
+        if stage == 2:
+            ahead = dt
+        runge_kutta_stage(24, x.motion, s.k, weight, ahead, s.increment, s.stage)
+    add_scaled(24, x.motion, x.motion, dt / 6.0, s.increment)
+    normalize(x.motion)
+    thrusts(decay, x, s)
+
+
+def normalize(z: Motion) -> None:
+    """Give the quaternion the length 1."""
+    length = sqrt(z.q[0] * z.q[0] + z.q[1] * z.q[1] + z.q[2] * z.q[2] + z.q[3] * z.q[3])
+    for i in range(4):
+        z.q[i] = z.q[i] / length

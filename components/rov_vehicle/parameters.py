@@ -8,6 +8,7 @@ from ..declare.interface import parameter
 from ..library.thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
 
 WU = "Wu 2018"
+T200 = "T200 performance data (Blue Robotics, September 2019)"
 NO_TOOL = "none: the paper gives the tool no mass"
 
 
@@ -73,6 +74,43 @@ class Parameters:
     k_T_reverse: float = parameter(K_T[12][1], "N", "thrust at command -1", K_T_SOURCE, minimum=0.0, maximum=1e4)
     thruster_lag: float = parameter(
         0.02, "s", "time constant of the thrust, 0 = at once", "T200 step: 63 % at 20 ms", minimum=0.0, maximum=10.0
+    )
+    thruster_delay: float = parameter(
+        0.0, "s", "time until a command acts: bus and speed controller", "none", minimum=0.0, maximum=1.0
+    )
+    thruster_dead_band: float = parameter(
+        0.0, "1", "smaller commands give no thrust", "none; T200: 0.09 at 12 V, 0.07 at 16 V", minimum=0.0, maximum=0.9
+    )
+    thrust_table: bool = parameter(
+        False, "1", "thrust from the table below, at V_thruster; false: k_T sgn(u) u^2", "false: Eq. 20"
+    )
+    table_u: tuple[float, ...] = parameter(
+        (-1.0, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0), "1", "commands of the thrust table, rising", T200, -1.0, 1.0
+    )
+    F_12V: tuple[float, ...] = parameter(
+        (-28.48, -10.01, -3.11, 3.87, 12.54, 24.15, 36.42), "N", "thrust at these commands, 12 V", T200, -1e4, 1e4
+    )
+    F_16V: tuple[float, ...] = parameter(
+        (-39.91, -14.10, -4.72, 5.92, 17.88, 33.54, 51.44), "N", "thrust at these commands, 16 V", T200, -1e4, 1e4
+    )
+    dead_band_12V: float = parameter(0.09, "1", "dead band of the table at 12 V", T200, minimum=0.0, maximum=0.9)
+    dead_band_16V: float = parameter(0.07, "1", "dead band of the table at 16 V", T200, minimum=0.0, maximum=0.9)
+    i_12V: tuple[float, ...] = parameter(
+        (17.03, 12.94, 8.9, 5.635, 3.3, 1.55, 0.5, 0.05, 0.0, 0.075, 0.5, 1.55, 3.3, 5.745, 8.9, 12.825, 16.91),
+        "A",
+        "current of a thruster at commands from -1 to 1 in steps of 1/8, 12 V",
+        T200,
+        minimum=0.0,
+        maximum=1e4,
+    )
+    i_ratio_16V: float = parameter(
+        1.41, "1", "current at 16 V over that at 12 V", "24 A and 17 A at full command; elsewhere assumed", 0.0, 10.0
+    )
+    hull_loss: float = parameter(
+        0.0, "1", "share of the thrust lost by a thruster at the hull; 0 = none", "none", minimum=0.0, maximum=1.0
+    )
+    hull_loss_length: float = parameter(
+        0.1, "m", "distance over which that loss falls to 37 %", "assumed: a thruster's diameter", 1e-3, 100.0
     )
     r_tool: tuple[float, ...] = parameter(
         (0.15, 0.0, 0.3),

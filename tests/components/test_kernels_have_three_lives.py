@@ -55,6 +55,10 @@ CASES = (
          "I_tool": (0.05, 0.04, 0.06), "I_products_tool": (0.004, -0.002, 0.003), "buoyancy_tool": 30.0,
          "r_b_tool": (0.01, 0.02, -0.04), "wrench_along_normal": True}, "tool",
     ),
+    Case(
+        "rov_vehicle", 5e-3, 60, {"u_thruster": (0.1, 1.2), "V_thruster": (13.0, 4.0), "F_z": (-120.0, 90.0)},
+        {"thruster_delay": 0.033, "thrust_table": True, "hull_loss": 0.4, "thruster_dead_band": 0.02}, "thrusters",
+    ),
     Case("rov_controller", 0.02, 60, MEASURED),
     Case("rov_controller", 0.01, 60, MEASURED, {"attitude_first": False}, "clipping"),
     Case("rov_controller", 0.005, 120, MEASURED | TOOL, {"mode": 1}, "feedforward"),
