@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from ..margins.limits import delay_limit
 from ..margins.open_loop import BEGIN, LENGTH, open_loop
 from ..margins.table import BRUSHES, varied
 from ..strategies import merits
+from ..thrust_budget import CURRENTS, Budget
 from .origins import Number, numbers
 from .spread import LIMIT, Spread
 from .task import Task, force_error
@@ -54,7 +56,7 @@ class Brush:
     motor: list[Number]
 
 
-def short(task: Task, found: Spread | None) -> Rows:
+def short(task: Task, tools: list[Budget], found: Spread | None) -> Rows:
     """The answer in a few lines: what is asked, what answers it."""
     given = {number.name: number for number in numbers(task, "controller")}
     mode = given["mode"]
@@ -72,7 +74,10 @@ def short(task: Task, found: Spread | None) -> Rows:
         ("Which brush", f"{brush(task).description}. It is pressed in by {1e3 * task.figures['delta_mean']:.2f} mm."),
         ("Which strategy and gains", f"{strategy}. {', '.join(chosen)}."),
         ("Which sensors", f"{'; '.join(measured) or 'the truth, at the sampling period of the controller'}."),
-        ("How much thrust", f"The thrusters' largest command under way is {largest:.2f} of full."),
+        (
+            "How much thrust",
+            f"The thrusters' largest command under way is {largest:.2f} of full.{reserve(task, tools)}",
+        ),
         ("How sure", verdict(found) if found is not None else "No points were asked for."),
     ]
 
@@ -177,3 +182,24 @@ def verdict(found: Spread) -> str:
         f"{held} of {count} points hold: {lost} lose contact while under way, {beyond} have a force error above "
         f"{100 * LIMIT:g} % rms, {len(found.failures)} stopped with an error."
     )
+
+
+def budget(task: Task, tools: list[Budget]) -> dict[str, Any]:
+    """Largest normal force by tool and current, and how many times the task's force it is in the strongest current."""
+    currents = [f"in {current:g} m/s [N]" for current in CURRENTS]
+    rows = [
+        (tool.tool, f"{tool.held:.1f}", *(f"{tool.largest[current]:.1f}" for current in CURRENTS),
+         f"{tool.largest[CURRENTS[-1]] / task.force:.2f}", tool.command)
+        for tool in tools
+    ]  # fmt: skip
+    heading = ["tool", "pressed with in its run [N]", *currents, f"the last over the task's {task.force:g} N", "run"]
+    return {"heading": heading, "rows": rows}
+
+
+def reserve(task: Task, tools: list[Budget]) -> str:
+    """What the thrusters could hold with the task's own tool, in a sentence; empty if it is not among the tools."""
+    own = next((tool for tool in tools if f"rovbrush run {task.study.system}" == tool.command), None)
+    if own is None:
+        return ""
+    most = own.largest[CURRENTS[-1]]
+    return f" They could hold {most:.0f} N in {CURRENTS[-1]:g} m/s, {most / task.force:.1f} times what is asked."

@@ -12,6 +12,7 @@ from typing import Any
 from ...errors import InputError
 from ...files import prepare_folder, write_file, write_json
 from ..lab import Lab
+from ..thrust_budget import Budget, thrust_budget
 from . import sections
 from .spread import Spread, spread
 from .task import Task, task
@@ -33,7 +34,7 @@ def design(
     tell: Callable[[str], None] = lambda _command: None,
     progress: Callable[[int, int], None] = lambda _done, _of: None,
 ) -> Designed:
-    """Run the task and the points of its sweep, and write page and numbers.
+    """Run the task, the tools of the thrust budget and the points of its sweep, and write page and numbers.
 
     `points`: None for as many as the sweep says, 0 for none. They are kept in a folder of `out`, and an interrupted
     sweep goes on there. `tell` hears the command of each run before it. Raises InputError for a missing library or a
@@ -45,11 +46,12 @@ def design(
     lab = Lab(fmus, tell)
     asked = task(lab)
     found = None if points == 0 else spread(asked, out, points or asked.study.random, fmus, progress)
+    tools = thrust_budget(lab)
     margins = sections.margins(asked, fmus)
     from ..page.design import design_page
 
-    text = design_page(lab, asked, margins, found)
-    rows = {**numbers(asked, found), "margins": margins}
+    text = design_page(lab, asked, tools, margins, found)
+    rows = {**numbers(asked, tools, found), "margins": margins}
     paths = [
         write_file(out / "design.json", lambda path: write_json(path, rows)),
         write_file(out / "design.html", lambda path: path.write_text(text, encoding="utf-8")),
@@ -57,7 +59,7 @@ def design(
     return Designed(sections.answers(asked, found), "" if found is None else sections.verdict(found), paths)
 
 
-def numbers(asked: Task, found: Spread | None) -> dict[str, Any]:
+def numbers(asked: Task, tools: list[Budget], found: Spread | None) -> dict[str, Any]:
     """The page's tables for programs."""
     points = found and {"held": int(found.held.sum()), "of": len(found.error), "verdict": sections.verdict(found)}
     return {
@@ -65,7 +67,7 @@ def numbers(asked: Task, found: Spread | None) -> dict[str, Any]:
             "force_N": asked.force, "radius_m": asked.radius if isfinite(asked.radius) else None,
             "current_m_s": asked.current, "command": asked.case.command,
         },
-        "short": sections.short(asked, found), "answers": sections.answers(asked, found),
+        "short": sections.short(asked, tools, found), "answers": sections.answers(asked, found),
         "gains": [number.cells for number in sections.gains(asked)], "sensors": sections.sensors(asked),
-        "points": points,
+        "budget": sections.budget(asked, tools), "points": points,
     }  # fmt: skip

@@ -1,4 +1,4 @@
-"""The designer's page: the task and its answer, brush, gains, sensors, and how sure all that is."""
+"""The designer's page: the task and its answer, brush, gains, sensors, thrust, and how sure all that is."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from ..design.spread import LIMIT, Spread
 from ..design.task import Task
 from ..lab import Lab
 from ..strategies import WINDOW, force_on_hull, held
+from ..thrust_budget import Budget
 from .page import provenance
 from .rendering import image, render
 
@@ -24,12 +25,13 @@ SECTIONS = (  # each a template of that name
     ("tool", "Brush and motor"),
     ("gains", "Gains and margins"),
     ("sensors", "Sensors"),
+    ("budget", "Thrust"),
     ("spread", "How sure it is"),
     ("made", "What was run"),
 )
 
 
-def design_page(lab: Lab, task: Task, margins: sections.Rows, found: Spread | None) -> str:
+def design_page(lab: Lab, task: Task, tools: list[Budget], margins: sections.Rows, found: Spread | None) -> str:
     """The whole document."""
     brush = sections.brush(task)
     content: dict[str, Any] = {
@@ -40,7 +42,7 @@ def design_page(lab: Lab, task: Task, margins: sections.Rows, found: Spread | No
             "hull": f"a hull of {task.radius:g} m radius" if np.isfinite(task.radius) else "a plane hull",
         },
         "verdict": "" if found is None else sections.verdict(found),
-        "short": sections.short(task, found),
+        "short": sections.short(task, tools, found),
         "answers": sections.answers(task, found),
         "tracking": sections.tracking(task),
         "force_image": image(force_figure(task)),
@@ -51,6 +53,7 @@ def design_page(lab: Lab, task: Task, margins: sections.Rows, found: Spread | No
         },
         "gains": [number.cells for number in sections.gains(task)],
         "margins": margins,
+        "budget": sections.budget(task, tools),
         "sensors": sections.sensors(task),
         "spread": None if found is None else spread_content(found),
         "spread_image": "" if found is None else image(spread_figure(found)),

@@ -19,6 +19,7 @@ from rovbrush.orchestrator.paper.design.task import SWEEP, Task, force_error, ta
 from rovbrush.orchestrator.paper.lab import Lab
 from rovbrush.orchestrator.paper.margins.table import BRUSHES
 from rovbrush.orchestrator.paper.page.design import SECTIONS, spread_figure
+from rovbrush.orchestrator.paper.thrust_budget import CURRENTS, thrust_budget
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
 
 POINTS = 2
@@ -31,6 +32,8 @@ def out(fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         patch.setattr(
             sections, "delay_limit", lambda _system: 0.05
         )  # a dozen runs; tests/system/test_margins.py has it
+        own = {"the task's": sweep_file(SWEEP).system}
+        patch.setattr(study, "thrust_budget", lambda lab: thrust_budget(lab, own))  # the others have tests of their own
         study.design(folder, fmus, POINTS)
     return folder
 
@@ -64,6 +67,14 @@ def test_margins_stand_for_the_brush_and_for_one_twice_as_stiff(out: Path) -> No
     stiffness = [float(row[1]) for row in found]
     assert 1.5 < stiffness[1] / stiffness[0] < 2.5
     assert [float(row[3]) for row in found] == [40.0, 20.0] and all(float(row[2]) > 0.0 for row in found)
+
+
+def test_thrust_that_is_left_is_told_of_the_task_s_own_tool(out: Path) -> None:
+    found = json.loads((out / "design.json").read_text(encoding="utf-8"))
+    (row,) = found["budget"]["rows"]
+    largest = [float(cell) for cell in row[2 : 2 + len(CURRENTS)]]
+    assert largest == sorted(largest, reverse=True) and float(row[-2]) == pytest.approx(largest[-1] / 20.0, abs=0.01)
+    assert f"could hold {largest[-1]:.0f} N" in dict(found["short"])["How much thrust"]
 
 
 def test_page_loads_nothing_from_elsewhere_and_has_every_section(out: Path) -> None:
@@ -136,6 +147,8 @@ def test_the_command_writes_the_page_or_says_what_is_missing(
     with pytest.raises(InputError, match=r"pip install 'rovbrush\[report\]'"):
         study.design(tmp_path, fmus, 0)
     monkeypatch.undo()
+    monkeypatch.setattr(sections, "margins", lambda *_: [])
+    monkeypatch.setattr(study, "thrust_budget", lambda _lab: [])
     monkeypatch.setattr(
         sys, "argv", ["rovbrush", "design", "--points", "0", "--out", str(tmp_path), "--fmus", str(fmus)]
     )
