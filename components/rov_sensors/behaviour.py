@@ -93,6 +93,16 @@ def test_longest_delays_are_kept_whole(unit: Unit) -> None:
         same(f"velocity after {k} steps", rows[k][dvl], flat(truth(k - 500))[dvl])
 
 
+def test_steps_too_short_to_be_kept_leave_the_delay(unit: Unit) -> None:
+    """With steps of a thousandth of the delay, of which not all are kept, a rising truth is late by the delay."""
+    seen = unit.new({"z_n": 0.0}, delay=0.5)
+    for k in range(1, 1501):
+        seen.step(0.0005)
+        seen.set(z_n=0.0005 * k)
+    # Instants are sums of steps: rounding.
+    close(unit, "depth", seen["z_n_m"], 0.25, 1e-9, 1.0)
+
+
 def test_angle_is_delayed_through_its_jump(unit: Unit) -> None:
     """Yaw that goes on behind pi, from 3.1 to -3.1, is at pi when it is shown half a step later."""
     seen = unit.new({"psi": 3.1}, delay_attitude=0.005)
