@@ -9,7 +9,7 @@ from ..declare.record import Matrix
 from .contact import friction_coefficient, growth_of_contact, normal_force
 from .modes import stiffness
 from .parameters import Parameters
-from .records import Constants, Inputs, Modes, Placement, Reach, Stage, Stiffness
+from .records import Constants, Friction, Inputs, Modes, Normal, Placement, Reach, Stage, Stiffness
 
 
 def hub_radius(p: Parameters) -> float:
@@ -17,13 +17,18 @@ def hub_radius(p: Parameters) -> float:
     return sqrt(p.R_brush * p.R_brush - p.L * p.L * sin(p.alpha) * sin(p.alpha)) - p.L * cos(p.alpha)
 
 
-def constants(c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix, Y: Matrix) -> None:
-    """Fill c and k, what is constant over a step."""
+def constants(
+    L: float, c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix, Y: Matrix,
+) -> None:
+    """Fill c and k, what is constant over a step, for rods of the length L with the modes m."""
     R_h = hub_radius(p)
-    c.x_a = R_h * cos(p.alpha) + p.L
+    c.L = L
+    c.R_tip = p.R_brush + max(0.0, L - p.L)
+    c.share = 1.0 / (p.n_strips * p.n_groups)
+    c.x_a = R_h * cos(p.alpha) + L
     c.x_t = -R_h * sin(p.alpha)
     c.chi = p.rho / (p.rho + p.C_a * p.rho_w)
-    c.M = p.bristles_per_filament * p.rho * 0.25 * pi * p.d * p.d / c.chi * p.L
+    c.M = p.bristles_per_filament * p.rho * 0.25 * pi * p.d * p.d / c.chi * L
     c.speed_2 = 0.0
     if p.centrifugal:
         c.speed_2 = u.omega_b * u.omega_b
@@ -45,6 +50,16 @@ def modal_mass(c: Constants) -> float:
     return c.M
 
 
+def share_of(c: Constants) -> float:
+    """Share of a filament that a rod is."""
+    return c.share
+
+
+def tip_radius(c: Constants) -> float:
+    """Bound on the radius of the tips."""
+    return c.R_tip
+
+
 def free_acceleration(f: Stage, p: Parameters, m: Modes, k: Stiffness) -> None:
     """The accelerations without tip force (Eq. 4)."""
     for r in range(p.N_m):
@@ -52,6 +67,13 @@ def free_acceleration(f: Stage, p: Parameters, m: Modes, k: Stiffness) -> None:
         for s in range(p.N_m):
             acceleration = acceleration - k.K[r, s] * f.eta[s]
         f.a[r] = acceleration
+
+
+def rate_limit(rate: float, mobility: float, Delta: float, normal: Normal, friction: Friction, p: Parameters) -> float:
+    """What limits the micro-step of a tip in contact: the modes' rate with contact and friction on top."""
+    rise = 1.5 * p.k_c * sqrt(Delta) * (1.0 + abs(friction.mu)) + friction.spring * normal.F_n
+    fall = friction.slope * normal.F_n + normal.damping * (1.0 + abs(friction.mu))
+    return sqrt(rate * rate + rise * mobility) + fall * mobility + friction.forgets
 
 
 def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, G: Matrix) -> Reach:
@@ -63,6 +85,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
     P_contact = 0.0
     P_damping = 0.0
     f.z_dot = 0.0
+    f.v_slip = 0.0
     rate = c.omega_max
     y = 0.0
     y_dot = 0.0
@@ -96,6 +119,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             friction = friction_coefficient(v_s, f.z, growth_of_contact(Delta, Delta_dot), p, c)
             F_n = normal.F_n
             F_f = friction.mu * F_n  # Eq. 9
+            rate = rate_limit(rate, mobility, Delta, normal, friction, p)
             F_a = -F_f * at.sin_psi - F_n * at.cos_psi  # Eq. 6
             F_t = F_f * at.cos_psi - F_n * at.sin_psi  # Eq. 6
             for r in range(p.N_m):
@@ -104,9 +128,8 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             P_friction = F_f * v_s
             P_contact = (F_n - normal.F_e) * Delta_dot
             f.z_dot = friction.z_dot
-            rise = 1.5 * p.k_c * sqrt(Delta) * (1.0 + abs(friction.mu)) + friction.spring * F_n
-            fall = friction.slope * F_n + normal.damping * (1.0 + abs(friction.mu))
-            rate = sqrt(rate * rate + rise * mobility) + fall * mobility + friction.forgets
+            f.v_slip = abs(v_s)
+            f.x = x
     f.F_f = F_f
     f.F_n = F_n
     f.moment = moment

@@ -3,7 +3,7 @@
 from math import cos, sin, sqrt
 
 from ..library.matrices import multiply
-from .filament import modal_mass
+from .filament import modal_mass, share_of
 from .parameters import Parameters
 from .records import Constants, Drag, Inputs, Losses, Modes, Placement, Scratch, Stage, State, Stiffness
 from .water import book_drag, torque_of_drag
@@ -21,7 +21,7 @@ def free_flight(h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: S
     fastest = c.omega_max
     if p.C_d > 0.0:
         size = size + 1
-        fastest = fastest + 2.0 * c.drag * c.slip * abs(u.omega_b) * c.x_a * p.L / c.M
+        fastest = fastest + 2.0 * c.drag * c.slip * abs(u.omega_b) * c.x_a * c.L / c.M
     h_s = h
     squarings = 0
     while h_s * fastest > 0.2 and squarings < 60:
@@ -73,7 +73,7 @@ def linear_drag(h_s: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k:
     for r in range(N_m):
         k.rest[r] = k.load[r] / k.K[r, r]
     for i in range(6):
-        sweep = c.slip * u.omega_b * (c.x_a - p.L + m.x[i])
+        sweep = c.slip * u.omega_b * (c.x_a - c.L + m.x[i])
         b = h_s * c.drag * m.weight[i] * abs(sweep) / c.M
         for r in range(N_m):
             b_r = b * k.shapes[i, r]
@@ -122,7 +122,7 @@ def losses(f: Stage, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffn
         y_dot = 0.0
         for r in range(p.N_m):
             y_dot = y_dot + k.shapes[i, r] * f.eta_dot[r]
-        sweep = c.slip * abs(u.omega_b) * (c.x_a - p.L + m.x[i])
+        sweep = c.slip * abs(u.omega_b) * (c.x_a - c.L + m.x[i])
         drag = drag + 2.0 * c.drag * m.weight[i] * sweep * y_dot * y_dot
     return Losses(damping, drag)
 
@@ -154,7 +154,7 @@ def drag_on_way(
         y = 0.0
         for r in range(p.N_m):
             y = y + k.shapes[i, r] * way.eta[r]
-        sweep = c.slip * u.omega_b * (c.x_a - p.L + m.x[i])
+        sweep = c.slip * u.omega_b * (c.x_a - c.L + m.x[i])
         b = c.drag * m.weight[i] * abs(sweep)
         load = b * (sweep - 2.0 * c.slip * passing)
         F_i = h * load - 2.0 * b * y
@@ -172,16 +172,17 @@ def advance_free_in_water(psi: float, h: float, u: Inputs, p: Parameters, x: Sta
     """
     at = Placement(sin(psi), cos(psi), h_plane=0.0)
     passing = u.v_rov * at.cos_psi + u.delta_dot * at.sin_psi
-    begin = losses(s.now, u, p, s.c, x.modes, s.k)
+    begin = losses(s.now, u, p, s.c, s.modes, s.k)
     lost = modal_mass(s.c) * map_in_water(s.now, s.end, s.second, passing, p, s.c, s.k, s)
-    end = losses(s.now, u, p, s.c, x.modes, s.k)
-    drag = drag_on_way(s.second, h, passing, u, p, s.c, x.modes, s.k)
+    end = losses(s.now, u, p, s.c, s.modes, s.k)
+    drag = drag_on_way(s.second, h, passing, u, p, s.c, s.modes, s.k)
     damping = begin.damping + end.damping
     W_damping = (lost + drag.work) * damping / max(damping + begin.drag + end.drag, 1e-300)
-    x.W_damping = x.W_damping + W_damping
-    torque = torque_of_drag(drag.F_w, drag.M_w, p, s.c)
-    x.W_water = x.W_water - u.omega_b * torque - passing * drag.F_w + lost - W_damping
-    book_drag(drag.F_w, drag.M_w, at, p, s.c, x)
+    share = share_of(s.c)
+    x.W_damping = x.W_damping + share * W_damping
+    torque = torque_of_drag(drag.F_w, drag.M_w, s.c)
+    x.W_water = x.W_water + share * (lost - W_damping - u.omega_b * torque - passing * drag.F_w)
+    book_drag(drag.F_w, drag.M_w, at, s.c, x)
 
 
 def is_near_the_flow(f: Stage, u: Inputs, p: Parameters, c: Constants, k: Stiffness) -> bool:

@@ -6,25 +6,26 @@ Frames and symbols are those of README.md, names and units those of records.py.
 from math import cos, pi, sin
 
 from .contact import contact_energy
-from .filament import constants, hub_radius, modal_mass
+from .filament import hub_radius, modal_mass, share_of, tip_radius
 from .free_flight import advance_free, advance_free_in_water, free_flight, is_near_the_flow, tip_speed_bound
-from .micro_steps import advance_touching, evaluate
-from .modes import centrifugal_energy, deflection, mode_table, slope_integrals
+from .micro_steps import advance_touching, count_strike, evaluate, touches
+from .modes import centrifugal_energy, deflection_ratio, mode_table, slope_integrals
 from .parameters import Parameters
 from .reactions import brush_sums, give, take
 from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
+from .rods import at_strip, place, take_group
 from .water import drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
 def setup(p: Parameters, x: State, s: Scratch) -> None:
-    """The numbers of six modes."""
+    """The numbers of six modes at the length L."""
     A = 0.25 * pi * p.d * p.d
     EI_zz = p.E * pi * p.d * p.d * p.d * p.d / 64.0
     mass = (p.rho + p.C_a * p.rho_w) * A
     r_A = hub_radius(p) * cos(p.alpha)
-    mode_table(EI_zz, mass, p, x.modes)
+    mode_table(EI_zz, mass, p, x.nominal)
     slope_integrals(r_A, A, mass, p, x, s)
-    drag_points(p, x.modes, x.Y, s)
+    drag_points(p, x.nominal, x.Y, s)
 
 
 def initialize(p: Parameters, x: State) -> None:
@@ -33,6 +34,10 @@ def initialize(p: Parameters, x: State) -> None:
     x.J_x = 0.0
     x.J_z = 0.0
     x.J_T = 0.0
+    x.J_Mx = 0.0
+    x.J_Mz = 0.0
+    x.sliding_distance = 0.0
+    x.strikes = 0.0
     x.W_hub = 0.0
     x.W_hull = 0.0
     x.W_damping = 0.0
@@ -46,10 +51,11 @@ def initialize(p: Parameters, x: State) -> None:
     x.deflection_ratio_max = 0.0
     x.micro_steps = 0.0
     x.h_micro_min = p.h_max
-    for i in range(p.n):
+    for i in range(p.n * p.n_strips * p.n_groups):
         x.h_next[i] = p.h_min
         x.z[i] = 0.0
         x.linear[i] = 0.0
+        x.touches[i] = 0.0
         for r in range(p.N_m):
             x.eta[i, r] = 0.0
             x.eta_dot[i, r] = 0.0
@@ -62,7 +68,6 @@ def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
 
 def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """The outputs at a penetration, which goes on within a step."""
-    constants(s.c, s.k, u, p, x.modes, x.S, x.Y)
     brush_sums(delta, u, p, x, y, s)
     if has_pack_torque(p):
         T_pack = pack_torque(u, p, s.c)
@@ -75,6 +80,10 @@ def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, 
     y.J_x = x.J_x
     y.J_z = x.J_z
     y.J_T = x.J_T
+    y.J_Mx = x.J_Mx
+    y.J_Mz = x.J_Mz
+    y.sliding_distance = x.sliding_distance
+    y.strikes = x.strikes
     y.W_hub = x.W_hub
     y.W_hull = x.W_hull
     y.W_damping = x.W_damping
@@ -88,9 +97,8 @@ def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, 
     y.deflection_ratio_max = x.deflection_ratio_max
     y.micro_steps = x.micro_steps
     y.h_micro_min = x.h_micro_min
-    write_modes(x.modes, y)
+    write_modes(x.nominal, y)
     y.R_h = hub_radius(p)
-    y.J_filaments = filament_inertia(s.c, p)
 
 
 def accounts(c: Constants, x: State, y: Outputs) -> None:
@@ -109,39 +117,54 @@ def write_modes(m: Modes, y: Outputs) -> None:
         y.omega_r[r] = m.omega_r[r]
 
 
-def filament_inertia(c: Constants, p: Parameters) -> float:
-    """Moment of inertia of all filaments about the brush axis."""
-    R_h = hub_radius(p)
-    return p.n * c.M * c.chi * (R_h * R_h + R_h * cos(p.alpha) * p.L + p.L * p.L / 3.0)
-
-
-def advance_filament(i: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
-    """Advance filament i by h, in micro-steps if it can reach the hull."""
+def advance_rod(k: int, i: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
+    """Advance rod k, which is one of filament i, by h, in micro-steps if it can reach the hull."""
     E_end = 0.0
     psi = x.theta_b + 2.0 * pi * i / p.n - p.alpha
-    take(i, s.now, p, x)
+    take(k, s.now, p, x)
     at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
-    reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
+    reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    count_strike(x.touches[k], s.now, s.c, x)
     E_start = contact_energy(reach.Delta, p)
-    farthest = h * (abs(u.omega_b) * p.R_brush + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
+    farthest = h * (abs(u.omega_b) * tip_radius(s.c) + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
     free = reach.Delta + farthest < 0.0
-    x.linear[i] = 0.0
+    x.linear[k] = 0.0
     if p.C_d > 0.0:
         free = reach.Delta + farthest + pushed_by_water(h, s.now, p, s.c) < 0.0
         free = free and is_near_the_flow(s.now, u, p, s.c, s.k)
     if free:
         if p.C_d > 0.0:
-            x.linear[i] = 1.0
+            x.linear[k] = 1.0
             advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
         else:
-            x.W_damping = x.W_damping + modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+            lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+            x.W_damping = x.W_damping + share_of(s.c) * lost
     else:
-        touched = advance_touching(psi, h, x.h_next[i], reach.rate, u, p, x, s)
-        x.h_next[i] = touched.h_next
+        touched = advance_touching(psi, h, x.h_next[k], reach.rate, u, p, x, s)
+        x.h_next[k] = touched.h_next
         E_end = contact_energy(touched.Delta, p)
-    give(i, s.now, p, x)
-    x.deflection_ratio = max(x.deflection_ratio, abs(deflection(s.now, p, x.modes)) / p.L)
-    return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, x.modes, x.S))
+    x.touches[k] = touches(s.now)
+    give(k, s.now, p, x)
+    x.deflection_ratio = max(x.deflection_ratio, deflection_ratio(s.now, p, s.c, s.modes))
+    return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, s.modes, s.S))
+
+
+def advance_strip(k: int, w: float, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
+    """Advance the rods of a strip at y_t = w by h, the first of which is rod k."""
+    J_x = x.J_x
+    J_z = x.J_z
+    E_start = 0.0
+    E_end = 0.0
+    E_per_speed_2 = 0.0
+    for i in range(p.n):
+        rod = advance_rod(k + i, i, h, u, p, x, s)
+        E_start = E_start + rod.E_start
+        E_end = E_end + rod.E_end
+        E_per_speed_2 = E_per_speed_2 + rod.E_per_speed_2
+    x.J_Mx = x.J_Mx + w * (x.J_z - J_z)
+    x.J_Mz = x.J_Mz - w * (x.J_x - J_x)
+    share = share_of(s.c)
+    return Advanced(share * E_start, share * E_end, share * E_per_speed_2)
 
 
 def book_step(E_start: float, E_end: float, E_per_speed_2: float, speed_2: float, x: State) -> None:
@@ -155,8 +178,6 @@ def book_step(E_start: float, E_end: float, E_per_speed_2: float, speed_2: float
 
 def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Advance the brush by h at constant omega_b, v_rov and delta_dot; delta goes on from its value at the start."""
-    constants(s.c, s.k, u, p, x.modes, x.S, x.Y)
-    free_flight(h, u, p, s.c, x.modes, s.k, s)
     J_x = x.J_x
     J_z = x.J_z
     J_T = x.J_T
@@ -164,11 +185,16 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
     E_end = 0.0
     E_per_speed_2 = 0.0
     x.deflection_ratio = 0.0
-    for i in range(p.n):
-        filament = advance_filament(i, h, u, p, x, s)
-        E_start = E_start + filament.E_start
-        E_end = E_end + filament.E_end
-        E_per_speed_2 = E_per_speed_2 + filament.E_per_speed_2
+    for g in range(p.n_groups):
+        take_group(g, u, p, x, s)
+        free_flight(h, u, p, s.c, s.modes, s.k, s)
+        for j in range(p.n_strips):
+            w = place(j, p)
+            there = at_strip(w, u.delta, u, p)
+            strip = advance_strip((g * p.n_strips + j) * p.n, w, h, there, p, x, s)
+            E_start = E_start + strip.E_start
+            E_end = E_end + strip.E_end
+            E_per_speed_2 = E_per_speed_2 + strip.E_per_speed_2
     if has_pack_torque(p):
         T_pack = pack_torque(u, p, s.c)
         x.J_T = x.J_T + T_pack * h

@@ -5,7 +5,7 @@ from math import cos, sin, sqrt
 from ..declare.record import Matrix
 from ..library.integration import runge_kutta_sum
 from .filament import free_acceleration, tip_force
-from .modes import deflection
+from .modes import deflection_ratio
 from .parameters import Parameters
 from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Stiffness, Touched, Trial
 from .water import add_drag, book_drag
@@ -66,7 +66,7 @@ def with_velocities(error: float, end: Stage, fourth: Stage, h_s: float, p: Para
     return total
 
 
-def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Trial:
+def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, s: Scratch) -> Trial:
     """Micro-step h_s from `now`, where stage 1 is known, to `end`; psi as at tau = 0.
 
     The error estimate is the difference to the third-order companion that takes k5, the rate at the end of the step,
@@ -75,28 +75,33 @@ def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, x:
     half = placement(psi, tau + 0.5 * h_s, u, p)
     whole = placement(psi, tau + h_s, u, p)
     predict(s.second, s.now, s.now, 0.5 * h_s, p)
-    reach = evaluate(s.second, half, u, p, s.c, x.modes, s.k, x.G)
+    reach = evaluate(s.second, half, u, p, s.c, s.modes, s.k, s.G)
     predict(s.third, s.now, s.second, 0.5 * h_s, p)
-    reach = evaluate(s.third, half, u, p, s.c, x.modes, s.k, x.G)
+    reach = evaluate(s.third, half, u, p, s.c, s.modes, s.k, s.G)
     predict(s.fourth, s.now, s.third, h_s, p)
-    reach = evaluate(s.fourth, whole, u, p, s.c, x.modes, s.k, x.G)
-    error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, x.modes)
-    reach = evaluate(s.end, whole, u, p, s.c, x.modes, s.k, x.G)
+    reach = evaluate(s.fourth, whole, u, p, s.c, s.modes, s.k, s.G)
+    error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, s.modes)
+    reach = evaluate(s.end, whole, u, p, s.c, s.modes, s.k, s.G)
     error = with_velocities(error, s.end, s.fourth, h_s, p, s.c)
     return Trial(sqrt(error), reach.Delta, reach.rate)
 
 
-def book(h_s: float, now: Stage, second: Stage, third: Stage, fourth: Stage, x: State) -> None:
-    """Impulses and losses of a micro-step."""
-    x.J_x = x.J_x - runge_kutta_sum(h_s, now.F_f, second.F_f, third.F_f, fourth.F_f)
-    x.J_z = x.J_z - runge_kutta_sum(h_s, now.F_n, second.F_n, third.F_n, fourth.F_n)
-    x.J_T = x.J_T + runge_kutta_sum(h_s, now.moment, second.moment, third.moment, fourth.moment)
+def book(
+    h_s: float, now: Stage, second: Stage, third: Stage, fourth: Stage, c: Constants, x: State,
+) -> None:
+    """Impulses and losses of a micro-step, of a rod's share."""
+    w = h_s * c.share
+    x.J_x = x.J_x - runge_kutta_sum(w, now.F_f, second.F_f, third.F_f, fourth.F_f)
+    x.J_z = x.J_z - runge_kutta_sum(w, now.F_n, second.F_n, third.F_n, fourth.F_n)
+    x.J_T = x.J_T + runge_kutta_sum(w, now.moment, second.moment, third.moment, fourth.moment)
+    x.sliding_distance = x.sliding_distance + runge_kutta_sum(
+        w, now.v_slip, second.v_slip, third.v_slip, fourth.v_slip)
     x.W_damping = x.W_damping + runge_kutta_sum(
-        h_s, now.P_damping, second.P_damping, third.P_damping, fourth.P_damping)
+        w, now.P_damping, second.P_damping, third.P_damping, fourth.P_damping)
     x.W_friction = x.W_friction + runge_kutta_sum(
-        h_s, now.P_friction, second.P_friction, third.P_friction, fourth.P_friction)
+        w, now.P_friction, second.P_friction, third.P_friction, fourth.P_friction)
     x.W_contact = x.W_contact + runge_kutta_sum(
-        h_s, now.P_contact, second.P_contact, third.P_contact, fourth.P_contact)
+        w, now.P_contact, second.P_contact, third.P_contact, fourth.P_contact)
     x.micro_steps = x.micro_steps + 1.0
 
 
@@ -114,6 +119,7 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
     now.F_f = end.F_f
     now.F_n = end.F_n
     now.moment = end.moment
+    now.v_slip = end.v_slip
     now.P_friction = end.P_friction
     now.P_contact = end.P_contact
     now.P_damping = end.P_damping
@@ -128,23 +134,38 @@ def book_water(tau: float, h_s: float, psi: float, u: Inputs, p: Parameters, x: 
     begin = placement(psi, tau, u, p)
     half = placement(psi, tau + 0.5 * h_s, u, p)
     whole = placement(psi, tau + h_s, u, p)
-    book_stage(h_s / 6.0, s.now, begin, p, s.c, x)
-    book_stage(h_s / 3.0, s.second, half, p, s.c, x)
-    book_stage(h_s / 3.0, s.third, half, p, s.c, x)
-    book_stage(h_s / 6.0, s.fourth, whole, p, s.c, x)
+    book_stage(h_s / 6.0, s.now, begin, s.c, x)
+    book_stage(h_s / 3.0, s.second, half, s.c, x)
+    book_stage(h_s / 3.0, s.third, half, s.c, x)
+    book_stage(h_s / 6.0, s.fourth, whole, s.c, x)
 
 
-def book_stage(h: float, f: Stage, at: Placement, p: Parameters, c: Constants, x: State) -> None:
+def book_stage(h: float, f: Stage, at: Placement, c: Constants, x: State) -> None:
     """Impulses of the drag at a stage that stands for the time h, and its loss."""
-    book_drag(h * f.F_w, h * f.M_w, at, p, c, x)
-    x.W_water = x.W_water + h * f.P_water
+    book_drag(h * f.F_w, h * f.M_w, at, c, x)
+    x.W_water = x.W_water + h * c.share * f.P_water
+
+
+def touches(f: Stage) -> float:
+    """1 for a tip that the hull presses, else 0."""
+    touching = 0.0
+    if f.F_n > 0.0:
+        touching = 1.0
+    return touching
+
+
+def count_strike(before: float, f: Stage, c: Constants, x: State) -> None:
+    """Count a touch-down, of a rod's share, where a tip is pressed that was not before."""
+    if before == 0.0 and f.F_n > 0.0:
+        x.strikes = x.strikes + c.share
 
 
 def accept(h_s: float, p: Parameters, x: State, s: Scratch) -> None:
     """Book a micro-step and make its end the start of the next."""
-    book(h_s, s.now, s.second, s.third, s.fourth, x)
+    book(h_s, s.now, s.second, s.third, s.fourth, s.c, x)
+    count_strike(touches(s.now), s.end, s.c, x)
     adopt(s.now, s.end, p)
-    x.deflection_ratio = max(x.deflection_ratio, abs(deflection(s.now, p, x.modes)) / p.L)
+    x.deflection_ratio = max(x.deflection_ratio, deflection_ratio(s.now, p, s.c, s.modes))
 
 
 def advance_touching(
@@ -154,7 +175,7 @@ def advance_touching(
 
     At the start the rate and, in `now`, accelerations and forces are known.
     """
-    v_tolerance = p.tolerance * omega_1(x.modes) * p.L
+    v_tolerance = p.tolerance * omega_1(s.modes) * p.L
     h_goal = h_first
     rate = rate_first
     Delta = 0.0
@@ -167,7 +188,7 @@ def advance_touching(
             h_s = left
         elif 2.0 * h_s > left:  # two equal steps rather than a last tiny one
             h_s = 0.5 * left
-        trial = runge_kutta(psi, tau, h_s, u, p, x, s)
+        trial = runge_kutta(psi, tau, h_s, u, p, s)
         Delta = trial.Delta
         error = trial.error / v_tolerance
         h_new = 2.0 * h_s

@@ -60,14 +60,15 @@ def mode_table(EI_zz: float, mass: float, p: Parameters, m: Modes) -> None:
 
 
 def slope_integrals(r_A: float, A: float, mass: float, p: Parameters, x: State, s: Scratch) -> None:
-    """G_rs = int Y_r' Y_s' dx and S_rs = int N Y_r' Y_s' dx/(m L omega_b^2), N the centrifugal tension.
+    """G_rs = int Y_r' Y_s' dx and S_rs = int N Y_r' Y_s' dx/(m L omega_b^2), N the centrifugal tension, at length L.
 
     r_A: radius of the root; A: section of a bristle; mass: what moves with it, per length.
     """
     for r in range(6):
         for q in range(6):
-            x.G[r, q] = 0.0
-            x.S[r, q] = 0.0
+            x.G_nominal[r, q] = 0.0
+            x.S_nominal[r, q] = 0.0
+            x.S_root[r, q] = 0.0
     gauss_legendre(s.nodes, s.weights)
     for k in range(96):  # intervals; mode 6 is resolved to rounding
         for j in range(5):
@@ -75,12 +76,13 @@ def slope_integrals(r_A: float, A: float, mass: float, p: Parameters, x: State, 
             weight = 0.5 * s.weights[j] / 96.0
             at = xi * p.L
             tension = r_A * (p.L - at) + 0.5 * (p.L * p.L - at * at)  # N(x) / (rho A omega_b^2)
-            slopes_at(xi, x.modes, p, s)
+            slopes_at(xi, x.nominal, p, s)
             for r in range(6):
                 for q in range(6):
                     product = weight * p.L * s.slopes[r] * s.slopes[q]
-                    x.G[r, q] = x.G[r, q] + product
-                    x.S[r, q] = x.S[r, q] + product * tension * p.rho * A / (mass * p.L)
+                    x.G_nominal[r, q] = x.G_nominal[r, q] + product
+                    x.S_nominal[r, q] = x.S_nominal[r, q] + product * tension * p.rho * A / (mass * p.L)
+                    x.S_root[r, q] = x.S_root[r, q] + product * r_A * (p.L - at) * p.rho * A / (mass * p.L)
 
 
 def slopes_at(xi: float, m: Modes, p: Parameters, s: Scratch) -> None:
@@ -105,7 +107,7 @@ def stiffness(offset: float, k: Stiffness, p: Parameters, c: Constants, m: Modes
             k.K[r, s] = K_rs
             row = row + abs(K_rs)
         highest = max(highest, row)  # the largest row sum bounds every eigenvalue
-        k.load[r] = -c.speed_2 * c.chi * offset * m.int_Y[r] / p.L
+        k.load[r] = -c.speed_2 * c.chi * offset * m.int_Y[r] / c.L
     return sqrt(highest)
 
 
@@ -113,7 +115,7 @@ def centrifugal_energy(f: Stage, p: Parameters, c: Constants, m: Modes, S: Matri
     """Centrifugal potential of a deflection, over omega_b^2."""
     energy = 0.0
     for r in range(p.N_m):
-        energy = energy - c.chi * f.eta[r] * (c.x_t * m.int_Y[r] / p.L + 0.5 * f.eta[r])
+        energy = energy - c.chi * f.eta[r] * (c.x_t * m.int_Y[r] / c.L + 0.5 * f.eta[r])
         for s in range(p.N_m):
             energy = energy + 0.5 * S[r, s] * f.eta[r] * f.eta[s]
     return c.M * energy
@@ -125,3 +127,8 @@ def deflection(f: Stage, p: Parameters, m: Modes) -> float:
     for r in range(p.N_m):
         y = y + m.Y_L[r] * f.eta[r]  # Eq. 2
     return y
+
+
+def deflection_ratio(f: Stage, p: Parameters, c: Constants, m: Modes) -> float:
+    """|y| of the tip over the length."""
+    return abs(deflection(f, p, m)) / c.L

@@ -104,6 +104,18 @@ class Parameters:
     C_paddle: float = parameter(
         0.0, "1", "drag coefficient of the bundles as paddles, a bound from above (0: none)", "assumed", 0.0, 10.0
     )
+    n_strips: int = parameter(
+        1, "1", "strips across the width, each with its own penetration", "assumed", minimum=1, maximum=50
+    )
+    hull_curvature: float = parameter(
+        0.0, "1/m", "curvature of the hull across the width; convex is positive", "assumed", minimum=-10.0, maximum=10.0
+    )
+    n_groups: int = parameter(
+        1, "1", "groups of free length in a bundle, spread evenly", "assumed", minimum=1, maximum=50
+    )
+    length_spread: float = parameter(
+        0.0, "1", "half the range of free lengths over L", "assumed", minimum=0.0, maximum=0.2
+    )
     theta_b_0: float = parameter(0.0, "rad", "brush angle at the start", "assumed", minimum=-1e3, maximum=1e3)
     tolerance: float = parameter(
         1e-6, "1", "velocity error allowed per micro-step over omega_1 L", "assumed", minimum=1e-12, maximum=1.0

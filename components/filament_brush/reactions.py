@@ -3,10 +3,12 @@
 from math import cos, floor, pi, sin
 
 from .contact import contact_energy
+from .filament import hub_radius
 from .micro_steps import evaluate
 from .modes import deflection
 from .parameters import Parameters
 from .records import Base, Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State
+from .rods import at_strip, place, take_group
 from .water import add_water, take_drag
 
 
@@ -30,12 +32,12 @@ def base_reactions(f: Stage, load: Load, p: Parameters, c: Constants, m: Modes) 
         moment = moment + EI * m.curvature_0[r] * f.eta[r]  # Eq. 12
     y = deflection(f, p, m)
     if p.mode_acceleration:
-        mass = c.M / p.L
-        q = c.M * c.chi * c.speed_2 / p.L
-        r_A = c.x_a - p.L
+        mass = c.M / c.L
+        q = c.M * c.chi * c.speed_2 / c.L
+        r_A = c.x_a - c.L
         offset = -c.x_t
-        shear = -load.F_t + q * p.L * offset
-        moment = load.F_t * (p.L - load.shortening) - q * 0.5 * p.L * p.L * offset
+        shear = -load.F_t + q * c.L * offset
+        moment = load.F_t * (c.L - load.shortening) - q * 0.5 * c.L * c.L * offset
         if load.shortening > 0.0:
             moment = moment - load.F_a * y
         for r in range(p.N_m):
@@ -46,9 +48,9 @@ def base_reactions(f: Stage, load: Load, p: Parameters, c: Constants, m: Modes) 
             shear = shear - f.F_w
             moment = moment + f.M_w
         if load.F_t != 0.0:
-            y = y + load.F_t * p.L * p.L * p.L / (3.0 * EI)
+            y = y + load.F_t * c.L * c.L * c.L / (3.0 * EI)
             for r in range(p.N_m):
-                y = y - load.F_t * m.Y_L[r] * m.Y_L[r] / (mass * p.L * m.omega_r[r] * m.omega_r[r])
+                y = y - load.F_t * m.Y_L[r] * m.Y_L[r] / (mass * c.L * m.omega_r[r] * m.omega_r[r])
     return Base(shear, moment, y)
 
 
@@ -57,7 +59,11 @@ def clear_sums(y: Outputs) -> None:
     y.F_x = 0.0
     y.F_z = 0.0
     y.T_brush = 0.0
+    y.M_x = 0.0
+    y.M_z = 0.0
     y.contact_count = 0.0
+    y.contact_length = 0.0
+    y.v_sliding = 0.0
     y.F_y_eq11 = 0.0
     y.M_b_eq12 = 0.0
     y.F_z_eq13 = 0.0
@@ -70,30 +76,36 @@ def clear_sums(y: Outputs) -> None:
     y.E_kinetic = 0.0
     y.E_strain = 0.0
     y.E_contact = 0.0
+    y.J_filaments = 0.0
     for r in range(6):
         y.kinetic_fraction[r] = 0.0
 
 
-def add_tip(f: Stage, y: Outputs) -> None:
-    """Add the forces and powers at a tip (Eq. 14)."""
-    y.F_x = y.F_x - f.F_f  # Eq. 14
-    y.F_z = y.F_z - f.F_n  # Eq. 14
-    y.T_brush = y.T_brush + f.moment
-    y.P_friction = y.P_friction + f.P_friction
-    y.P_contact = y.P_contact + f.P_contact
-    y.P_damping = y.P_damping + f.P_damping
+def add_tip(w: float, f: Stage, c: Constants, y: Outputs) -> None:
+    """Add the forces and powers at a tip at y_t = w (Eq. 14)."""
+    F_f = c.share * f.F_f
+    F_n = c.share * f.F_n
+    y.F_x = y.F_x - F_f  # Eq. 14
+    y.F_z = y.F_z - F_n  # Eq. 14
+    y.T_brush = y.T_brush + c.share * f.moment
+    y.M_x = y.M_x - w * F_n
+    y.M_z = y.M_z + w * F_f
+    y.P_friction = y.P_friction + c.share * f.P_friction
+    y.P_contact = y.P_contact + c.share * f.P_contact
+    y.P_damping = y.P_damping + c.share * f.P_damping
     if f.F_n > 0.0:
-        y.contact_count = y.contact_count + 1.0
+        y.contact_count = y.contact_count + c.share
+        y.v_sliding = y.v_sliding + c.share * f.v_slip
 
 
 def add_energies(f: Stage, p: Parameters, c: Constants, m: Modes, y: Outputs) -> float:
-    """Add the energies of a filament, kinetic_fraction being that of each mode; returns the foreshortening."""
+    """Add the energies of a rod, kinetic_fraction being that of each mode; returns the foreshortening."""
     shortening = 0.0
     for r in range(p.N_m):
-        kinetic = 0.5 * c.M * f.eta_dot[r] * f.eta_dot[r]
+        kinetic = c.share * (0.5 * c.M * f.eta_dot[r] * f.eta_dot[r])
         y.kinetic_fraction[r] = y.kinetic_fraction[r] + kinetic
         y.E_kinetic = y.E_kinetic + kinetic
-        y.E_strain = y.E_strain + 0.5 * c.M * m.omega_r[r] * m.omega_r[r] * f.eta[r] * f.eta[r]
+        y.E_strain = y.E_strain + c.share * (0.5 * c.M * m.omega_r[r] * m.omega_r[r] * f.eta[r] * f.eta[r])
         shortening = shortening + 0.5 * f.g[r] * f.eta[r]
     return shortening
 
@@ -101,7 +113,7 @@ def add_energies(f: Stage, p: Parameters, c: Constants, m: Modes, y: Outputs) ->
 def add_base(
     f: Stage, at: Placement, shortening: float, p: Parameters, c: Constants, m: Modes, y: Outputs,
 ) -> float:
-    """Add the reactions at a filament's base (Eqs. 11-13, 15); returns the tip deflection."""
+    """Add the reactions at a rod's base (Eqs. 11-13, 15); returns the tip deflection."""
     slope = 0.0
     for r in range(p.N_m):
         slope = slope + m.slope_L[r] * f.eta[r]
@@ -111,44 +123,88 @@ def add_base(
         shortening=shortening,
     )
     base = base_reactions(f, load, p, c, m)
-    y.F_y_eq11 = y.F_y_eq11 + base.shear
-    y.M_b_eq12 = y.M_b_eq12 + base.moment
-    y.F_z_eq13 = y.F_z_eq13 + f.F_n * slope - f.F_f  # Eq. 13
+    y.F_y_eq11 = y.F_y_eq11 + c.share * base.shear
+    y.M_b_eq12 = y.M_b_eq12 + c.share * base.moment
+    y.F_z_eq13 = y.F_z_eq13 + c.share * f.F_n * slope - c.share * f.F_f  # Eq. 13
     # Eq. 15: cos(phi) = cos(psi + alpha)
     cos_phi = at.cos_psi * cos(p.alpha) - at.sin_psi * sin(p.alpha)
-    y.T_brush_eq15 = y.T_brush_eq15 + p.R_brush * base.shear * cos_phi  # Eq. 15
+    y.T_brush_eq15 = y.T_brush_eq15 + p.R_brush * (c.share * base.shear) * cos_phi  # Eq. 15
     return base.y
 
 
-def tell(i: int, phi: float, y_tip: float, f: Stage, s: Scratch) -> None:
-    """What filament i does, for those who look at single ones."""
-    s.filament_phi[i] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
-    s.filament_F_n[i] = f.F_n
-    s.filament_F_f[i] = f.F_f
-    s.filament_y[i] = y_tip
+def clear_table(p: Parameters, x: State, s: Scratch) -> None:
+    """The table `filament` with nothing but angles."""
+    for i in range(p.n):
+        phi = x.theta_b + 2.0 * pi * i / p.n
+        s.filament_phi[i] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
+        s.filament_F_n[i] = 0.0
+        s.filament_F_f[i] = 0.0
+        s.filament_y[i] = 0.0
+
+
+def tell(i: int, y_tip: float, f: Stage, c: Constants, s: Scratch) -> None:
+    """What a rod of filament i adds to the table `filament`, for those who look at single ones."""
+    s.filament_F_n[i] = s.filament_F_n[i] + c.share * f.F_n
+    s.filament_F_f[i] = s.filament_F_f[i] + c.share * f.F_f
+    s.filament_y[i] = s.filament_y[i] + c.share * y_tip
 
 
 def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Forces, torques, powers and energies of the whole brush; fills the table `filament`."""
     clear_sums(y)
+    clear_table(p, x, s)
+    s.x_front = -p.R_brush
+    s.x_rear = p.R_brush
+    for g in range(p.n_groups):
+        take_group(g, u, p, x, s)
+        for j in range(p.n_strips):
+            w = place(j, p)
+            there = at_strip(w, delta, u, p)
+            strip_sums((g * p.n_strips + j) * p.n, w, there, p, x, y, s)
+        y.J_filaments = y.J_filaments + filament_inertia(s.c, p)
+    y.contact_length = max(0.0, s.x_front - s.x_rear)
+    y.v_sliding = y.v_sliding / max(y.contact_count, 1e-30)
+
+
+def extend(f: Stage, s: Scratch) -> None:
+    """Take a tip into the length of contact."""
+    if f.F_n > 0.0:
+        s.x_front = max(s.x_front, f.x)
+        s.x_rear = min(s.x_rear, f.x)
+
+
+def strip_sums(k: int, w: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Add the rods of a strip at y_t = w, the first of which is rod k."""
     for i in range(p.n):
         phi = x.theta_b + 2.0 * pi * i / p.n
         psi = phi - p.alpha
-        at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - delta)
-        take(i, s.now, p, x)
-        take_drag(x.linear[i], s.c)
-        reach = evaluate(s.now, at, u, p, s.c, x.modes, s.k, x.G)
-        add_tip(s.now, y)
+        at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
+        take(k + i, s.now, p, x)
+        take_drag(x.linear[k + i], s.c)
+        reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
+        add_tip(w, s.now, s.c, y)
+        extend(s.now, s)
         if p.C_d > 0.0:
-            add_water(s.now, at, p, s.c, y)
-        y.E_contact = y.E_contact + contact_energy(reach.Delta, p)
-        shortening = add_energies(s.now, p, s.c, x.modes, y)
-        y_tip = add_base(s.now, at, shortening, p, s.c, x.modes, y)
-        tell(i, phi, y_tip, s.now, s)
+            add_water(w, s.now, at, s.c, y)
+        shortening = add_energies(s.now, p, s.c, s.modes, y)
+        y_tip = add_base(s.now, at, shortening, p, s.c, s.modes, y)
+        tell(i, y_tip, s.now, s.c, s)
+        add_contact_energy(reach.Delta, p, s.c, y)
+
+
+def add_contact_energy(Delta: float, p: Parameters, c: Constants, y: Outputs) -> None:
+    """Add the elastic energy of a tip's contact."""
+    y.E_contact = y.E_contact + c.share * contact_energy(Delta, p)
+
+
+def filament_inertia(c: Constants, p: Parameters) -> float:
+    """Moment of inertia of the filaments about the brush axis, of a group's share."""
+    R_h = hub_radius(p)
+    return p.n * c.M * c.chi * (R_h * R_h + R_h * cos(p.alpha) * c.L + c.L * c.L / 3.0) / p.n_groups
 
 
 def take(i: int, f: Stage, p: Parameters, x: State) -> None:
-    """Filament i from the state."""
+    """Rod i from the state."""
     for r in range(p.N_m):
         f.eta[r] = x.eta[i, r]
         f.eta_dot[r] = x.eta_dot[i, r]
@@ -156,7 +212,7 @@ def take(i: int, f: Stage, p: Parameters, x: State) -> None:
 
 
 def give(i: int, f: Stage, p: Parameters, x: State) -> None:
-    """Filament i back into the state."""
+    """Rod i back into the state."""
     for r in range(p.N_m):
         x.eta[i, r] = f.eta[r]
         x.eta_dot[i, r] = f.eta_dot[r]

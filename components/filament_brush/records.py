@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from ..declare.record import Matrix, Packed, Record, Rows, Vector, calculated, input_, output, value
+from .parameters import Parameters
 
-REACH = ("omega_b", "delta", "delta_dot")  # what decides where the tips are and how they move
+REACH = ("omega_b", "delta", "delta_dot", "tilt_x")  # what decides where the tips are and how they move
 ALL = (*REACH, "v_rov", "friction_scale")
 WATER = ("omega_b", "delta_dot", "v_rov")
 MODES = 6  # as many as there can be; N_m of them are used
+
+
+def rods(p: Parameters) -> int:
+    """Rods of all filaments, as in `rods.py`: strip by strip, group by group."""
+    return p.n * p.n_strips * p.n_groups
 
 
 class Inputs(Record):
@@ -18,6 +24,7 @@ class Inputs(Record):
     delta_dot: float = input_("m/s", "rate of delta; within a step delta goes on at this rate")
     v_rov: float = input_("m/s", "speed of the hull past the tool along +x_t")
     friction_scale: float = input_("1", "factor on mu_s and mu_c (fouling)", start=1.0, minimum=0.0)
+    tilt_x: float = input_("rad", "angle by which the tool is turned about x_t; positive presses the side at +y_t in")
 
 
 class Outputs(Packed):
@@ -26,13 +33,21 @@ class Outputs(Packed):
     F_x: float = output("N", "force on the brush along x_t", ALL)
     F_z: float = output("N", "force on the brush along z_t", (*REACH, "v_rov"))
     T_brush: float = output("N.m", "torque on the brush about y_t", ALL)
+    M_x: float = output("N.m", "moment on the brush about x_t, of strips beside its middle", (*REACH, "v_rov"))
+    M_z: float = output("N.m", "moment on the brush about z_t, of strips beside its middle", ALL)
     contact_count: float = output("1", "filaments in contact", REACH)
+    contact_length: float = output("m", "from the foremost to the rearmost tip in contact, along x_t", REACH)
+    v_sliding: float = output("m/s", "mean speed of sliding of the tips in contact", ALL)
+    sliding_distance: float = output("m", "distance slid on the hull so far, summed over the filaments")
+    strikes: float = output("1", "touch-downs so far, summed over the filaments")
     deflection_ratio: float = output("1", "largest |y(L)|/L in the last step")
     deflection_ratio_max: float = output("1", "largest |y(L)|/L so far")
     theta_b: float = output("rad", "brush angle")
     J_x: float = output("N.s", "time integral of F_x")
     J_z: float = output("N.s", "time integral of F_z")
     J_T: float = output("N.m.s", "time integral of T_brush")
+    J_Mx: float = output("N.m.s", "time integral of M_x")
+    J_Mz: float = output("N.m.s", "time integral of M_z")
     F_y_eq11: float = output("N", "sum of base shears, Eq. 11", ALL)
     M_b_eq12: float = output("N.m", "sum of base moments, Eq. 12", ALL)
     F_z_eq13: float = output("N", "sum of axial forces, Eq. 13", ALL)
@@ -47,14 +62,14 @@ class Outputs(Packed):
     E_kinetic: float = output("J", "kinetic energy relative to the hub")
     E_strain: float = output("J", "strain energy")
     E_centrifugal: float = output("J", "centrifugal potential", ("omega_b",))
-    E_contact: float = output("J", "elastic energy of the contact", ("delta",))
+    E_contact: float = output("J", "elastic energy of the contact", ("delta", "tilt_x"))
     W_hub: float = output("J", "work of the hub")
     W_hull: float = output("J", "work of the hull")
     W_damping: float = output("J", "energy lost in damping")
     W_friction: float = output("J", "energy lost in friction")
     W_contact: float = output("J", "energy lost in contact")
     W_water: float = output("J", "energy lost to the water")
-    energy_residual: float = output("J", "energy that the integration created", ("omega_b", "delta"))
+    energy_residual: float = output("J", "energy that the integration created", ("omega_b", "delta", "tilt_x"))
     micro_steps: float = output("1", "micro-steps of touching filaments so far")
     h_micro_min: float = output("s", "shortest micro-step so far, but for those cut by a communication point")
     kinetic_fraction: Vector = output("1", "share of each mode in the kinetic energy", size=MODES)
@@ -83,19 +98,25 @@ class Modes(Rows):
 class State(Record):
     """The filaments' deflections, the accounts, and what is constant after `setup`."""
 
-    modes: Modes = value("", "numbers of the modes")
-    G: Matrix = value("1/m", "integral of Y_r' Y_s'", (MODES, MODES))
-    S: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass", (MODES, MODES))
+    nominal: Modes = value("", "numbers of the modes of the length L")
+    G_nominal: Matrix = value("1/m", "integral of Y_r' Y_s' at the length L", (MODES, MODES))
+    S_nominal: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass there", (MODES, MODES))
+    S_root: Matrix = value("1", "what of it goes with the radius of the root", (MODES, MODES))
     Y: Matrix = value("1", "Y_r at the points along a bristle", (MODES, MODES))
-    linear: Vector = value("1", "1: drag of each filament linear in the last step", lambda p: p.n)
-    eta: Matrix = value("m", "modal deflections of each filament", lambda p: (p.n, p.N_m))
-    eta_dot: Matrix = value("m/s", "their rates", lambda p: (p.n, p.N_m))
-    h_next: Vector = value("s", "the next micro-step of each filament", lambda p: p.n)
-    z: Vector = value("m", "bend of LuGre's microscopic bristles at each tip", lambda p: p.n)
+    linear: Vector = value("1", "1: drag of each rod linear in the last step", lambda p: rods(p))
+    eta: Matrix = value("m", "modal deflections of each rod", lambda p: (rods(p), p.N_m))
+    eta_dot: Matrix = value("m/s", "their rates", lambda p: (rods(p), p.N_m))
+    h_next: Vector = value("s", "the next micro-step of each rod", lambda p: rods(p))
+    z: Vector = value("m", "bend of LuGre's microscopic bristles at each tip", lambda p: rods(p))
     theta_b: float = value("rad", "brush angle")
     J_x: float = value("N.s", "time integral of F_x")
     J_z: float = value("N.s", "time integral of F_z")
     J_T: float = value("N.m.s", "time integral of T_brush")
+    J_Mx: float = value("N.m.s", "time integral of M_x")
+    J_Mz: float = value("N.m.s", "time integral of M_z")
+    sliding_distance: float = value("m", "distance slid on the hull")
+    strikes: float = value("1", "touch-downs")
+    touches: Vector = value("1", "1: the rod touched at the end of the last step", lambda p: rods(p))
     W_hub: float = value("J", "work of the hub")
     W_hull: float = value("J", "work of the hull")
     W_damping: float = value("J", "energy lost in damping")
@@ -112,7 +133,7 @@ class State(Record):
 
 
 class Stage(Rows):
-    """One filament at one instant: deflection, its rates, and what the hull does to the tip."""
+    """One rod at one instant: deflection, its rates, and what the hull does to the tip."""
 
     eta: Vector = value("m", "modal deflections", MODES)
     eta_dot: Vector = value("m/s", "their rates", MODES)
@@ -123,6 +144,8 @@ class Stage(Rows):
     F_f: float = value("N", "friction")
     F_n: float = value("N", "normal force")
     moment: float = value("N.m", "moment about the brush axis")
+    x: float = value("m", "place of a tip in contact along x_t")
+    v_slip: float = value("m/s", "speed of sliding of a tip in contact")
     P_friction: float = value("W", "power lost in friction")
     P_contact: float = value("W", "power lost in contact")
     P_damping: float = value("W", "power lost in damping")
@@ -141,8 +164,11 @@ class Stiffness(Record):
 
 
 class Constants(Record):
-    """What is constant over a step."""
+    """What is constant over a step for the rods of one length."""
 
+    L: float = value("m", "length of these rods")
+    R_tip: float = value("m", "bound on the radius of their tips")
+    share: float = value("1", "share of a filament that a rod is")
     x_a: float = value("m", "straight tip along e_a")
     x_t: float = value("m", "straight tip along e_t")
     M: float = value("kg", "modal mass of a bundle")
@@ -160,9 +186,12 @@ class Constants(Record):
 class Scratch(Record):
     """What lives within one step."""
 
-    c: Constants = value("", "what is constant over a step")
+    c: Constants = value("", "what is constant over a step for the rods at hand")
+    modes: Modes = value("", "numbers of their modes")
+    G: Matrix = value("1/m", "integral of Y_r' Y_s'", (MODES, MODES))
+    S: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass", (MODES, MODES))
     k: Stiffness = value("", "stiffness at the present speed")
-    now: Stage = value("", "a filament where a micro-step begins")
+    now: Stage = value("", "a rod where a micro-step begins")
     second: Stage = value("", "at the second stage of Runge-Kutta")
     third: Stage = value("", "at the third stage")
     fourth: Stage = value("", "at the fourth stage")
@@ -174,6 +203,8 @@ class Scratch(Record):
     weights: Vector = value("1", "their weights", 5)
     slopes: Vector = value("1/m", "Y_r' at a point", MODES)
     shares: Vector = value("1", "weights of the points along a bristle", MODES)
+    x_front: float = value("m", "place of the foremost tip in contact")
+    x_rear: float = value("m", "place of the rearmost")
     filament_phi: Vector = value("rad", "angle from +z_t of filament i", lambda p: p.n, shown=True)
     filament_F_n: Vector = value("N", "normal force of filament i", lambda p: p.n, shown=True)
     filament_F_f: Vector = value("N", "friction of filament i", lambda p: p.n, shown=True)
@@ -226,7 +257,7 @@ class Touched(Record):
 
 
 class Advanced(Record):
-    """Energies of a filament at the begin and the end of a step."""
+    """Energies of a rod, or of the rods of a strip, at the begin and the end of a step."""
 
     E_start: float = value("J", "elastic energy of the contact at the begin")
     E_end: float = value("J", "elastic energy of the contact at the end")

@@ -37,7 +37,7 @@ def add_drag(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m:
         y_dot = 0.0
         for r in range(p.N_m):
             y_dot = y_dot + k.shapes[i, r] * f.eta_dot[r]
-        sweep = u.omega_b * (c.x_a - p.L + m.x[i])
+        sweep = u.omega_b * (c.x_a - c.L + m.x[i])
         v_n = c.slip * (passing - sweep) + y_dot
         speed = abs(v_n)
         square = speed * v_n
@@ -55,12 +55,12 @@ def add_drag(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m:
     f.F_w = F_w
     f.M_w = M_w
     f.P_water = P_water
-    return 2.0 * c.drag * fastest * p.L / c.M
+    return 2.0 * c.drag * fastest * c.L / c.M
 
 
-def torque_of_drag(F_w: float, M_w: float, p: Parameters, c: Constants) -> float:
+def torque_of_drag(F_w: float, M_w: float, c: Constants) -> float:
     """Torque about the brush axis of a drag with its moment about the root."""
-    return -(c.x_a - p.L) * F_w - M_w
+    return -(c.x_a - c.L) * F_w - M_w
 
 
 def pushed_by_water(h: float, f: Stage, p: Parameters, c: Constants) -> float:
@@ -92,12 +92,16 @@ def pack_torque(u: Inputs, p: Parameters, c: Constants) -> float:
     return -sense * torque
 
 
-def add_water(f: Stage, at: Placement, p: Parameters, c: Constants, y: Outputs) -> None:
-    """Add the drag of a filament to the forces of the brush."""
-    y.F_x = y.F_x - at.cos_psi * f.F_w
-    y.F_z = y.F_z + at.sin_psi * f.F_w
-    y.T_water = y.T_water + torque_of_drag(f.F_w, f.M_w, p, c)
-    y.P_water = y.P_water + f.P_water
+def add_water(w: float, f: Stage, at: Placement, c: Constants, y: Outputs) -> None:
+    """Add the drag of a rod at y_t = w to the forces of the brush."""
+    F_x = -c.share * (at.cos_psi * f.F_w)
+    F_z = c.share * (at.sin_psi * f.F_w)
+    y.F_x = y.F_x + F_x
+    y.F_z = y.F_z + F_z
+    y.M_x = y.M_x + w * F_z
+    y.M_z = y.M_z - w * F_x
+    y.T_water = y.T_water + c.share * torque_of_drag(f.F_w, f.M_w, c)
+    y.P_water = y.P_water + c.share * f.P_water
 
 
 def take_drag(linear: float, c: Constants) -> None:
@@ -105,8 +109,8 @@ def take_drag(linear: float, c: Constants) -> None:
     c.linear = linear
 
 
-def book_drag(F_w: float, M_w: float, at: Placement, p: Parameters, c: Constants, x: State) -> None:
-    """Impulses of a drag impulse and its moment."""
-    x.J_x = x.J_x - at.cos_psi * F_w
-    x.J_z = x.J_z + at.sin_psi * F_w
-    x.J_T = x.J_T + torque_of_drag(F_w, M_w, p, c)
+def book_drag(F_w: float, M_w: float, at: Placement, c: Constants, x: State) -> None:
+    """Impulses of a drag impulse and its moment, of a rod's share."""
+    x.J_x = x.J_x - c.share * (at.cos_psi * F_w)
+    x.J_z = x.J_z + c.share * (at.sin_psi * F_w)
+    x.J_T = x.J_T + c.share * torque_of_drag(F_w, M_w, c)

@@ -10,6 +10,7 @@ every filament, then x (24) and thrust_state (8) of the vehicle. The water is at
 
 from __future__ import annotations
 
+import inspect
 from collections import namedtuple
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,8 +18,8 @@ from typing import Any
 
 import numpy as np
 from numba import njit
-from rovbrush.components.declare.record import fields_of
-from rovbrush.components.filament_brush.records import Stage
+from rovbrush.components.declare.layout import cell_count, cells_of
+from rovbrush.components.filament_brush.records import Constants, Stage
 from rovbrush.components.python.component import component_class
 from rovbrush.components.python.kernels import argument_names, compiled
 from rovbrush.orchestrator.system.model import Component, System
@@ -64,6 +65,27 @@ class Part:
         """The arguments of a function of the kernel, behind the first few."""
         return tuple(self.values[argument] for argument in argument_names(self.kernel, name)[behind:])
 
+    def bound(self, name: str, *free: str, **arrays: str) -> Any:
+        """A function of the kernel, lowered and compiled, of these arguments; all others have the values of the part.
+
+        `arrays`: what arguments that are arrays of another name are called in the part. Constants come as `c`.
+        """
+        function = getattr(self.functions, name)
+        places = cells_of(Constants)
+        known: dict[str, Any] = {"function": function}
+        given = []
+        for argument in inspect.signature(function.py_func).parameters:
+            kind, _, key = argument.partition("_")
+            if argument in free:
+                given.append(argument)
+            elif kind == "c" and key:
+                given.append(f"c[{places[key]}]")
+            else:
+                known[f"_{argument}"] = self.values[arrays.get(argument, key if kind in ("p", "u") else argument)]
+                given.append(f"_{argument}")
+        exec(f"def bound({', '.join(free)}):\n    return function({', '.join(given)})", known)
+        return njit(error_model="numpy")(known["bound"])
+
     def __getitem__(self, output: str) -> float:
         return float(self.values["y"][self.outputs.index(output)])
 
@@ -81,13 +103,11 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     b, v = brush.constants(), vehicle.constants()
     motor_rates, motor_parameters = motor.functions.rates, motor.given("rates", behind=6)
     N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
-    constants, evaluate = brush.functions.constants, brush.functions.evaluate
-    of_brush = brush.given("constants", behind=6)
-    taken = argument_names(brush.kernel, "evaluate")
-    of_evaluate = tuple(brush.values[name] for name in taken[taken.index("v_rov") + 1 : taken.index("x_a")])
-    no_water = (0.0, 1.0, 0.0)  # drag, slip and which form of it
-    scalars = [name for name, field in fields_of(Stage).items() if not field.is_array]
-    forces = scalars.index("F_f")  # F_f, F_n and the moment, behind four rows of arrays
+    constants = brush.bound("constants", "c", "k_K", "k_load", "u_omega_b", m="modes")
+    evaluate = brush.bound("evaluate", "f", "at_sin_psi", "at_cos_psi", "at_h_plane", "u_omega_b", "c", "k_K", "k_load",
+                           m="modes")  # fmt: skip
+    size, shape = cell_count(Constants), b.now.shape
+    (F_f, F_n, moment), columns = (cells_of(Stage)[name] for name in ("F_f", "F_n", "moment")), shape[1]
     vehicle_rates, tool_wrench, thruster_wrench, thrust_of = (
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
@@ -107,9 +127,8 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, load, shapes, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros((6, 6)), np.zeros(12), np.zeros((6, 6))
-        constants(c, K, load, shapes, omega_b, b.friction_scale, *of_brush)
-        x_a, x_t, M, omega_max, mu_s, mu_c, fouling = c[0], c[1], c[2], c[5], c[6], c[7], c[8]
+        K, load, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros(size), np.zeros(shape)
+        constants(c, K, load, omega_b)
         F_x, F_z, T_brush = 0.0, 0.0, 0.0
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
@@ -118,14 +137,12 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
             eta_dot = eta + n * N_m
             for r in range(N_m):
                 stage[0, r], stage[1, r] = state[eta + r], state[eta_dot + r]
-            evaluate(
-                stage, np.sin(psi), np.cos(psi), h_plane, omega_b, b.delta_dot, b.v_rov, *of_evaluate, x_a, x_t, M,
-                omega_max, mu_s, mu_c, fouling, *no_water, b.modes, K, load, shapes, b.G)  # fmt: skip
+            evaluate(stage, np.sin(psi), np.cos(psi), h_plane, omega_b, c, K, load)
             for r in range(N_m):
                 rate[eta + r], rate[eta_dot + r] = stage[1, r], stage[2, r]
-            F_x -= stage[4, forces]
-            F_z -= stage[4, forces + 1]
-            T_brush += stage[4, forces + 2]
+            F_x -= stage[F_f // columns, F_f % columns]
+            F_z -= stage[F_n // columns, F_n % columns]
+            T_brush += stage[moment // columns, moment % columns]
         rate[2], rate[3], rate[4], rate[5] = omega_b, F_x, F_z, T_brush
 
         # motor
@@ -190,6 +207,8 @@ class Monolithic:
         assert motor.values["current_limit"] == 0.0, "the current limit has a state of its own, which is not modelled"
         assert not np.any(vehicle.values["v_c"]), "x holds nu and nu_r alike"
         self.rates = right_hand_side(motor, brush, vehicle)
+        assert brush.values["eta"].shape[0] == brush.values["n"], "each filament is one rod here"
+        assert brush.values["friction_law"] < 2, "LuGre has states of its own, which are not modelled"
         eta, eta_dot = (brush.values[name].ravel() for name in ("eta", "eta_dot"))
         self.x = ETA + eta.size + eta_dot.size
         self.state = np.concatenate([

@@ -64,7 +64,7 @@ def test_torque_claim_holds_for_the_cup_and_not_for_the_roller(lab: Lab, measure
 
 def test_cup_takes_the_place_of_the_filament_brush(fmus: Path, tmp_path: Path, case: Case, measured: Measured) -> None:
     """On the test stand, by `--replace` and a mapping that lets go of what only filaments have."""
-    only_there = ("bristles_per_filament", "k_c", "k_v", "alpha")
+    only_there = ("bristles_per_filament", "k_c", "k_v", "alpha", "tilt_x")
     mapping = tmp_path / "cup.toml"
     mapping.write_text("[variables]\n" + "".join(f'{name} = ""\n' for name in only_there), encoding="utf-8")
     changes = Changes((("brush", str(fmus / "cup_brush.fmu")),), (("brush", str(mapping)),))

@@ -1,10 +1,10 @@
-"""What the brush does, on its interface: at the hull, with energy and time, and in water."""
+"""What the brush does, on its interface: at the hull, across its width, with energy and time, and in water."""
 
 from __future__ import annotations
 
 from ...testing.suite import Excitation, suite
 from ..fmu import FilamentBrush
-from . import at_the_hull, energy, water
+from . import across_the_width, at_the_hull, energy, water
 
 EXCITATION = Excitation(
     1e-3, 40,
@@ -13,4 +13,4 @@ EXCITATION = Excitation(
     {"n": 8},
 )  # fmt: skip
 ESSENTIAL = "omega_b delta v_rov F_x F_z T_brush"
-SUITE = suite(FilamentBrush, ESSENTIAL, EXCITATION, at_the_hull, energy, water)
+SUITE = suite(FilamentBrush, ESSENTIAL, EXCITATION, at_the_hull, across_the_width, energy, water)

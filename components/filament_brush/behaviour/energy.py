@@ -21,7 +21,7 @@ def test_energy_is_accounted_for(unit: Unit) -> None:
     """Stored = hub + hull - damping - friction - contact; the losses never give back."""
     variants: tuple[dict[str, Any], ...] = (
         {}, {"c_c": 30.0}, {"N_m": 6, "n": 10}, {"foreshortening": False}, {"C_a": 1.0},
-        {"friction_law": 1}, {"friction_law": 2})
+        {"friction_law": 1}, {"friction_law": 2}, {"n_strips": 2, "n_groups": 2, "length_spread": 0.05, "n": 20})
     for parameters in variants:
         seen = run(unit, 0.4, H, NOMINAL, **parameters)
         lost = read(seen, "W_damping", "W_friction", "W_contact")
@@ -34,9 +34,16 @@ def test_energy_is_accounted_for(unit: Unit) -> None:
 
 def test_energy_is_accounted_for_when_inputs_jump(unit: Unit) -> None:
     """Jumps of speed, penetration and friction do work at once, and it is booked."""
-    seen = unit.new(NOMINAL, c_c=5.0)
+    for strips in (1, 3):
+        jumping(unit, strips)
+
+
+def jumping(unit: Unit, strips: int) -> None:
+    """The balance of a brush of so many strips whose inputs jump at each step."""
+    seen = unit.new(NOMINAL, c_c=5.0, n_strips=strips, n=20)
     for k in range(400):
         seen.set(
+            tilt_x=0.02 * np.sin(0.13 * k),
             omega_b=15.0 + 3.0 * np.sin(0.3 * k), delta=5e-3 + 1e-3 * np.sin(0.11 * k), v_rov=0.2 * np.sin(0.05 * k),
             delta_dot=0.05 * np.cos(0.2 * k), friction_scale=1.0 + 0.4 * np.sin(0.07 * k))
         seen.step(H)

@@ -59,9 +59,9 @@ def error_estimate(h: float) -> float:
     """h/6 (k5 - k4), velocity part, from the stages that one micro-step of h leaves behind."""
     brush = start(NOMINAL, n=1, theta_b_0=-0.45, h_min=h, h_max=h, tolerance=1.0)
     p, x, s = brush.parameters, brush.record(State), brush.record(Scratch)
-    u = Inputs(15.7, 5e-3, 0.0, 0.05, 1.0)
+    u = Inputs(15.7, 5e-3, 0.0, 0.05, 1.0, 0.0)
     psi = -0.45 - p.alpha
-    reach = evaluate(s.now, placement(psi, 0.0, u, p), u, p, s.c, x.modes, s.k, x.G)
+    reach = evaluate(s.now, placement(psi, 0.0, u, p), u, p, s.c, s.modes, s.k, s.G)
     advance_touching(psi, h, h, reach.rate, u, p, x, s)
     return float(np.max(np.abs(h / 6.0 * (s.end.a[:3] - s.fourth.a[:3]))))
 

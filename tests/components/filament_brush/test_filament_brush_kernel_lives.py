@@ -7,7 +7,7 @@ import pytest
 from lives import Case, history, lives
 
 INPUTS = {"omega_b": (12.0, 6.0), "delta": (4e-3, 3e-3), "v_rov": (0.05, 0.1), "delta_dot": (0.0, 0.5),
-          "friction_scale": (1.0, 0.3)}  # fmt: skip
+          "friction_scale": (1.0, 0.3), "tilt_x": (0.0, 0.03)}  # fmt: skip
 CASES = (
     Case("filament_brush", 1e-3, 50, INPUTS, {"n": 8}),
     Case(
@@ -20,6 +20,10 @@ CASES = (
         "one mode",
     ),
     Case("filament_brush", 1e-3, 40, INPUTS, {"n": 8, "friction_law": 1}, "static peak"),
+    Case(
+        "filament_brush", 1e-3, 40, INPUTS,
+        {"n": 8, "n_strips": 3, "hull_curvature": 0.2, "n_groups": 2, "length_spread": 0.05}, "strips and groups",
+    ),
     Case(
         "filament_brush", 1e-3, 40, INPUTS | {"omega_b": (1.0, 6.0)}, {"n": 8, "friction_law": 2, "c_c": 5.0}, "LuGre",
     ),

@@ -13,7 +13,7 @@ from rovbrush.components.declare.layout import cells_shape, over
 from rovbrush.components.declare.record import fields_of
 from rovbrush.components.filament_brush.modes import stiffness
 from rovbrush.components.filament_brush.reactions import base_reactions
-from rovbrush.components.filament_brush.records import Constants, Load, Stage, State, Stiffness
+from rovbrush.components.filament_brush.records import Constants, Load, Scratch, Stage, Stiffness
 from rovbrush.components.python.kernels import compiled
 from scipy.integrate import quad
 
@@ -82,16 +82,16 @@ def test_slope_integrals_of_high_modes_are_symmetric_and_resolved() -> None:
 
 
 def constants(**known: float) -> Constants:
-    """Constants of a step, 0 unless known."""
-    return Constants(*[known.get(name, 0.0) for name in fields_of(Constants)])
+    """Constants of a step, 0 unless known; of the length L."""
+    return Constants(*[({"L": P.L} | known).get(name, 0.0) for name in fields_of(Constants)])
 
 
 def stiffness_at(speed: float, instance: Instance) -> tuple[np.ndarray, float]:
     """K of six modes at a speed, with the bound on the frequencies."""
-    K, x = np.zeros((6, 6)), instance.record(State)
+    K, s = np.zeros((6, 6)), instance.record(Scratch)
     k = over(Stiffness, None, {"K": K, "load": np.zeros(6), "rest": np.zeros(6), "shapes": np.zeros((6, 6))})
     p = dataclasses.replace(instance.parameters, N_m=6)
-    return K, stiffness(0.0, k, p, constants(speed_2=speed**2, chi=1.0), x.modes, x.S)
+    return K, stiffness(0.0, k, p, constants(speed_2=speed**2, chi=1.0), s.modes, s.S)
 
 
 @pytest.mark.parametrize("row", np.loadtxt(REFERENCE / "rotating_cantilever.csv", delimiter=",", skiprows=4).tolist())
@@ -136,7 +136,7 @@ def static_reactions(N_m: int, mode_acceleration: bool) -> tuple[float, float, f
     instance = brush(N_m=N_m)
     EI = P.E * np.pi * P.d**4 / 64.0
     m = P.rho * np.pi * P.d**2 / 4.0
-    modes, load = instance.record(State).modes, 0.01
+    modes, load = instance.record(Scratch).modes, 0.01
     f = over(Stage, np.zeros(cells_shape(Stage)), {})
     f.eta[:N_m] = load * modes.Y_L[:N_m] / (m * P.L * modes.omega_r[:N_m] ** 2)
     p = dataclasses.replace(instance.parameters, bristles_per_filament=1.0, mode_acceleration=mode_acceleration)
@@ -171,7 +171,7 @@ def test_large_deflection_stays_close_to_the_elastica() -> None:
     # The bounds are the README's: linear bending is too soft, foreshortening of second order slightly too small.
     table = np.loadtxt(REFERENCE / "elastica_tip_load.csv", delimiter=",", skiprows=3)
     instance = brush(N_m=6)
-    modes, G = instance.record(State).modes, instance.arrays["G"]
+    modes, G = instance.record(Scratch).modes, instance.arrays["G"]
     m = P.rho * np.pi * P.d**2 / 4.0
     EI = P.E * np.pi * P.d**4 / 64.0
     for row, softness, shortness in zip(table[:2], (0.03, 0.11), (0.012, 0.035), strict=True):

@@ -19,7 +19,7 @@ STEPS = 10_000
 # Communication step [s] and ranges of the inputs; what is not named here stays at its start value.
 CASES: dict[str, tuple[float, Mapping[str, tuple[float, float]]]] = {
     "filament_brush": (5e-4, {"omega_b": (5.0, 25.0), "delta": (-0.002, 0.006), "v_rov": (-0.2, 0.2),
-                              "friction_scale": (0.5, 2.0)}),
+                              "friction_scale": (0.5, 2.0), "tilt_x": (-0.05, 0.05)}),
     "cup_brush": (5e-4, {"omega_b": (-5.0, 25.0), "delta": (-0.002, 0.008), "v_rov": (-0.2, 0.2),
                          "delta_dot": (-0.1, 0.1), "friction_scale": (0.0, 2.0), "misalignment": (-0.05, 0.05)}),
     "dc_motor": (1e-3, {"V_in": (-12.0, 12.0), "T_brush": (-20.0, 20.0)}),
@@ -49,6 +49,8 @@ WHOLE = {
     "rotor_sense": (-1, 1),
     "mode": (0, 3),
     "friction_law": (0, 2),
+    "n_strips": (1, 3),
+    "n_groups": (1, 2),
     "n_series": (1, 9),
     "n_parallel": (1, 9),
     "seed": (0, 2147483647),

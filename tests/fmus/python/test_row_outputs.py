@@ -18,7 +18,7 @@ stop_time = "20 ms"
 [components.brush]
 fmu = "filament_brush.fmu"
 period = "1 ms"
-inputs = { omega_b = 15.7, delta = 0.005, delta_dot = 0.0, v_rov = 0.05, friction_scale = 1.0 }
+inputs = { omega_b = 15.7, delta = 0.005, delta_dot = 0.0, v_rov = 0.05, friction_scale = 1.0, tilt_x = 0.0 }
 """
 
 

@@ -78,7 +78,7 @@ def test_numbers_of_every_kind_can_be_set(make: Make) -> None:
 
 
 def test_a_value_out_of_range_is_refused_the_first_time_and_later(make: Make) -> None:
-    free = {"=delta": 0.005, "=delta_dot": 0.0, "=v_rov": 0.0, "=omega_b": 15.0, "=friction_scale": 1.0}
+    free = {"=delta": 0.005, "=delta_dot": 0.0, "=v_rov": 0.0, "=omega_b": 15.0, "=friction_scale": 1.0, "=tilt_x": 0.0}
     with make({"b": ("filament_brush", "1 ms", free)}, stop="1 s").start() as session:
         for _ in range(2):
             for value in (-1.0, float("nan"), float("inf")):

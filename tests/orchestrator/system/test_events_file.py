@@ -33,7 +33,7 @@ inputs = { V_in = 12.0 }
 [components.brush]
 fmu = "filament_brush"
 period = "0.5 ms"
-inputs = { delta = 0.005, delta_dot = 0.0, v_rov = 0.05, friction_scale = 1.0 }
+inputs = { delta = 0.005, delta_dot = 0.0, v_rov = 0.05, friction_scale = 1.0, tilt_x = 0.0 }
 """
 SET = '[[events]]\nat = "20 ms"\nset = { "brush.delta" = "3 mm", "motor.V_in" = 10 }\n'
 FAULT = '[[events]]\nname = "drag"\nwhen = "motor.i > 20 A"\nafter = "1 ms"\nfault = "bias"\non = "motor.T_brush"\nvalue = "20 N cm"\nfor = "5 ms"\n'

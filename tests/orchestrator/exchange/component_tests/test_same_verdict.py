@@ -13,7 +13,11 @@ from rovbrush.orchestrator.system.request import changes_of
 
 PARTS: dict[str, Part] = {
     "motor": ("dc_motor", "0.5 ms", {"=V_in": 12.0}),
-    "brush": ("filament_brush", "0.5 ms", {"=delta": -0.02, "=delta_dot": 0.0, "=v_rov": 0.0, "=friction_scale": 1.0}),
+    "brush": (
+        "filament_brush",
+        "0.5 ms",
+        {"=delta": -0.02, "=delta_dot": 0.0, "=v_rov": 0.0, "=friction_scale": 1.0, "=tilt_x": 0.0},
+    ),
 }
 WIRES = ["motor.omega_b -> brush.omega_b", "brush.T_brush -> motor.T_brush"]
 SPEED = 'name="omega_b" valueReference="20" description="brush speed" causality="output"'
