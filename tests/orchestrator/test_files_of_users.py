@@ -107,7 +107,7 @@ SLIPS = {
     "calibration: wrong range": ("calibration", "scale = 0.02", "scale = 0", "scale = 0 must be a number above 0"),
     "calibration: wrong place": ("calibration", "write =", "held_ = 1\nwrite =", "unknown key 'held_'"),
     "recordings: unknown key": ("recordings", "stop =", "stopp =", "run 1: unknown key 'stopp'; did you mean 'stop'?"),
-    "recordings: wrong type": ("recordings", 'stop = "25 ms"', "stop = []", "run 1: stop must be a time"),
+    "recordings: wrong type": ("recordings", 'stop = "20 ms"', "stop = []", "run 1: stop must be a time"),
     "recordings: wrong place": ("recordings", "[[run]]", 'system = "x"\n[[run]]', "unknown key 'system'"),
 }  # fmt: skip
 
