@@ -17,9 +17,7 @@ def hub_radius(p: Parameters) -> float:
     return sqrt(p.R_brush * p.R_brush - p.L * p.L * sin(p.alpha) * sin(p.alpha)) - p.L * cos(p.alpha)
 
 
-def constants(
-    L: float, c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix, Y: Matrix,
-) -> None:
+def constants(L: float, c: Constants, k: Stiffness, u: Inputs, p: Parameters, m: Modes, S: Matrix) -> None:
     """Fill c and k, what is constant over a step, for rods of the length L with the modes m."""
     R_h = hub_radius(p)
     c.L = L
@@ -38,11 +36,6 @@ def constants(
     c.fouling = u.friction_scale
     c.drag = p.bristles_per_filament * p.shielding * 0.5 * p.rho_w * p.C_d * p.d
     c.slip = 1.0 - p.co_rotation
-    c.linear = 0.0
-    if p.C_d > 0.0:
-        for i in range(6):
-            for r in range(p.N_m):
-                k.shapes[i, r] = Y[i, r]
 
 
 def modal_mass(c: Constants) -> float:

@@ -2,6 +2,7 @@
 
 from math import cos, sin, sqrt
 
+from ..declare.record import Matrix
 from ..library.matrices import multiply
 from .filament import modal_mass, share_of
 from .parameters import Parameters
@@ -71,17 +72,17 @@ def linear_drag(h_s: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k:
         s.P[j, one + 1] = 0.0
     s.P[one + 1, one + 1] = 1.0
     for r in range(N_m):
-        k.rest[r] = k.load[r] / k.K[r, r]
+        s.rest[r] = k.load[r] / k.K[r, r]
     for i in range(6):
         sweep = c.slip * u.omega_b * (c.x_a - c.L + m.x[i])
         b = h_s * c.drag * m.weight[i] * abs(sweep) / c.M
         for r in range(N_m):
-            b_r = b * k.shapes[i, r]
+            b_r = b * s.shapes[i, r]
             s.A[N_m + r, one] = s.A[N_m + r, one] + b_r * sweep
-            k.rest[r] = k.rest[r] + b_r * sweep / (h_s * k.K[r, r])
+            s.rest[r] = s.rest[r] + b_r * sweep / (h_s * k.K[r, r])
             s.A[N_m + r, one + 1] = s.A[N_m + r, one + 1] - 2.0 * b_r
             for q in range(N_m):
-                s.A[N_m + r, N_m + q] = s.A[N_m + r, N_m + q] - 2.0 * b_r * k.shapes[i, q]
+                s.A[N_m + r, N_m + q] = s.A[N_m + r, N_m + q] - 2.0 * b_r * s.shapes[i, q]
 
 
 def relative_energy(f: Stage, p: Parameters, k: Stiffness) -> float:
@@ -112,7 +113,7 @@ def advance_free(now: Stage, after: Stage, p: Parameters, k: Stiffness, s: Scrat
     return before - relative_energy(now, p, k)
 
 
-def losses(f: Stage, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness) -> Losses:
+def losses(f: Stage, u: Inputs, p: Parameters, c: Constants, m: Modes, shapes: Matrix) -> Losses:
     """Powers of modal damping and of linear drag on the bristle's own motion."""
     damping = 0.0
     drag = 0.0
@@ -121,7 +122,7 @@ def losses(f: Stage, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffn
     for i in range(6):
         y_dot = 0.0
         for r in range(p.N_m):
-            y_dot = y_dot + k.shapes[i, r] * f.eta_dot[r]
+            y_dot = y_dot + shapes[i, r] * f.eta_dot[r]
         sweep = c.slip * abs(u.omega_b) * (c.x_a - c.L + m.x[i])
         drag = drag + 2.0 * c.drag * m.weight[i] * sweep * y_dot * y_dot
     return Losses(damping, drag)
@@ -144,7 +145,7 @@ def map_in_water(
 
 
 def drag_on_way(
-    way: Stage, h: float, passing: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness,
+    way: Stage, h: float, passing: float, u: Inputs, p: Parameters, c: Constants, m: Modes, shapes: Matrix,
 ) -> Drag:
     """Impulse of linear drag over the time h in which the deflections went this way."""
     F_w = 0.0
@@ -153,7 +154,7 @@ def drag_on_way(
     for i in range(6):
         y = 0.0
         for r in range(p.N_m):
-            y = y + k.shapes[i, r] * way.eta[r]
+            y = y + shapes[i, r] * way.eta[r]
         sweep = c.slip * u.omega_b * (c.x_a - c.L + m.x[i])
         b = c.drag * m.weight[i] * abs(sweep)
         load = b * (sweep - 2.0 * c.slip * passing)
@@ -172,10 +173,10 @@ def advance_free_in_water(psi: float, h: float, u: Inputs, p: Parameters, x: Sta
     """
     at = Placement(sin(psi), cos(psi), h_plane=0.0)
     passing = u.v_rov * at.cos_psi + u.delta_dot * at.sin_psi
-    begin = losses(s.now, u, p, s.c, s.modes, s.k)
+    begin = losses(s.now, u, p, s.c, s.modes, s.shapes)
     lost = modal_mass(s.c) * map_in_water(s.now, s.end, s.second, passing, p, s.c, s.k, s)
-    end = losses(s.now, u, p, s.c, s.modes, s.k)
-    drag = drag_on_way(s.second, h, passing, u, p, s.c, s.modes, s.k)
+    end = losses(s.now, u, p, s.c, s.modes, s.shapes)
+    drag = drag_on_way(s.second, h, passing, u, p, s.c, s.modes, s.shapes)
     damping = begin.damping + end.damping
     W_damping = (lost + drag.work) * damping / max(damping + begin.drag + end.drag, 1e-300)
     share = share_of(s.c)
@@ -185,11 +186,11 @@ def advance_free_in_water(psi: float, h: float, u: Inputs, p: Parameters, x: Sta
     book_drag(drag.F_w, drag.M_w, at, s.c, x)
 
 
-def is_near_the_flow(f: Stage, u: Inputs, p: Parameters, c: Constants, k: Stiffness) -> bool:
+def is_near_the_flow(f: Stage, u: Inputs, p: Parameters, c: Constants, k: Stiffness, s: Scratch) -> bool:
     """Is the tip's own speed, all energy kinetic and modes in phase, so far below the flow's that drag is linear?"""
     speed = 0.0
     for r in range(p.N_m):
-        away = f.eta[r] - k.rest[r]
+        away = f.eta[r] - s.rest[r]
         speed = speed + 2.0 * sqrt(f.eta_dot[r] * f.eta_dot[r] + k.K[r, r] * away * away)
     return speed < p.linear_below * c.slip * abs(u.omega_b) * p.R_brush
 

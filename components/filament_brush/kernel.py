@@ -14,7 +14,7 @@ from .parameters import Parameters
 from .reactions import brush_sums, give, take
 from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
 from .rods import at_strip, place, take_group
-from .water import drag_points, has_pack_torque, pack_torque, pushed_by_water
+from .water import add_drag, drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
 def setup(p: Parameters, x: State, s: Scratch) -> None:
@@ -126,21 +126,21 @@ def advance_rod(k: int, i: int, h: float, u: Inputs, p: Parameters, x: State, s:
     reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
     count_strike(x.touches[k], s.now, s.c, x)
     E_start = contact_energy(reach.Delta, p)
+    rate = reach.rate
     farthest = h * (abs(u.omega_b) * tip_radius(s.c) + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
-    free = reach.Delta + farthest < 0.0
-    x.linear[k] = 0.0
     if p.C_d > 0.0:
-        free = reach.Delta + farthest + pushed_by_water(h, s.now, p, s.c) < 0.0
-        free = free and is_near_the_flow(s.now, u, p, s.c, s.k)
-    if free:
-        if p.C_d > 0.0:
+        rate = rate + add_drag(0.0, s.now, at, u, p, s.c, s.modes, s.shapes)
+        farthest = farthest + pushed_by_water(h, s.now, p, s.c)
+        x.linear[k] = 0.0
+        if reach.Delta + farthest < 0.0 and is_near_the_flow(s.now, u, p, s.c, s.k, s):
             x.linear[k] = 1.0
-            advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
-        else:
-            lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
-            x.W_damping = x.W_damping + share_of(s.c) * lost
+    if p.C_d > 0.0 and x.linear[k] > 0.0:
+        advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
+    elif p.C_d == 0.0 and reach.Delta + farthest < 0.0:
+        lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+        x.W_damping = x.W_damping + share_of(s.c) * lost
     else:
-        touched = advance_touching(psi, h, x.h_next[k], reach.rate, u, p, x, s)
+        touched = advance_touching(psi, h, x.h_next[k], rate, u, p, x, s)
         x.h_next[k] = touched.h_next
         E_end = contact_energy(touched.Delta, p)
     x.touches[k] = touches(s.now)

@@ -23,10 +23,7 @@ def evaluate(
     """The right-hand side: accelerations, forces and powers from deflection and rates."""
     free_acceleration(f, p, m, k)
     reach = tip_force(f, at, u, p, c, m, G)
-    rate = reach.rate
-    if p.C_d > 0.0:
-        rate = rate + add_drag(f, at, u, p, c, m, k)
-    return Reach(reach.Delta, rate)
+    return reach
 
 
 def predict(f: Stage, begin: Stage, before: Stage, h: float, p: Parameters) -> None:
@@ -76,14 +73,23 @@ def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, s:
     whole = placement(psi, tau + h_s, u, p)
     predict(s.second, s.now, s.now, 0.5 * h_s, p)
     reach = evaluate(s.second, half, u, p, s.c, s.modes, s.k, s.G)
+    if p.C_d > 0.0:
+        add_drag(0.0, s.second, half, u, p, s.c, s.modes, s.shapes)
     predict(s.third, s.now, s.second, 0.5 * h_s, p)
     reach = evaluate(s.third, half, u, p, s.c, s.modes, s.k, s.G)
+    if p.C_d > 0.0:
+        add_drag(0.0, s.third, half, u, p, s.c, s.modes, s.shapes)
     predict(s.fourth, s.now, s.third, h_s, p)
     reach = evaluate(s.fourth, whole, u, p, s.c, s.modes, s.k, s.G)
+    if p.C_d > 0.0:
+        add_drag(0.0, s.fourth, whole, u, p, s.c, s.modes, s.shapes)
     error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, s.modes)
     reach = evaluate(s.end, whole, u, p, s.c, s.modes, s.k, s.G)
+    rate = reach.rate
+    if p.C_d > 0.0:
+        rate = rate + add_drag(0.0, s.end, whole, u, p, s.c, s.modes, s.shapes)
     error = with_velocities(error, s.end, s.fourth, h_s, p, s.c)
-    return Trial(sqrt(error), reach.Delta, reach.rate)
+    return Trial(sqrt(error), reach.Delta, rate)
 
 
 def book(

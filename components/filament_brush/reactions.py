@@ -9,7 +9,7 @@ from .modes import deflection
 from .parameters import Parameters
 from .records import Base, Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State
 from .rods import at_strip, place, take_group
-from .water import add_water, take_drag
+from .water import add_drag, add_water
 
 
 def bending_stiffness(p: Parameters) -> float:
@@ -180,11 +180,11 @@ def strip_sums(k: int, w: float, u: Inputs, p: Parameters, x: State, y: Outputs,
         psi = phi - p.alpha
         at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
         take(k + i, s.now, p, x)
-        take_drag(x.linear[k + i], s.c)
         reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
         add_tip(w, s.now, s.c, y)
         extend(s.now, s)
         if p.C_d > 0.0:
+            add_drag(x.linear[k + i], s.now, at, u, p, s.c, s.modes, s.shapes)
             add_water(w, s.now, at, s.c, y)
         shortening = add_energies(s.now, p, s.c, s.modes, y)
         y_tip = add_base(s.now, at, shortening, p, s.c, s.modes, y)

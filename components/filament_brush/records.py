@@ -155,12 +155,10 @@ class Stage(Rows):
 
 
 class Stiffness(Record):
-    """The linear part of Eq. 4 at a speed, per modal mass; the shapes where drag acts."""
+    """The linear part of Eq. 4 at a speed, per modal mass."""
 
     K: Matrix = value("1/s2", "stiffness", (MODES, MODES))
     load: Vector = value("m/s2", "centrifugal load K_6r", MODES)
-    rest: Vector = value("m", "deflections at rest in the flow; unused without drag, as shapes", MODES)
-    shapes: Matrix = value("1", "Y_r at the points along a bristle", (MODES, MODES))
 
 
 class Constants(Record):
@@ -180,7 +178,6 @@ class Constants(Record):
     fouling: float = value("1", "friction_scale")
     drag: float = value("kg/m2", "drag of a bundle per length and speed squared")
     slip: float = value("1", "share of the pack's speed that the water within it lacks")
-    linear: float = value("1", "1: drag linear about the flow of the step")
 
 
 class Scratch(Record):
@@ -202,6 +199,8 @@ class Scratch(Record):
     nodes: Vector = value("1", "points of the quadrature", 5)
     weights: Vector = value("1", "their weights", 5)
     slopes: Vector = value("1/m", "Y_r' at a point", MODES)
+    shapes: Matrix = value("1", "Y_r at the points along a bristle, with drag", (MODES, MODES))
+    rest: Vector = value("m", "deflections at rest in the flow, with drag", MODES)
     shares: Vector = value("1", "weights of the points along a bristle", MODES)
     x_front: float = value("m", "place of the foremost tip in contact")
     x_rear: float = value("m", "place of the rearmost")

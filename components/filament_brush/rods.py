@@ -36,7 +36,11 @@ def take_group(g: int, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
         for q in range(6):
             s.G[r, q] = x.G_nominal[r, q] / ratio
             s.S[r, q] = x.S_nominal[r, q] + (1.0 / ratio - 1.0) * x.S_root[r, q]
-    constants(ratio * p.L, s.c, s.k, u, p, s.modes, s.S, x.Y)
+    constants(ratio * p.L, s.c, s.k, u, p, s.modes, s.S)
+    if p.C_d > 0.0:
+        for i in range(6):
+            for r in range(p.N_m):
+                s.shapes[i, r] = x.Y[i, r]
 
 
 def scale(ratio: float, nominal: Modes, m: Modes) -> None:

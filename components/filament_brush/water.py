@@ -8,7 +8,7 @@ from ..library.rotating import cylinder_friction
 from .filament import hub_radius
 from .modes import mode_shape
 from .parameters import Parameters
-from .records import Constants, Inputs, Modes, Outputs, Placement, Scratch, Stage, State, Stiffness
+from .records import Constants, Inputs, Modes, Outputs, Placement, Scratch, Stage, State
 
 
 def drag_points(p: Parameters, m: Modes, Y: Matrix, s: Scratch) -> None:
@@ -22,11 +22,13 @@ def drag_points(p: Parameters, m: Modes, Y: Matrix, s: Scratch) -> None:
             Y[i, r] = mode_shape(m.lambda_r[r], xi)
 
 
-def add_drag(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness) -> float:
+def add_drag(
+    linear: float, f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, shapes: Matrix,
+) -> float:
     """Add the drag of the water to the accelerations, fill in its forces; returns a bound on its rate of damping.
 
     Each point of a bristle moves past water at rest with omega_b r, v_rov and delta_dot, all seen along e_t, and past
-    the water around it with a share of that, and its own rate. Linear: the square of that speed about omega_b r.
+    the water around it with a share of that, and its own rate. linear > 0: the square of that speed about omega_b r.
     """
     F_w = 0.0
     M_w = 0.0
@@ -36,12 +38,12 @@ def add_drag(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m:
     for i in range(6):
         y_dot = 0.0
         for r in range(p.N_m):
-            y_dot = y_dot + k.shapes[i, r] * f.eta_dot[r]
+            y_dot = y_dot + shapes[i, r] * f.eta_dot[r]
         sweep = u.omega_b * (c.x_a - c.L + m.x[i])
         v_n = c.slip * (passing - sweep) + y_dot
         speed = abs(v_n)
         square = speed * v_n
-        if c.linear > 0.0:
+        if linear > 0.0:
             speed = c.slip * abs(sweep)
             square = speed * (2.0 * v_n + c.slip * sweep)
         F_i = -c.drag * m.weight[i] * square  # Morison et al. 1950
@@ -51,7 +53,7 @@ def add_drag(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m:
         if speed > fastest:
             fastest = speed
         for r in range(p.N_m):
-            f.a[r] = f.a[r] + F_i * k.shapes[i, r] / c.M
+            f.a[r] = f.a[r] + F_i * shapes[i, r] / c.M
     f.F_w = F_w
     f.M_w = M_w
     f.P_water = P_water
@@ -102,11 +104,6 @@ def add_water(w: float, f: Stage, at: Placement, c: Constants, y: Outputs) -> No
     y.M_z = y.M_z - w * F_x
     y.T_water = y.T_water + c.share * torque_of_drag(f.F_w, f.M_w, c)
     y.P_water = y.P_water + c.share * f.P_water
-
-
-def take_drag(linear: float, c: Constants) -> None:
-    """Take drag linear (1) or in full (0) from here on."""
-    c.linear = linear
 
 
 def book_drag(F_w: float, M_w: float, at: Placement, c: Constants, x: State) -> None:

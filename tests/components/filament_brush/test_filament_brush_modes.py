@@ -89,7 +89,7 @@ def constants(**known: float) -> Constants:
 def stiffness_at(speed: float, instance: Instance) -> tuple[np.ndarray, float]:
     """K of six modes at a speed, with the bound on the frequencies."""
     K, s = np.zeros((6, 6)), instance.record(Scratch)
-    k = over(Stiffness, None, {"K": K, "load": np.zeros(6), "rest": np.zeros(6), "shapes": np.zeros((6, 6))})
+    k = over(Stiffness, None, {"K": K, "load": np.zeros(6)})
     p = dataclasses.replace(instance.parameters, N_m=6)
     return K, stiffness(0.0, k, p, constants(speed_2=speed**2, chi=1.0), s.modes, s.S)
 
