@@ -1,8 +1,10 @@
 """What normal force the vehicle's thrusters can hold with each tool, at rest on the hull and level (Eqs. 20, 21).
 
-A tool that presses with F_n acts on the vehicle with a wrench that grows in proportion to it: friction along the hull,
-the torque of the brush, the lever of the tool. The thrusts F must balance it and what acts without a tool:
-B F + F_n w + w_0 = 0 with every thrust in its range. The largest F_n is a linear program.
+A tool that presses with F_n acts on the vehicle with a wrench w_1 + F_n w: what it takes to spin in water, and what
+grows with the force, friction along the hull, the torque of the brush, the lever of the tool. The thrusts F must
+balance it and what acts without a tool: B F + F_n w + w_1 + w_0 = 0 with every thrust in its range. The largest F_n
+is a linear program. The wrench is a straight line through those of two passes, at the force that the system holds
+and at half of it.
 """
 
 from __future__ import annotations
@@ -26,29 +28,37 @@ AXES = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")
 
 @dataclass(frozen=True)
 class Budget:
-    """A tool: its wrench about the body origin per N of normal force (6,), and the largest F_n [N] by current [m/s].
+    """A tool: its wrench about the body origin per N of normal force (6,) and without any (6,), and the largest F_n [N]
+    by current [m/s].
 
-    `held` is the force that its system holds; `command` repeats the run that the wrench comes from.
+    `held` is the force that its system holds; `commands` repeat the runs that the wrench comes from.
     """
 
     tool: str
     wrench: np.ndarray
+    spinning: np.ndarray
     held: float
     largest: dict[float, float]
-    command: str
+    commands: tuple[str, ...]
 
 
 def thrust_budget(lab: Lab, tools: dict[str, str] = TOOLS) -> list[Budget]:
     """The budget of each tool, with the wrench of its system's steady window."""
-    return [budget(tool, lab.case(system)) for tool, system in tools.items()]
+    found = []
+    for tool, system in tools.items():
+        whole = lab.case(system)
+        found.append(budget(tool, whole, lab.case(system, {"mission.F_n": 0.5 * whole.parameter("mission.F_n")})))
+    return found
 
 
-def budget(tool: str, case: Case) -> Budget:
-    """What a run of a closed loop says of its tool."""
-    held = -case.mean("vehicle.F_z")
-    wrench = tool_wrench(case) / held
-    largest = {current: largest_force(case, wrench, current) for current in CURRENTS}
-    return Budget(tool, wrench, held, largest, case.command)
+def budget(tool: str, whole: Case, half: Case) -> Budget:
+    """What two passes with different forces say of a tool."""
+    forces = [-case.mean("vehicle.F_z") for case in (whole, half)]
+    wrenches = [tool_wrench(case) for case in (whole, half)]
+    wrench = (wrenches[0] - wrenches[1]) / (forces[0] - forces[1])
+    spinning = wrenches[0] - forces[0] * wrench
+    largest = {current: largest_force(whole, wrench, spinning + without_tool(whole, current)) for current in CURRENTS}
+    return Budget(tool, wrench, spinning, forces[0], largest, (whole.command, half.command))
 
 
 def tool_wrench(case: Case) -> np.ndarray:
@@ -91,13 +101,16 @@ def allocation(case: Case) -> tuple[np.ndarray, float, float]:
     return B, case.parameter("vehicle.k_T_forward"), case.parameter("vehicle.k_T_reverse")
 
 
-def largest_force(case: Case, wrench: np.ndarray, current: float) -> float:
-    """The largest normal force [N] that some thrusts within their range balance; 0 if not even none can be."""
+def largest_force(case: Case, wrench: np.ndarray, other: np.ndarray) -> float:
+    """The largest normal force [N] that some thrusts within their range balance; 0 if not even none can be.
+
+    `wrench` acts per N of it, `other` besides, both about the body origin (6,).
+    """
     B, forward, reverse = allocation(case)
     found = linprog(
         [0.0] * 8 + [-1.0],
         A_eq=np.column_stack([B, wrench]),
-        b_eq=-without_tool(case, current),
+        b_eq=-other,
         bounds=[(-reverse, forward)] * 8 + [(0.0, None)],
     )
     return float(found.x[8]) if found.success else 0.0

@@ -189,7 +189,7 @@ def budget(task: Task, tools: list[Budget]) -> dict[str, Any]:
     currents = [f"in {current:g} m/s [N]" for current in CURRENTS]
     rows = [
         (tool.tool, f"{tool.held:.1f}", *(f"{tool.largest[current]:.1f}" for current in CURRENTS),
-         f"{tool.largest[CURRENTS[-1]] / task.force:.2f}", tool.command)
+         f"{tool.largest[CURRENTS[-1]] / task.force:.2f}", tool.commands[0])
         for tool in tools
     ]  # fmt: skip
     heading = ["tool", "pressed with in its run [N]", *currents, f"the last over the task's {task.force:g} N", "run"]
@@ -198,7 +198,7 @@ def budget(task: Task, tools: list[Budget]) -> dict[str, Any]:
 
 def reserve(task: Task, tools: list[Budget]) -> str:
     """What the thrusters could hold with the task's own tool, in a sentence; empty if it is not among the tools."""
-    own = next((tool for tool in tools if f"rovbrush run {task.study.system}" == tool.command), None)
+    own = next((tool for tool in tools if f"rovbrush run {task.study.system}" == tool.commands[0]), None)
     if own is None:
         return ""
     most = own.largest[CURRENTS[-1]]
