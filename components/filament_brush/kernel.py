@@ -98,7 +98,15 @@ def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, 
     y.micro_steps = x.micro_steps
     y.h_micro_min = x.h_micro_min
     write_modes(x.nominal, y)
+    write_sizes(p, y)
+
+
+def write_sizes(p: Parameters, y: Outputs) -> None:
+    """What a maker must know: hub, mass of the bristles, and how densely they stand on the hub."""
+    section = p.n * p.bristles_per_filament * 0.25 * pi * p.d * p.d
     y.R_h = hub_radius(p)
+    y.m_filaments = section * p.rho * p.L
+    y.packing = section / (2.0 * pi * y.R_h * p.width)
 
 
 def accounts(c: Constants, x: State, y: Outputs) -> None:

@@ -77,6 +77,8 @@ class Outputs(Packed):
     omega_r: Vector = calculated("rad/s", "frequencies at rest", MODES)
     R_h: float = calculated("m", "hub radius")
     J_filaments: float = calculated("kg.m2", "inertia of the filaments about y_t")
+    m_filaments: float = calculated("kg", "mass of all bristles, dry")
+    packing: float = calculated("1", "share of the hub's surface that they take; round ones take 0.907 at most")
 
 
 class Modes(Rows):
