@@ -97,6 +97,17 @@ def test_communication_step_does_not_matter(unit: Unit) -> None:
         close(unit, name, coarse[name], fine[name], 1e-9)  # sums of 5000 differences
 
 
+def test_place_may_follow_from_the_speed(unit: Unit) -> None:
+    """With by_speed a hull that passes the tool at v_rov is treated as one along which the brush goes at v_rov."""
+    told = drive(unit, 10.0, -0.1, 0.05)
+    running = unit.new(AT_REST | {"s": -0.1}, by_speed=True)
+    for k in range(1, 1001):
+        running.set(W_friction=POWER * 0.01 * k)
+        running.step(0.01)
+    for name in MAP:
+        close(unit, name, running[name], told[name], 1e-9)  # sums of 1000 steps
+
+
 def test_passes_are_counted(unit: Unit) -> None:
     """There and back after a pause are two passes; a brush that lifts off for less than pass_gap makes no other."""
     running = unit.new(AT_REST | {"s": -0.3})

@@ -67,6 +67,14 @@ def friction_under(c: Contact, p: Parameters, x: State) -> float:
     return total + (1.0 - inside) * straight(c.s_1, p.fouling_place, p.fouling_scale, 8)
 
 
+def place_of(u: Inputs, p: Parameters, x: State) -> float:
+    """Place of the brush axis."""
+    place = u.s + p.offset
+    if p.by_speed:
+        place = place + x.way
+    return place
+
+
 def contact_of(u: Inputs, p: Parameters, x: State) -> Contact:
     """The brush on the hull in this step."""
     speed = 0.0
@@ -76,7 +84,7 @@ def contact_of(u: Inputs, p: Parameters, x: State) -> Contact:
         rate = p.n * abs(u.omega_b) / (2.0 * pi)
     return Contact(
         s_0=x.at,
-        s_1=u.s + p.offset,
+        s_1=place_of(u, p, x),
         half=half_contact(u.delta, p),
         speed=speed,
         rate=rate,
@@ -97,7 +105,8 @@ def initialize(u: Inputs, p: Parameters, x: State) -> None:
     x.W_last = u.W_friction
     x.W_cells = 0.0
     x.W_beyond = 0.0
-    x.at = u.s + p.offset
+    x.way = 0.0
+    x.at = place_of(u, p, x)
     c = contact_of(u, p, x)
     x.friction = friction_under(c, p, x)
 
@@ -129,6 +138,7 @@ def come(t: float, i: int, p: Parameters, x: State) -> None:
 
 def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     """Part what the brush does in the step among the cells, by the time that each lies under it."""
+    x.way = x.way + u.v_rov * h
     c = contact_of(u, p, x)
     area = p.cell_length * p.track_width
     below = share_below(p.place_start, c)

@@ -15,6 +15,9 @@ class Parameters:
     cell_length: float = parameter(0.025, "m", "length of a cell along the pass", "assumed", 1e-4, 100.0)
     track_width: float = parameter(0.3, "m", "length of the brush along its axis", "assumed", 1e-3, 10.0)
     offset: float = parameter(0.0, "m", "place of the brush axis ahead of s along the pass", "assumed", -10.0, 10.0)
+    by_speed: bool = parameter(
+        False, "1", "the place is s and the way that the hull has passed the tool since the start", "assumed"
+    )
     R_brush: float = parameter(0.15, "m", "brush radius", "Table 2", minimum=1e-3, maximum=10.0)
     n: int = parameter(50, "1", "filaments round the brush, each over the whole track", "Table 2", 1, 1000)
     pass_gap: float = parameter(

@@ -46,6 +46,7 @@ class State(Record):
     visits: Vector = value("1", "passes", CELLS)
     touched: Vector = value("s", "when the cell was last under the brush", CELLS)
     at: float = value("m", "place of the brush axis")
+    way: float = value("m", "way that the hull has passed the tool")
     friction: float = value("1", "friction scale under the brush")
     W_last: float = value("J", "friction work of the brush when the last step began")
     W_cells: float = value("J", "friction work on the cells")
