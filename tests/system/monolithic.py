@@ -103,14 +103,15 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
     b, v = brush.constants(), vehicle.constants()
     motor_rates, motor_parameters = motor.functions.rates, motor.given("rates", behind=6)
     N_g = motor.functions.gear_ratio(*motor.given("gear_ratio"))
-    constants = brush.bound("constants", "c", "k_K", "k_load", "u_omega_b", m="modes")
+    constants = brush.bound("constants", "c", "k_K", "k_load", "k_shapes", "u_omega_b", m="modes")
     evaluate = brush.bound("evaluate", "f", "at_sin_psi", "at_cos_psi", "at_h_plane", "u_omega_b", "c", "k_K", "k_load",
-                           m="modes")  # fmt: skip
+                           "k_shapes", m="modes")  # fmt: skip
     size, shape = cell_count(Constants), b.now.shape
     (F_f, F_n, moment), columns = (cells_of(Stage)[name] for name in ("F_f", "F_n", "moment")), shape[1]
     vehicle_rates, tool_wrench, thruster_wrench, thrust_of = (
         getattr(vehicle.functions, name) for name in ("rates", "tool_wrench", "thruster_wrench", "thrust_of")
     )
+    of_thrust = vehicle.given("thrust_of", behind=2)
     n, N_m = b.n, b.N_m
 
     @njit(error_model="numpy")  # not cached: Numba would not notice that a kernel changed
@@ -127,8 +128,8 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         omega_b = state[1] / N_g
 
         # brush: every filament in turn
-        K, load, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros(size), np.zeros(shape)
-        constants(c, K, load, omega_b)
+        K, load, shapes, c, stage = np.zeros((6, 6)), np.zeros(6), np.zeros((6, 6)), np.zeros(size), np.zeros(shape)
+        constants(c, K, load, shapes, omega_b)
         F_x, F_z, T_brush = 0.0, 0.0, 0.0
         h_plane = b.R_brush - (b.delta + b.delta_dot * t)
         for filament in range(n):
@@ -137,7 +138,7 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
             eta_dot = eta + n * N_m
             for r in range(N_m):
                 stage[0, r], stage[1, r] = state[eta + r], state[eta_dot + r]
-            evaluate(stage, np.sin(psi), np.cos(psi), h_plane, omega_b, c, K, load)
+            evaluate(stage, np.sin(psi), np.cos(psi), h_plane, omega_b, c, K, load, shapes)
             for r in range(N_m):
                 rate[eta + r], rate[eta_dot + r] = stage[1, r], stage[2, r]
             F_x -= stage[F_f // columns, F_f % columns]
@@ -152,16 +153,17 @@ def right_hand_side(motor: Part, brush: Part, vehicle: Part) -> Callable[..., np
         # vehicle, of which the nominal system says as the paper does that its housing takes T_brush
         x = ETA + 2 * n * N_m
         thrust_state = state[x + MOTION :]
-        thruster_wrench(1.0, u_thruster, v.k_T_forward, v.k_T_reverse, thrust_state, *of_thrusters)
-        tool_wrench(F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z, *of_tool)
-        vehicle_rates(rate[x : x + MOTION], state[x : x + MOTION], *of_vehicle)
+        thruster_wrench(1.0, thrust_state, *of_thrusters)
+        tool = (F_x, v.F_y, F_z, v.M_x, T_brush, v.M_z)
+        tool_wrench(*tool, *of_tool)
+        vehicle_rates(rate[x : x + MOTION], state[x : x + MOTION], *tool, *of_vehicle)
         for j in range(8):
-            steady = thrust_of(u_thruster[j], v.k_T_forward, v.k_T_reverse)
+            steady = thrust_of(u_thruster[j], v.V_thruster, *of_thrust)
             rate[x + MOTION + j] = (steady - thrust_state[j]) / v.thruster_lag
         return rate
 
     # Arrays that the kernel writes to are arguments: Numba would take them for constants.
-    arrays = vehicle.given("thruster_wrench", 5), vehicle.given("tool_wrench", 6), vehicle.given("rates", 2)
+    arrays = vehicle.given("thruster_wrench", 2), vehicle.given("tool_wrench", 6), vehicle.given("rates", 8)
 
     def right_hand_side(t: float, state: np.ndarray, u_thruster: np.ndarray, V_in: float) -> np.ndarray:
         return np.asarray(rates(t, state, u_thruster, V_in, *arrays))
