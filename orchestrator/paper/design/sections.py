@@ -64,7 +64,9 @@ def short(task: Task, tools: list[Budget], found: Spread | None) -> Rows:
         (part for part in mode.meaning.split("; ") if part.startswith(f"{mode.value}:")), f"mode {mode.value}"
     )
     chosen = [
-        f"{n.name} = {n.value} {n.unit}" for n in given.values() if n.origin.endswith(".toml") and n.name != "mode"
+        f"{n.name} = {n.value} {n.unit}".removesuffix(" 1")
+        for n in given.values()
+        if n.origin.endswith(".toml") and n.name != "mode"
     ]
     loads = [task.case.signals[f"controller.u_thruster[{k}]"] for k in range(1, 9)]
     begin, end = task.case.window
