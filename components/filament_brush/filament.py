@@ -75,8 +75,8 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
     F_f = 0.0
     moment = 0.0
     P_friction = 0.0
-    P_contact = 0.0
     P_damping = 0.0
+    f.P_contact = 0.0
     f.z_dot = 0.0
     f.v_slip = 0.0
     rate = c.omega_max
@@ -119,7 +119,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
                 f.a[r] = f.a[r] + (F_t * m.Y_L[r] - F_a * f.g[r]) / c.M  # Eq. 5, by virtual work
             moment = x * F_n - z * F_f
             P_friction = F_f * v_s
-            P_contact = (F_n - normal.F_e) * Delta_dot
+            f.P_contact = (F_n - normal.F_e) * Delta_dot
             f.z_dot = friction.z_dot
             f.v_slip = abs(v_s)
             f.x = x
@@ -127,6 +127,5 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
     f.F_n = F_n
     f.moment = moment
     f.P_friction = P_friction
-    f.P_contact = P_contact
     f.P_damping = P_damping
     return Reach(Delta, rate)

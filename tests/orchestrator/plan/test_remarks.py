@@ -76,7 +76,7 @@ def test_arrays_are_one_line(tmp_path: Path, fmus: Path) -> None:
     system = replace(system, format=1, connections=tuple(replace(c, transfer="") for c in system.connections))
     lines = held_now(make_plan(system))
     assert [line.split(":")[0] for line in lines] == [
-        f'"vehicle.{name} -> brush.{name}"' for name in ("delta", "delta_dot", "v_rov")
+        f'"vehicle.{name} -> brush.{name}"' for name in ("delta", "delta_dot", "v_rov", "tilt_x")
     ]
 
 
