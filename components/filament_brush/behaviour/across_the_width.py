@@ -29,7 +29,7 @@ def test_a_tilted_brush_is_two_halves_that_are_pressed_in_differently(unit: Unit
         for side in (1.0, -1.0)
     )
     for running in (both, near, far):
-        go_on(running, 0.05, H)
+        go_on(running, 0.04, H)  # when a filament touches
     close(unit, "forces", read(both, *FORCES), 0.5 * (read(near, *FORCES) + read(far, *FORCES)), 1e-10)
     close(unit, "M_x", both["M_x"], 0.5 * w * (near["F_z"] - far["F_z"]), 1e-10)
     close(unit, "M_z", both["M_z"], -0.5 * w * (near["F_x"] - far["F_x"]), 1e-10)
