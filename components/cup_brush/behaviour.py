@@ -151,6 +151,15 @@ def test_canted_bristles_are_softer(unit: Unit) -> None:
     holds(0.1 * straight < canted < straight, f"{canted:.4g} N with cant, {straight:.4g} N without")
 
 
+def test_what_a_maker_must_know_follows_from_the_parameters(unit: Unit) -> None:
+    """m_filaments is the mass of all rods, packing their section over the disc within the outermost row."""
+    tufts, N_b, d, L, rho, R = values(unit, "row_tufts", "bristles_per_tuft", "d", "L", "rho", "R_brush")
+    seen = unit.new({"omega_b": 10.0, "delta": 0.0})
+    section = np.sum(tufts) * N_b * np.pi / 4.0 * d**2
+    close(unit, "mass of the bristles", seen["m_filaments"], section * rho * L, 1e-14)
+    close(unit, "packing", seen["packing"], section / (np.pi * R**2), 1e-14)
+
+
 EXCITATION = Excitation(
     1e-3, 40,
     {"omega_b": (12.0, 6.0), "delta": (4e-3, 5e-3), "v_rov": (0.05, 0.1), "delta_dot": (0.0, 0.5),

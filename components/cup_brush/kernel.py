@@ -103,6 +103,20 @@ def tell(u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
     y.h_micro_min = x.h_micro_min
     y.root_radius = x.root[0]
     y.J_filaments = bristle_inertia(p, x)
+    write_sizes(p, y)
+
+
+def write_sizes(p: Parameters, y: Outputs) -> None:
+    """Mass of the bristles, and how densely they stand on a disc that ends with the outermost row."""
+    tufts = 0.0
+    outermost = 0.0
+    for k in range(8):
+        tufts = tufts + tufts_in(k, p)
+        if tufts_in(k, p) > 0.0:
+            outermost = max(outermost, p.row_radius[k] * p.R_brush)
+    section = tufts * p.bristles_per_tuft * 0.25 * pi * p.d * p.d
+    y.m_filaments = section * p.rho * p.L
+    y.packing = section / (pi * max(outermost * outermost, 1e-12))
 
 
 def bristle_inertia(p: Parameters, x: State) -> float:

@@ -67,6 +67,8 @@ class Outputs(Packed):
     h_micro_min: float = output("s", "shortest micro-step so far")
     root_radius: float = calculated("m", "radius of the roots of the first row")
     J_filaments: float = calculated("kg.m2", "inertia of the bristles about z_t")
+    m_filaments: float = calculated("kg", "mass of all bristles, dry")
+    packing: float = calculated("1", "share of the disc within the outermost row that they take; at most 0.907")
 
 
 class State(Record):

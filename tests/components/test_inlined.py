@@ -28,7 +28,7 @@ def test_functions_inside_a_kernel_make_no_machine_code_of_their_own() -> None:
 
 def test_python_gets_what_a_function_returns_and_an_error_for_one_that_there_is_not() -> None:
     functions = compiled(component("rov_vehicle").kernel)
-    assert functions.thrust_of(0.5, 40.0, 30.0) == 10.0
+    assert functions.ring(130.0) == 2.0
     assert functions.has("step") and not functions.has("stop")
     with pytest.raises(AttributeError, match="has no function stop"):
         functions.stop()

@@ -41,11 +41,12 @@ def test_a_tilted_brush_is_two_halves_that_are_pressed_in_differently(unit: Unit
 def test_contact_is_counted(unit: Unit) -> None:
     """In a revolution each filament strikes once; it slides with the speed of its tip along an arc of contact."""
     R, n = values(unit, "R_brush", "n")
-    h = 2.0 * np.pi / 15.7 / 400.0
-    seen: Running = run(unit, 1600 * h, h, NOMINAL)
+    steps = 397  # no multiple of the filaments, which would all be sampled at the same places of their way
+    h = 2.0 * np.pi / 15.7 / steps
+    seen: Running = run(unit, 4 * steps * h, h, NOMINAL)
     strikes, slid, friction = read(seen, "strikes", "sliding_distance", "W_friction")
     lengths, count, speed = [], 0.0, 0.0
-    for _ in range(400):
+    for _ in range(steps):
         seen.step(h)
         lengths.append(seen["contact_length"])
         count += seen["contact_count"] * seen["v_sliding"] * h
@@ -57,3 +58,12 @@ def test_contact_is_counted(unit: Unit) -> None:
     chord = 2.0 * np.sqrt(R**2 - (R - 5e-3) ** 2)
     holds(0.5 * chord < np.mean(lengths) < 1.5 * chord, f"contact is {np.mean(lengths):.3g} m long, chord {chord:.3g}")
     holds(seen["W_friction"] > friction, "sliding takes work")
+
+
+def test_what_a_maker_must_know_follows_from_the_parameters(unit: Unit) -> None:
+    """m_filaments is the mass of n N_b rods, packing their section over the surface of the hub, 2 pi R_h width."""
+    N_b, d, L, rho, n, width = values(unit, "bristles_per_filament", "d", "L", "rho", "n", "width")
+    seen = unit.new(NOMINAL)
+    section = n * N_b * np.pi / 4.0 * d**2
+    close(unit, "mass of the bristles", seen["m_filaments"], section * rho * L, 1e-14)
+    close(unit, "packing", seen["packing"], section / (2.0 * np.pi * seen["R_h"] * width), 1e-14)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -40,11 +40,15 @@ QUIET = {f"sensors.{kind}_{sensor}": 0.0 for kind in ("noise", "quantum") for se
 
 
 def varied(system: System, mode: int, factor: float) -> System:
-    """With a mode of the controller, and a brush of `factor` times the bristles and contact stiffness."""
+    """With a mode of the controller, and a brush of `factor` times the bristles and contact stiffness.
+
+    It stands for a stiffer brush: what the system requires of one that is built (fit on the hub, mass) is left out.
+    """
     bristles = ("bristles_per_filament", "k_c")
     values = {f"brush.{name}": factor * start_of(system, "brush", name) for name in bristles}
     quiet = QUIET if "sensors" in system.components else {}
-    return system.with_values({"controller.mode": mode, **values, **quiet}, "margins")
+    without = replace(system, requirements=())
+    return without.with_values({"controller.mode": mode, **values, **quiet}, "margins")
 
 
 def table(system: str, fmus: Path | None, strategies: Mapping[str, int], brushes: Mapping[str, float]) -> Iterator[str]:

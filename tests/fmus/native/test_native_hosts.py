@@ -26,7 +26,7 @@ RUNS: dict[str, tuple[float, int, Mapping[str, float]]] = {
     "rov_controller": (2e-2, 400, {"z_n": 0.3, "theta": 0.2, "psi": 0.4}),
     "mission": (5e-2, 400, {"x_n": -0.3}),
     "constant_speed": (1e-3, 400, {"V_in": 12.0, "T_brush": -3.0}),
-    "tool_frame": (1e-3, 400, {"delta": 0.005, "tilt_x": 0.02, "q": 0.1}),
+    "tool_frame": (1e-3, 400, {"delta": 0.005, "tilt_x": 0.02, "tilt_y": 0.01, "q": 0.1}),
     "battery": (1e-2, 400, {"i": 60.0, "i_other": 5.0}),
     "hull_fouling": (5e-2, 400, {"s": 0.3, "delta": 0.003, "omega_b": 15.0, "W_friction": 50.0}),
     "rov_sensors": (5e-3, 400, {"u": 0.3, "psi": 3.0, "rate_dvl": 15.0, "noise_dvl": 0.01, "delay": 0.012}),

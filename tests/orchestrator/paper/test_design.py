@@ -114,7 +114,7 @@ def test_force_error_is_that_of_the_samples() -> None:
 
 
 def test_ranges_are_centred_on_what_the_task_has(asked: Task) -> None:
-    exact = {"brush.L", "brush.R_brush", "vehicle.m", "vehicle.m_tool", "vehicle.r_tool[3]"}  # 1 %
+    exact = {"brush.L", "brush.d", "brush.R_brush", "vehicle.m", "vehicle.m_tool", "vehicle.r_tool[3]"}  # 1 %
     vary = dict(sweep_file(SWEEP).vary)
     assert vary.pop("sensors.seed"), "each point has noise of its own"
     for name, text in vary.items():
