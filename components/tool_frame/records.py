@@ -32,6 +32,9 @@ class Inputs(Record):
 class Outputs(Packed):
     """The wrench of all tools together at the frame's point, and how each tool stands to the hull and moves."""
 
+    misalignment: float = output(
+        "rad", "angle of the normal into the hull from z_t, about +y_t, as a cup brush takes it", ("tilt_y",)
+    )
     F_x: float = output("N", "force of all tools along x_t", ("F_x_tool",))
     F_y: float = output("N", "force of all tools along y_t", ("F_y_tool",))
     F_z: float = output("N", "force of all tools along z_t", ("F_z_tool",))
@@ -44,9 +47,6 @@ class Outputs(Packed):
     delta_dot_tool: Vector = output("m/s", "its rate", ("delta_dot", "p", "q", "r", *PLACE), size=TOOLS)
     v_rov_tool: Vector = output(
         "m/s", "speed at which the hull passes each tool along +x_t", ("v_rov", "r"), size=TOOLS
-    )
-    misalignment: float = output(
-        "rad", "angle of the normal into the hull from z_t, about +y_t, as a cup brush takes it", ("tilt_y",)
     )
 
 
