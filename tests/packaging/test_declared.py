@@ -32,6 +32,8 @@ def normal(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
+NOT_IMPORTED |= {name: "of the documentation, which Sphinx builds" for name in named(EXTRAS["docs"])}
+NOT_IMPORTED |= {name: "what runs a notebook" for name in named(EXTRAS["notebooks"])}
 DECLARED = named(PROJECT["dependencies"]).union(*(named(texts) for extra, texts in EXTRAS.items() if extra != "test"))
 
 
