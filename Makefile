@@ -1,5 +1,6 @@
 # make run   own virtual environment, install, build the FMUs, nominal run, results/ and the Table 3 comparison
 # make test  the same environment with what the tests need, then all tests and checks
+# make docs  the documentation, into build/docs; needs no network
 # make lowest  the lowest versions that pyproject.toml allows, in an environment of their own, with the tests that touch libraries most
 # make evidence  claims of many thousand cases (tests/evidence/README.md); goes on where it was stopped
 PYTHON ?= python3
@@ -17,10 +18,14 @@ test: $(VENV)/test.stamp
 	@$(MAKE) --no-print-directory -j 2 types tests
 
 types: $(VENV)/test.stamp
-	$(BIN)/mypy components orchestrator
+	$(BIN)/mypy components orchestrator docs/generate
 
 tests: $(VENV)/test.stamp
 	$(BIN)/python -m pytest -n logical --dist worksteal
+
+docs: $(VENV)/test.stamp
+	$(BIN)/python -m sphinx -b html -W --keep-going -q docs build/docs
+	@echo "build/docs/index.html"
 
 evidence: $(VENV)/test.stamp
 	$(BIN)/python -m tests.evidence
@@ -47,4 +52,4 @@ $(VENV)/test.stamp: pyproject.toml
 clean:
 	rm -rf $(VENV) .lowest results fmus/*.fmu build *.egg-info
 
-.PHONY: run test types tests lowest evidence clean
+.PHONY: run test types tests docs lowest evidence clean
