@@ -17,7 +17,10 @@ from pathlib import Path
 from typing import Any
 
 from .clock import seconds_text
-from .errors import InputError
+from .errors import InputError, RovbrushError
+from .markup import element, safe
+from .plan.diagram.draw import block_diagram, diagram_html
+from .plan.diagram.file import write_diagram
 from .plan.explain import explain
 from .plan.plan import Plan
 from .results.result import Result
@@ -30,6 +33,10 @@ from .system.model import System
 from .system.request import Changes, set_name
 
 Inputs = Mapping[str, Any] | str | Path
+PUBLIC = (
+    "diagram", "explain", "over", "plan", "run", "set", "start", "stopping", "system", "with_inputs",
+)  # fmt: skip
+DRAWN = 30  # components, in a notebook
 Observer = Callable[[float, dict[str, Any]], object]
 
 
@@ -75,6 +82,8 @@ def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...
 class Model:
     """A system that can be run, again and again. It never changes: `set` and `with_inputs` give another one."""
 
+    system: System  #: what is to be run, checked
+
     def __init__(self, system: System, planned: Plan | None = None) -> None:
         self.system = system
         self._planned = planned
@@ -90,6 +99,28 @@ class Model:
         begin = f"{seconds_text(self.system.start)} " if self.system.start else ""
         end = seconds_text(self.system.stop)
         return f"<Model {self.system.name}: {', '.join(self.system.components)}, {begin}to {end}>"
+
+    def __dir__(self) -> list[str]:
+        """What is meant to be used."""
+        return sorted(PUBLIC)
+
+    def _repr_html_(self) -> str:
+        """In a notebook: the block diagram, or why there can be none."""
+        try:
+            if len(self.system.components) > DRAWN:
+                return element("p", safe(repr(self)))
+            return diagram_html(self.plan)
+        except RovbrushError as error:
+            return element("p", safe(f"{self!r}: {error}"))
+
+    def diagram(self, path: str | Path = "") -> str:
+        """The block diagram as SVG: components with their periods, arrows with signals and transfers.
+
+        `path`: a file to write it to as well. Raises InputError for one that does not end with .svg.
+        """
+        if path:
+            write_diagram(self.plan, Path(path))
+        return block_diagram(self.plan)
 
     def set(self, name: str | Mapping[str, object], value: object = None) -> Model:
         """With a parameter, or an input that nothing drives: `set("motor.R", 0.1)`, `set({"motor.R": 0.1, ...})`.

@@ -100,6 +100,10 @@ def systems() -> None:
 def plan(
     system: SystemName,
     all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,
+    svg: Annotated[
+        Path | None,
+        typer.Option("--svg", metavar="FILE.svg", help="Draw it too: blocks with rates, arrows with transfers."),
+    ] = None,
     set_: SetOption = [],  # noqa: B006
     input_: InputOption = [],  # noqa: B006
     replace: ReplaceOption = [],  # noqa: B006
@@ -113,6 +117,7 @@ def plan(
     fmus: FmusOption = None,
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at the start are tried."""
+    from ...plan.diagram.file import require_svg, write_diagram
     from ...plan.explain import explain
     from ...plan.plan import make_plan
     from ...run.initialize import begin_text, loop_residuals
@@ -124,10 +129,16 @@ def plan(
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
         allow_outside=tuple(map(str, allow_outside)), parameters=parameters,
     )  # fmt: skip
+    if svg is not None:
+        require_svg(svg)
     planned = make_plan(assemble_request(request))
+    if svg is not None:
+        write_diagram(planned, svg)
     tell(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
         tell(f"\nat {begin_text(planned.clock)}, {loop}: residual {residual:.3g}, relative to the inputs")
+    if svg is not None:
+        tell(f"\nwrote {svg}")
 
 
 @app.command()

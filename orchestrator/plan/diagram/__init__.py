@@ -1,0 +1,1 @@
+"""A plan as a picture: its components in the order in which they step, and what goes from one to another."""
