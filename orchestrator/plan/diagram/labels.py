@@ -27,7 +27,7 @@ def label_of(flow: Flow, blocks: int) -> Label:
 
 
 def names_in(names: Sequence[str], most: int) -> str:
-    """`F_x, F_z, +3`: the first names, within so many characters, and the number of the others."""
+    """`x, y, +3`: the first names, within so many characters, and the number of the others."""
     for count in range(len(names), 0, -1):
         more = f", +{len(names) - count}" if count < len(names) else ""
         line = ", ".join(names[:count]) + more
