@@ -28,7 +28,7 @@ def build_all(
 ) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
-    `names`: shipped components, or folders of others (see `new/`).
+    `names`: shipped components, folders of others (see `new/`), or scripts of pythonfmu's (NAME.py).
     `rows`: how many elements of the vectors that can be shown are outputs (the brush: per-filament outputs).
     `platforms`: build native FMUs with binaries for these (`linux64`, `win64`) instead, into `folder`/native.
     `missing`: hears of platforms without a compiler, which are left out unless there is no other; None: an error.
@@ -45,13 +45,17 @@ def build_all(
 
 
 def folder_of(name: str) -> Path:
-    """The folder of a component: of a shipped one by its name, else the folder that is named.
+    """The folder of a component: of a shipped one by its name, else the folder, or the script, that is named.
 
     Raises UnknownComponentError where there is none.
     """
     if name in COMPONENTS:
         return HERE / name
     folder = Path(name)
+    if folder.suffix == ".py" and folder.is_file():
+        if not folder.stem.isidentifier():
+            raise UnknownComponentError(f"{folder}: a script of an FMU has a name of letters, digits and _")
+        return folder.resolve()
     if (folder / "fmu.py").is_file():
         if not folder.resolve().name.isidentifier():
             raise UnknownComponentError(f"{folder}: a component's folder has a name of letters, digits and _")
@@ -65,6 +69,8 @@ def folder_of(name: str) -> Path:
 
 def build(component: Path, folder: Path, rows: int = 0, platforms: tuple[str, ...] = ()) -> list[Path]:
     """Build the FMUs of one component from its folder, wherever that is, in a process of its own; see `build_all`."""
+    if component.suffix == ".py" and (platforms or rows):
+        raise BuildError(f"{component.name} is a script of pythonfmu's: there is no C of it, and no --rows")
     targets = [folder / "native" / version for version in NATIVE] if platforms else [folder]
     for target in targets:
         try:
@@ -85,12 +91,16 @@ def build(component: Path, folder: Path, rows: int = 0, platforms: tuple[str, ..
             if known is not None
             else run.stderr
         )
-        raise BuildError(f"building {component.name}.fmu failed: {text.strip()}")
-    return [target / f"{component.name}.fmu" for target in targets]
+        raise BuildError(f"building {component.stem}.fmu failed: {text.strip()}")
+    return [target / f"{component.stem}.fmu" for target in targets]
 
 
 if __name__ == "__main__":
-    if sys.argv[4:]:
+    if sys.argv[1].endswith(".py"):
+        from .python.script import build_script
+
+        build_script(Path(sys.argv[1]), Path(sys.argv[2]))
+    elif sys.argv[4:]:
         from .native.build import build_one_native
 
         build_one_native(Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]), tuple(sys.argv[4:]))

@@ -1,1 +1,1 @@
-"""A component to begin with: a small one that works, written into a folder of one's own."""
+"""Something to begin with that works, in a folder of one's own: a component, or a system of FMUs."""

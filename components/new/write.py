@@ -6,12 +6,12 @@ import importlib.util
 import keyword
 import os
 import re
-import tempfile
 from pathlib import Path
 
 from ..build import COMPONENTS, HERE
 from ..describe.tables import describe_component
 from ..errors import NewComponentError
+from .files import require_free, require_name, write_whole
 
 TEMPLATE = Path(__file__).parent / "template"
 PACKAGE = "rovbrush.components"
@@ -25,28 +25,21 @@ def new_component(name: str, folder: Path) -> tuple[Path, list[tuple[str, str]]]
     target = folder.absolute() / name
     _check_name(name)
     _check_place(target)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=f".{name}_", dir=target.parent) as temporary:
-            made = Path(temporary) / name
-            made.mkdir()
-            for path in sorted(TEMPLATE.iterdir()):
-                if path.is_file():
-                    text = renamed(path.read_text(encoding="utf-8"), name, inside=_is_inside(target))
-                    (made / path.name).write_text(text, encoding="utf-8")
-            made.rename(target)
-    except OSError as error:
-        raise NewComponentError(f"cannot write {target}: {error.strerror}; see --folder") from error
+
+    def fill(made: Path) -> None:
+        for path in sorted(TEMPLATE.iterdir()):
+            if path.is_file():
+                text = renamed(path.read_text(encoding="utf-8"), name, inside=_is_inside(target))
+                (made / path.name).write_text(text, encoding="utf-8")
+
+    write_whole(target, fill)
     describe_component(str(target))
     return target, _next_steps(name, folder, inside=_is_inside(target))
 
 
 def _check_name(name: str) -> None:
     """A name is a Python module's and an FMI modelIdentifier, which is a C identifier; nobody else has it."""
-    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) or len(name) > 64:
-        raise NewComponentError(
-            f"'{name}' is no name for a component: a letter, then letters, digits and _, 64 at most, as `leaky_tank`"
-        )
+    require_name(name, "component", "leaky_tank")
     if keyword.iskeyword(name) or keyword.issoftkeyword(name):
         raise NewComponentError(f"'{name}' is a word of Python; choose another name")
     if name in COMPONENTS:
@@ -57,10 +50,7 @@ def _check_name(name: str) -> None:
 
 def _check_place(target: Path) -> None:
     """Nothing is there yet, and `import NAME` means nothing else."""
-    if os.path.lexists(target):
-        raise NewComponentError(f"{target} exists; choose another name, or another place with --folder")
-    if target.parent.exists() and not target.parent.is_dir():
-        raise NewComponentError(f"{target.parent} is no folder; choose another place with --folder")
+    require_free(target)
     if _is_inside(target):
         return
     try:

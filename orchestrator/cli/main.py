@@ -11,7 +11,7 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from .commands import bench, cache, check, doctor, exchange, fmu, new, paper, run, schema, study
+from .commands import bench, cache, check, doctor, exchange, fmu, new, paper, run, schema, shipped, study
 from .guard import guarded
 from .options import app
 
@@ -29,6 +29,7 @@ __all__ = [
     "program",
     "run",
     "schema",
+    "shipped",
     "study",
 ]
 

@@ -79,24 +79,6 @@ def build(
 
 
 @app.command()
-def systems() -> None:
-    """List the shipped systems, parameter sets and sweeps."""
-    from ...studies.sweep.file import SWEEPS, shipped_sweeps
-    from ...system.file.parameter_sets import shipped_sets
-    from ...system.file.reader import system_description
-    from ...system.file.shipped import SYSTEMS, shipped_systems
-
-    for name in shipped_systems():
-        tell(f"{name:<20} {system_description(SYSTEMS / f'{name}.toml')}")
-    tell("\nparameter sets, for `--parameters`:")
-    for name, about in shipped_sets().items():
-        tell(f"{name:<20} {about}")
-    tell("\nsweeps, for `rovbrush sweep`:")
-    for name in shipped_sweeps():
-        tell(f"{name:<20} {system_description(SWEEPS / f'{name}.toml')}")
-
-
-@app.command()
 def plan(
     system: SystemName,
     all_operations: Annotated[bool, typer.Option("--all", help="Show every operation.")] = False,

@@ -21,14 +21,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import InputError, nearest
-from ...system.file.shipped import SYSTEMS, shipped_systems
+from ...system.file.shipped import SWEEPS, SYSTEMS, shipped_systems
 from ...system.formats import ENDINGS, is_system_file
 from ...system.request import set_name
 from ...system.schema.checked import checked
 from ...system.schema.sweep import SweepTable
 from ...toml_file import TomlFile
-
-SWEEPS = SYSTEMS / "sweeps"
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 SYSTEMS = Path(__file__).parent.parent.parent / "systems"
+SWEEPS = SYSTEMS / "sweeps"
+SCHEMAS = SYSTEMS / "schema"  # what editors know of them: `#:schema` in their first lines
 
 
 def shipped_systems() -> list[str]:
