@@ -1,4 +1,4 @@
-"""What comes with the package can be copied and runs where it then lies; the documentation is found, or its place told."""
+"""What comes with the package can be copied and then runs where it lies; the documentation is found."""
 
 from __future__ import annotations
 
