@@ -108,6 +108,16 @@ def test_place_may_follow_from_the_speed(unit: Unit) -> None:
         close(unit, name, running[name], told[name], 1e-9)  # sums of 1000 steps
 
 
+def test_passes_do_not_depend_on_the_communication_step(unit: Unit) -> None:
+    """One pass is one pass, also where a step is longer than pass_gap."""
+    gap = unit.parameter("pass_gap")
+    for h in (0.25 * gap, gap, 1.5 * gap, 4.0 * gap):
+        running = unit.new(AT_REST | {"s": -0.3})
+        sweep(running, 0.0, 16.0 * gap, -0.3, 1.1 / (16.0 * gap), h)
+        visited = running["passes"][running["place"] < 0.75]
+        same(f"passes with steps of {h:g} s", visited, 1.0)
+
+
 def test_passes_are_counted(unit: Unit) -> None:
     """There and back after a pause are two passes; a brush that lifts off for less than pass_gap makes no other."""
     running = unit.new(AT_REST | {"s": -0.3})

@@ -129,11 +129,11 @@ def outputs(p: Parameters, x: State, y: Outputs) -> None:
             y.cleaned = y.cleaned + p.cell_length
 
 
-def come(t: float, i: int, p: Parameters, x: State) -> None:
-    """A cell is under the brush at t."""
+def come(t: float, h: float, i: int, p: Parameters, x: State) -> None:
+    """A cell is under the brush in a step from t on; however long that is, the next step goes on where it ends."""
     if t - x.touched[i] > p.pass_gap:
         x.visits[i] = x.visits[i] + 1.0
-    x.touched[i] = t
+    x.touched[i] = t + h
 
 
 def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> None:
@@ -156,7 +156,7 @@ def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs) -> 
         x.pressed[i] = x.pressed[i] + share * c.load * c.speed * h / area
         done = done + share * c.work
         if share > 0.0 and c.speed > 0.0:
-            come(t + h, i, p, x)
+            come(t, h, i, p, x)
     x.W_cells = x.W_cells + done
     x.W_beyond = x.W_beyond + (c.work - done)
     x.W_last = u.W_friction

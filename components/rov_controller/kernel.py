@@ -8,7 +8,7 @@ from ..library.thrust import allocation_matrix
 from ..library.vectors import dot, join
 from .allocation import pseudoinverse
 from .force import filter_wrench, point_normal
-from .loops import sample
+from .loops import sample, velocities
 from .parameters import Parameters
 from .records import Inputs, Outputs, Scratch, State
 
@@ -57,17 +57,6 @@ def outputs(x: State, y: Outputs) -> None:
     y.saturation_count = x.saturation_count
     y.F_n = -dot(x.wrench, x.into_hull)
     y.pressing = x.pressing
-
-
-def velocities(u: Inputs, s: Scratch) -> None:
-    """The measured velocity and rate as one vector."""
-    s.v_set[0] = u.u
-    s.v_set[1] = u.v
-    s.v_set[2] = u.w
-    s.omega_set[0] = u.p
-    s.omega_set[1] = u.q
-    s.omega_set[2] = u.r
-    join(s.nu, s.v_set, s.omega_set)
 
 
 def step(t: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:

@@ -12,6 +12,17 @@ from .parameters import Parameters
 from .records import Inputs, Scratch, State
 
 
+def velocities(u: Inputs, s: Scratch) -> None:
+    """The measured velocity and rate as one vector."""
+    s.v_set[0] = u.u
+    s.v_set[1] = u.v
+    s.v_set[2] = u.w
+    s.omega_set[0] = u.p
+    s.omega_set[1] = u.q
+    s.omega_set[2] = u.r
+    join(s.nu, s.v_set, s.omega_set)
+
+
 def set_points(u: Inputs, p: Parameters, s: Scratch) -> None:
     """Outer loops: set-points of velocity and rate, body frame."""
     quaternion(s.attitude, u.phi, u.theta, u.psi)
@@ -54,6 +65,7 @@ def integrate(p: Parameters, x: State, s: Scratch) -> None:
 
 def sample(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """Take one sample: from the inputs to the thruster commands."""
+    velocities(u, s)  # the observer may have put its own in their place at the last sample of the step
     set_points(u, p, s)
     if p.mode == 3 or p.observed_velocity:
         observe(p, x, s)

@@ -5,22 +5,22 @@ from math import pi
 from ..declare.record import Vector
 from .parameters import Parameters
 from .records import State
-from .samples import kept, reading_of, time_of
+from .samples import kept, on_grid, reading_of, time_of
 
 
 def show_now(k: int, c_0: int, truth: Vector, shown: Vector, p: Parameters, x: State) -> None:
     """What sensor k reads at once."""
     for c in range(c_0, c_0 + int(x.channels[k])):
-        shown[c] = reading_of(k, c, truth[c], p, x)
+        shown[c] = on_grid(reading_of(k, c, truth[c], p, x), x.quantum[c])
 
 
 def show_sample(newest: float, k: int, c_0: int, truth: Vector, shown: Vector, p: Parameters, x: State) -> None:
     """Sample `newest` of sensor k, or the next, which is about to be taken, whichever comes first."""
     for c in range(c_0, c_0 + int(x.channels[k])):
         if newest < x.next[k]:
-            shown[c] = kept(newest, k, c, x)
+            shown[c] = on_grid(kept(newest, k, c, x), x.quantum[c])
         else:
-            shown[c] = reading_of(k, c, truth[c], p, x)
+            shown[c] = on_grid(reading_of(k, c, truth[c], p, x), x.quantum[c])
 
 
 def last_before(instant: float, k: int, x: State) -> float:
@@ -72,3 +72,4 @@ def show_instant(
             if after < x.next[k]:
                 reading = kept(after, k, c, x)
             shown[c] = on_the_way(shown[c], reading, part, x.wraps[c])
+        shown[c] = on_grid(shown[c], x.quantum[c])

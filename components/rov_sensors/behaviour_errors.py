@@ -82,6 +82,18 @@ def test_readings_are_multiples_of_the_quantum(unit: Unit) -> None:
         close(unit, "roll angle", seen["phi_m"], 0.01 * np.round(phi / 0.01), 1e-15, 1.0)
 
 
+def test_delayed_readings_without_samples_are_multiples_of_the_quantum(unit: Unit) -> None:
+    """Between two instants too: the multiple that is nearest to the truth of the instant that is shown."""
+    seen = unit.new({"z_n": 0.0}, quantum_depth=0.25, delay_depth=0.013)
+    for k in range(200):
+        seen.set(z_n=0.01 * k)
+        seen.step(0.005)
+        if k > 10:
+            steps = 200.0 * (0.005 * k - 0.013)  # a held input is seen at the instant at which it was set
+            holds(abs(seen["z_n_m"] - 0.01 * steps) <= 0.125 + 1e-9, f"{seen['z_n_m']} m where {0.01 * steps:g} m is")
+            same("rest", seen["z_n_m"] % 0.25, 0.0)
+
+
 def test_lost_samples_hold_the_last_one(unit: Unit) -> None:
     """Of 2000 samples the share asked for is lost, within five times what chance allows; the last one holds."""
     seen = unit.new({"z_n": 0.0}, rate_depth=RATE, dropout_depth=0.3)

@@ -10,7 +10,7 @@ from ..library.sampling import first_sample
 from .arrival import last_before, show_instant, show_now, show_sample
 from .parameters import Parameters
 from .records import Channels, Inputs, Outputs, Scratch, State
-from .samples import on_grid, take_due, take_now, without_noise
+from .samples import take_due, take_now, without_noise
 from .settings import into_vectors
 from .truth import find_truth
 
@@ -36,7 +36,7 @@ def begin(t: float, truth: Vector, x: State) -> None:
         x.next[k] = x.first[k]
         x.before[k] = x.first[k] - 1.0
         for _ in range(int(x.channels[k])):
-            x.start[c] = on_grid(without_noise(k, c, truth[c], x), x.quantum[c])
+            x.start[c] = without_noise(k, c, truth[c], x)
             c = c + 1
 
 

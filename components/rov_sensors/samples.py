@@ -30,7 +30,7 @@ def without_noise(k: int, c: int, truth: float, x: State) -> float:
 
 
 def kept(number: float, k: int, c: int, x: State) -> float:
-    """The reading of sample `number` of sensor k, which has been taken; before the first that of the start."""
+    """The reading of sample `number` of sensor k, before its quantum; before the first that of the start."""
     reading = x.start[c]
     if number >= x.first[k]:
         row = row_of(number)
@@ -46,14 +46,14 @@ def time_of(number: float, k: int, x: State) -> float:
 
 
 def reading_of(k: int, c: int, truth: float, p: Parameters, x: State) -> float:
-    """What channel c reads at the next sample of sensor k."""
+    """What channel c reads at the next sample of sensor k, before its quantum."""
     number = x.next[k]
     if x.dropout[k] > 0.0 and uniform(number, 64 + k, p.seed) < x.dropout[k]:
         return kept(number - 1.0, k, c, x)  # lost: the last one holds
     reading = without_noise(k, c, truth, x)
     if x.noise[c] > 0.0:
         reading = reading + x.noise[c] * gaussian(number, c, p.seed)  # Eq. N3
-    return on_grid(reading, x.quantum[c])
+    return reading
 
 
 def take(k: int, c_0: int, truth: Vector, p: Parameters, x: State) -> None:

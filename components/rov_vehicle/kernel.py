@@ -13,7 +13,7 @@ from .inertia import gravity, kinetic, mass_matrix, potential
 from .momentum import angular_momentum, longest_step, spin
 from .motion import rates, runge_kutta
 from .parameters import Parameters
-from .propulsion import draw, steady, take_commands, thruster_wrench, thrusts, until_next_command
+from .propulsion import draw, steady, take_commands, thruster_wrench, thrusts, until_next_command, wrench_of
 from .records import Inputs, Motion, Outputs, Scratch, State
 from .tool import tool_motion, tool_wrench
 
@@ -65,7 +65,8 @@ def place(z: Motion, p: Parameters, s: Scratch) -> None:
 
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Pose, velocities, thrusts, wrenches, the tool's place and motion against the hull, powers and energies."""
-    thruster_wrench(1.0, x, s)
+    copy(8, s.F, x.thrust)
+    wrench_of(s.F, x, s)
     spin(u, x, s)
     copy(24, s.stage, x.motion)
     change_frame(s.stage, -1.0, u, s)

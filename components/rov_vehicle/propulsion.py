@@ -66,7 +66,12 @@ def acting(u: float, p: Parameters) -> float:
 
 
 def in_table(c: float, dead_band: float, u: Vector, F: Vector) -> float:
-    """Thrust at a command: its root, the speed of the propeller, straight between the points and the dead band."""
+    """Thrust at a command: its root, the speed of the propeller, straight between the points and the dead band.
+
+    Points within the dead band do not count: beyond it the thrust rises from 0 to the next point.
+    """
+    if abs(c) <= dead_band:
+        return 0.0
     k = 0
     for i in range(1, 6):
         if c > u[i]:
@@ -75,13 +80,12 @@ def in_table(c: float, dead_band: float, u: Vector, F: Vector) -> float:
     high = u[k + 1]
     F_low = F[k]
     F_high = F[k + 1]
-    if low < 0.0 and high > 0.0:
-        if c < 0.0:
-            high = -dead_band
-            F_high = 0.0
-        else:
-            low = dead_band
-            F_low = 0.0
+    if c > 0.0 and low < dead_band:
+        low = dead_band
+        F_low = 0.0
+    if c < 0.0 and high > -dead_band:
+        high = -dead_band
+        F_high = 0.0
     share = min(1.0, max(0.0, (c - low) / (high - low)))
     root = (1.0 - share) * sqrt(abs(F_low)) + share * sqrt(abs(F_high))
     thrust = root * root
@@ -135,8 +139,13 @@ def thruster_wrench(decay: float, x: State, s: Scratch) -> None:
     """B F (Eq. 20) with the thrusts after a time in which the distance to their steady values fell by `decay`."""
     for j in range(8):
         s.F[j] = decay * x.thrust[j] + (1.0 - decay) * s.F_steady[j]
-    rows_times(s.F_control, x.B, 0, 3, s.F, 8)  # Eq. 20
-    rows_times(s.M_control, x.B, 3, 6, s.F, 8)  # Eq. 20
+    wrench_of(s.F, x, s)
+
+
+def wrench_of(thrust: Vector, x: State, s: Scratch) -> None:
+    """B F (Eq. 20)."""
+    rows_times(s.F_control, x.B, 0, 3, thrust, 8)  # Eq. 20
+    rows_times(s.M_control, x.B, 3, 6, thrust, 8)  # Eq. 20
 
 
 def near_hull(z: Motion, p: Parameters, x: State, s: Scratch) -> None:
@@ -150,8 +159,7 @@ def near_hull(z: Motion, p: Parameters, x: State, s: Scratch) -> None:
         for i in range(3):
             d -= s.normal[i] * p.thruster_position[3 * j + i]
         s.F_near[j] = s.F[j] * (1.0 - p.hull_loss * exp(-max(0.0, d) / p.hull_loss_length))  # Eq. V11
-    rows_times(s.F_control, x.B, 0, 3, s.F_near, 8)
-    rows_times(s.M_control, x.B, 3, 6, s.F_near, 8)
+    wrench_of(s.F_near, x, s)
 
 
 def thrusts(decay: float, x: State, s: Scratch) -> None:

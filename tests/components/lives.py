@@ -65,8 +65,11 @@ def lives(name: str) -> dict[str, Any]:
 class Instance:
     """One instance of a component without FMI: parameters, inputs, state arrays and y, by name."""
 
-    def __init__(self, declared: type[ComponentSlave], functions: Any, **parameters: Any) -> None:
+    def __init__(
+        self, declared: type[ComponentSlave], functions: Any, spoiled: bool = False, **parameters: Any
+    ) -> None:
         self.declared = declared
+        self.spoiled = spoiled  # what is scratch has no number in it when a function is called
         self.functions = functions
         chosen = declared.parameters(**parameters)
         self.values: dict[str, Any] = {
@@ -98,6 +101,9 @@ class Instance:
     def call(self, function: str) -> None:
         """Call an entry point with its arguments bound by name; plain Python gets records over the same arrays."""
         called = getattr(self.functions, function)
+        for array in self.declared.arrays if self.spoiled else ():
+            if array.scratch:
+                self.arrays[array.name].fill(np.nan)
         if self.functions is self.declared.kernel:
             called(*[self.of_record(p) for p in inspect.signature(called).parameters.values()])
         else:
@@ -154,9 +160,9 @@ def excitation(case: Case, k: int) -> dict[str, Any]:
     return result
 
 
-def history(case: Case, functions: Any) -> list[dict[str, np.ndarray]]:
+def history(case: Case, functions: Any, spoiled: bool = False) -> list[dict[str, np.ndarray]]:
     """Everything a kernel computes, after the start and after every step."""
-    instance = Instance(component(case.name), functions, **case.parameters)
+    instance = Instance(component(case.name), functions, spoiled, **case.parameters)
     instance.set(**excitation(case, 0))
     instance.start()
     snapshots = [instance.snapshot()]

@@ -100,6 +100,16 @@ def test_python_numba_and_c_agree_bit_by_bit(case: Case, measured: Measured) -> 
     measured(f"kernel {case}: numbers that differ between Python, Numba and C", unequal, "0")
 
 
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_no_output_reads_what_only_another_call_left(case: Case) -> None:
+    """Scratch holds nothing from one call to the next: whatever lies there, outputs and states are the same."""
+    clean, dirty = (history(case, component(case.name).kernel, spoiled) for spoiled in (False, True))
+    lasting = {"y", *(a.name for a in component(case.name).arrays if not a.scratch)}
+    for k, (expected, seen) in enumerate(zip(clean, dirty, strict=True)):
+        for name in lasting:
+            assert np.array_equal(expected[name], seen[name], equal_nan=False), f"{name} after {k} steps"
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_outputs_are_written_in_declared_order(name: str) -> None:
     declared = component(name)

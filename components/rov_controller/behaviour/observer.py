@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...testing.behaviour import Unit, close, holds, read, same, values, where_known
+from ...testing.behaviour import Unit, close, go_on, holds, read, same, values, where_known
 from .allocation import given
 from .pid import T_S
 
@@ -83,6 +83,18 @@ def test_mode_3_does_not_read_the_force_sensor(unit: Unit) -> None:
             seen.step(T_S)
         found.append(read(seen, "u_thruster", "F_n"))
     same("commands and force", found[1], found[0])
+
+
+def test_observed_velocity_is_corrected_at_each_sample_of_a_step(unit: Unit) -> None:
+    """Inputs that are held over several samples lead to the same commands whether the step has one of them or four."""
+    found = []
+    for parts in (4, 1):
+        seen = unit.new({}, **where_known(unit, T_s=T_S), observed_velocity=True)
+        for k in range(20):
+            seen.set(w=0.02 * float(np.sin(0.3 * k)))
+            go_on(seen, 4.0 * T_S, 4.0 * T_S / parts)
+        found.append(read(seen, "u_thruster", "F_ref"))
+    close(unit, "commands and force", found[1], found[0], 1e-9, 1.0)
 
 
 def test_observed_velocity_smooths_what_is_measured(unit: Unit) -> None:

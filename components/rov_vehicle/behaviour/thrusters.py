@@ -44,6 +44,18 @@ def test_table_gives_no_thrust_within_its_dead_band(unit: Unit) -> None:
             holds(0.0 < beyond < 0.1, f"{beyond:.3g} N at 8 us beyond the band")
 
 
+def test_any_dead_band_of_the_table_gives_no_thrust_within(unit: Unit) -> None:
+    """However many points of the table it holds: 0 within, then rising to the next point; none at rest."""
+    for band in (0.0, 0.2, 0.25, 0.3, 0.5, 0.9):
+        bands: dict[str, Any] = {"thrust_table": True, "dead_band_12V": band, "dead_band_16V": band}
+        same("thrust at rest", thrust_at(unit, 0.0, **bands), 0.0)
+        for side in (-1.0, 1.0):
+            same("thrust at the edge", thrust_at(unit, side * band, **bands), 0.0)
+            risen = [side * thrust_at(unit, side * u, **bands) for u in np.linspace(band, 1.0, 9)]
+            holds(bool(np.all(np.diff(risen) > 0.0)), f"thrust falls somewhere behind a dead band of {band:g}")
+            same("thrust at full command", thrust_at(unit, side, **bands), thrust_at(unit, side, thrust_table=True))
+
+
 def test_thrust_of_the_table_rises_with_command_and_voltage(unit: Unit) -> None:
     """Between the points too, and from 8 to 18 V; forward thrust never turns into reverse thrust."""
     commands = np.linspace(-1.0, 1.0, 41)
