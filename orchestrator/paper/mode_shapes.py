@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import InputError, nearest
-from ..results.plots import new_figure
+from ..results.pictures.canvas import new_figure
 from ..system.model import System
 from .beam import shape
 

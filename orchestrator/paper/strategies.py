@@ -18,7 +18,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..files import prepare_folder, write_file, write_json
 from ..results.files.manifest import plain_value
-from ..results.plots import captioned, new_figure
+from ..results.pictures.canvas import captioned, new_figure
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete

@@ -116,7 +116,7 @@ def text(value: float) -> str:
 
 def elastica_figure(bent: elastica.Bending, reached: float) -> Figure:
     """Errors over the deflection; `reached` is the largest deflection of the nominal run."""
-    from ..results.plots import new_figure
+    from ..results.pictures.canvas import new_figure
 
     figure, (axis,) = new_figure("Bending model against the exact elastica under a tip load")
     figure.set_size_inches(8.0, 4.4)

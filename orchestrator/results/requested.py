@@ -59,7 +59,7 @@ def check_numeric(system: System, origin: str) -> None:
 
 
 def check_figure(entry: Mapping[str, Any], recorded: set[str], system: System, label: str) -> None:
-    """One `[[figures]]` entry; see `plots.figures`."""
+    """One `[[figures]]` entry; see `pictures.figures`."""
     file = PurePath(str(entry["file"]))
     if file.name != entry["file"] or file.suffix not in FORMATS:
         raise InputError(f"{label}: file must be a plain name that ends in {', '.join(FORMATS)}")

@@ -23,7 +23,7 @@ from ..errors import InputError, RunError
 from ..files import prepare_folder, write_file, write_json
 from ..fmu.types import BINARY, TEXT
 from ..plan.plan import make_plan
-from ..results.plots import new_figure
+from ..results.pictures.canvas import new_figure
 from ..results.signals import Signals
 from ..results.summary import summarize
 from ..results.tables import require_complete

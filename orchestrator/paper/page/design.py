@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...results.plots import captioned, new_figure
+from ...results.pictures.canvas import captioned, new_figure
 from ..design import sections
 from ..design.spread import LIMIT, Spread
 from ..design.task import Task

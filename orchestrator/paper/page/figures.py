@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ...results.plots import captioned, new_figure
+from ...results.pictures.canvas import captioned, new_figure
 from .. import mode_shapes
 from ..claims.transients import transient
 from ..lab import Case

@@ -177,7 +177,7 @@ def _profiles(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:
-    from ..plots import figure
+    from ..pictures.figures import figure
 
     drawn = figure(run, entry)
     return [write_file(folder / str(entry["file"]), drawn.savefig)] if drawn else []

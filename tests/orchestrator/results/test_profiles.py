@@ -9,7 +9,7 @@ import pytest
 from helpers import column
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.results.files.writing import Written, write_products
-from rovbrush.orchestrator.results.plots import figure
+from rovbrush.orchestrator.results.pictures.figures import figure
 from rovbrush.orchestrator.results.profiles import profiles
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.planned import planned

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rovbrush.orchestrator.paper.lab import Lab
-from rovbrush.orchestrator.results.plots import COLUMNS, SAMPLES, STYLES, draw, figure, new_figure
+from rovbrush.orchestrator.results.pictures.canvas import new_figure
+from rovbrush.orchestrator.results.pictures.figures import figure
+from rovbrush.orchestrator.results.pictures.lines import COLUMNS, SAMPLES, STYLES, draw
 
 
 @pytest.mark.parametrize("samples", [50, SAMPLES * COLUMNS - 1, SAMPLES * COLUMNS, 100_003])

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from ..system.file.figure_kinds import figure_kind
-from .profiles import Profiles, profiles
-from .signals import Signals
-from .tables import Run
+from ...system.file.figure_kinds import figure_kind
+from ..profiles import Profiles, profiles
+from ..signals import Signals
+from ..tables import Run
+from .canvas import captioned, new_figure
+from .lines import STYLES, draw
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-COLUMNS, SAMPLES = 700, 4  # of a figure: places side by side, and samples in each that can still be told apart
-CAPTION = 150  # characters in a line of it
-STYLES = ("-", "--", "-.", ":")  # of signals in one axis: one does not hide the other
 
 
 def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
@@ -35,42 +30,6 @@ def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
         return captioned(drawn, run)
     signals = Signals(run)
     return captioned(time_series(signals, entry), run) if all(name in signals for name in entry["signals"]) else None
-
-
-def captioned(figure: Figure, run: Run) -> Figure:
-    """The figure with what the run's parameter set says of itself below it."""
-    if run.plan.system.parameter_set:
-        said = fill(f"parameters: {run.plan.system.parameter_set}", CAPTION)
-        figure.supxlabel(said, x=0.01, ha="left", fontsize=7, color="dimgray")
-    return figure
-
-
-def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, list[Any]]:
-    """An empty figure with `rows` axes one above the other, of one horizontal axis if `share`."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8.0, 1.2 + 2.6 * rows), dpi=110, layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots(rows, 1, sharex=share, squeeze=False)[:, 0]
-    figure.suptitle(title)
-    for axis in axes:
-        axis.grid(alpha=0.3)
-        axis.margins(x=0)
-    return figure, list(axes)
-
-
-def draw(axis: Any, time: np.ndarray, values: np.ndarray, name: str, style: str) -> None:
-    """A signal as a line; one of more samples than a figure can show as its mean in a band from least to largest."""
-    if len(time) < SAMPLES * COLUMNS or values.dtype.kind not in "fiu":
-        axis.plot(time, values, style, linewidth=0.9, label=name)
-        return
-    firsts = np.linspace(0, len(time), COLUMNS, endpoint=False, dtype=int)
-    counts = np.diff([*firsts, len(time)])
-    middle = np.add.reduceat(time, firsts) / counts
-    (line,) = axis.plot(middle, np.add.reduceat(values, firsts) / counts, style, linewidth=0.9, label=name)
-    least, largest = np.minimum.reduceat(values, firsts), np.maximum.reduceat(values, firsts)
-    axis.fill_between(middle, least, largest, color=line.get_color(), alpha=0.25, linewidth=0.0)
 
 
 def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
