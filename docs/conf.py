@@ -1,11 +1,12 @@
 """The documentation: `make docs` builds it into build/docs, with warnings as errors and no network.
 
 Equations become MathML (`generate/maths.py`): browsers set it by themselves, where MathJax would bring megabytes of
-scripts and fonts, or a link to somebody's server.
+scripts, or a link to somebody's server. Where the reader's machine has no font for mathematics, STIX Two is there.
 """
 
 import sys
 from importlib.metadata import version as installed
+from importlib.util import find_spec
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -43,7 +44,7 @@ default_role = "code"
 
 html_theme = "pydata_sphinx_theme"
 html_title = "rovbrush"
-html_static_path = ["_static"]
+html_static_path = ["_static", str(Path(find_spec("ziamath").origin).parent / "fonts" / "STIXTwoMath-Regular.ttf")]
 html_css_files = ["rovbrush.css"]
 html_math_renderer = "mathml"
 html_show_sourcelink = False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from html import escape
 
 from .sections import ROOT, linked, section, wide
 
@@ -54,8 +55,11 @@ def computed(number: str) -> str:
     found = [row for name in names() for row in re.findall(rf"^\| Eq\. {number} \| .*$", _readme(name), re.MULTILINE)]
     if not found:
         raise ValueError(f"no line of a kernel computes Eq. {number}")
-    lines = [" | ".join(re.split(r"(?<!\\) \| ", row.strip("| "))[2:]) for row in dict.fromkeys(found)]
-    return wide("\n".join(["| | |", "|---|---|", *(f"| {line} |" for line in lines)]))
+    lines = []
+    for row in dict.fromkeys(found):
+        text, place = (cell.strip(" `").replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", row)[3:5])
+        lines.append(f"<code>{escape(text)}</code> <small>{place}</small>")
+    return f'<div class="kernel wide">{"<br>".join(lines)}</div>'
 
 
 @cache

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from docutils import nodes
 from latex2mathml.converter import convert
-from sphinx.util.math import get_node_equation_number
 
 if TYPE_CHECKING:
     from sphinx.writers.html5 import HTML5Translator
+
+TAG = re.compile(r"\\tag\{([^}]*)\}")
 
 
 def inline(self: HTML5Translator, node: nodes.math) -> None:
@@ -19,9 +21,9 @@ def inline(self: HTML5Translator, node: nodes.math) -> None:
 
 
 def block(self: HTML5Translator, node: nodes.math_block) -> None:
-    """An equation of its own; its number stands to the right, and is a link to itself."""
-    number = node.get("number") and get_node_equation_number(self, node)
-    label = f'<a class="number" href="#equation-{node["label"]}">({number})</a>' if number else ""
-    name = f' id="equation-{node["label"]}"' if number else ""
-    self.body.append(f'<div class="equation"{name}>{convert(node.astext(), display="block")}{label}</div>\n')
+    """An equation of its own, with the number of its `\\tag{...}` to the right."""
+    text = node.astext()
+    tag = TAG.search(text)
+    number = f'<span class="number">({tag[1]})</span>' if tag else ""
+    self.body.append(f'<div class="equation">{convert(TAG.sub("", text), display="block")}{number}</div>\n')
     raise nodes.SkipNode

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from . import commands, components, messages, sections
+from . import commands, components, drawings, messages, sections
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -17,6 +17,7 @@ KINDS: dict[str, Callable[..., str]] = {
     "component": components.page,  # NAME: README and variables of a component
     "components": components.overview,  # a table of all of them
     "equation": components.computed,  # NUMBER: the lines of kernels that compute it
+    "drawing": drawings.drawing,  # NAME: an SVG of ours, in the colours of the theme
     "messages": messages.reference,  # every error message of the code
     "section": sections.section,  # FILE HEADING: a section of a Markdown file of the repository
     "opening": sections.opening,  # FILE: what stands before its first heading
