@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from .sections import ROOT, wide
 
+MENDS = Path(__file__).parent / "mends.toml"
 KINDS = ("InputError", "FmuError", "RunError", "CallError", "LossyError", "ProcessLostError", "NotLoadedError")
 
 
@@ -59,3 +61,14 @@ def _table(found: list[Message]) -> str:
     cells = [one.text.replace("|", "\\|").replace("\n", " ").replace("`", "'") for one in found]
     rows = [f"| {one.kind} | `{cell}` |" for one, cell in zip(found, cells, strict=True)]
     return wide("\n".join(["| kind | message |", "|---|---|", *dict.fromkeys(rows)]))
+
+
+def mends() -> str:
+    """What the messages mean that people meet most, and what helps."""
+    rows = [f"| `{one['says'].replace('`', chr(39))}` | {one['means']} | {one['mend']} |" for one in known()]
+    return "\n".join(["| message | means | helps |", "|---|---|---|", *rows])
+
+
+def known() -> list[dict[str, str]]:
+    """The messages that are explained."""
+    return list(tomllib.loads(MENDS.read_text(encoding="utf-8"))["mend"])

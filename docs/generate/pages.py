@@ -19,6 +19,7 @@ KINDS: dict[str, Callable[..., str]] = {
     "equation": components.computed,  # NUMBER: the lines of kernels that compute it
     "drawing": drawings.drawing,  # NAME: an SVG of ours, in the colours of the theme
     "messages": messages.reference,  # every error message of the code
+    "mends": messages.mends,  # what the messages mean that people meet most
     "section": sections.section,  # FILE HEADING: a section of a Markdown file of the repository
     "opening": sections.opening,  # FILE: what stands before its first heading
     "file": sections.whole,  # FILE: all of it, without its title

@@ -15,14 +15,11 @@ from pathlib import Path
 
 from helpers import ROOT
 
-GIVEN = ("README.md", "fmus/README.md", "CONTRIBUTING.md", "components/*/README.md", "tests/evidence/README.md")
-PAGES = sorted(
-    path
-    for pattern in ("docs/**/*.md", *GIVEN)
-    for path in ROOT.glob(pattern)
-)
-FENCE = re.compile(r"(?:^<!-- (run with|run by|fails|not run): (.*?) -->\n)?^```(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-INDENTED = re.compile(r"(?:^<!-- (run with|run by|fails|not run): (.*?) -->\n\n)?(?<=\n\n)((?:    .*\n)+)", re.MULTILINE)
+GIVEN = ("README.md", "fmus/README.md", "orchestrator/README.md", "components/*/README.md")
+PAGES = sorted(path for pattern in ("docs/**/*.md", *GIVEN) for path in ROOT.glob(pattern))
+MARK = r"(?:^<!-- (run with|run by|fails|not run): (.*?) -->\n"
+FENCE = re.compile(MARK + r")?^```(.*?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+INDENTED = re.compile(MARK + r"\n)?(?<=\n\n)((?:    .*\n)+)", re.MULTILINE)
 COMMAND = re.compile(r"(rovbrush|make|pip|pytest|python\d?|fmpy|gcc|unzip|dask)\s")
 CAPTION = re.compile(r"^:caption: (\S+)$", re.MULTILINE)
 

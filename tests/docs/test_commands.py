@@ -10,23 +10,40 @@ from typing import Any
 import pytest
 import typer
 from documents import COMMAND, PAGES, Block, blocks, mentioned, words
-from helpers import ROOT, rovbrush
+from helpers import FIXTURES, ROOT, build_fixture, rovbrush
 from rovbrush.orchestrator.cli.main import app
 
 RUN = {path: found for path in PAGES if (found := [b for b in blocks(path) if b.mark not in ("run by", "not run")])}
 HERE = ("rovbrush", "cd")  # what is run in this process; all else is marked
+ANYWHERE = {"--help", "--debug", "--compile"}  # options that any command takes
+PYTHON_ELSEWHERE = ROOT / "orchestrator" / "README.md"  # by tests/orchestrator/test_api_examples.py
+
+
+@pytest.fixture(scope="module")
+def theirs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the pages call `their.fmu`: a motor as a stranger would send it."""
+    return build_fixture("foreign_motor", tmp_path_factory.mktemp("theirs"))
 
 
 @pytest.mark.parametrize("path", RUN, ids=lambda path: str(path.relative_to(ROOT)))
 def test_what_a_page_says_can_be_done(
-    path: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    path: Path,
+    fmus: Path,
+    theirs: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """All blocks of a page, in their order, in a folder of its own."""
+    """All blocks of a page, in their order, in a folder of its own that has FMUs, `their.fmu` and a mapping for it."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("ROVBRUSH_FMUS", str(fmus))
     (tmp_path / "fmus").symlink_to(fmus)
+    (tmp_path / "their.fmu").symlink_to(theirs)
+    (tmp_path / "map.toml").symlink_to(FIXTURES / "foreign_motor.toml")
     names: dict[str, Any] = {"__name__": "page"}
     for block in RUN[path]:
+        if block.kind == "python" and path == PYTHON_ELSEWHERE:
+            continue
         if block.kind == "python":
             exec(compile("\n" * (block.line - 1) + block.text, str(path), "exec"), names)
         elif block.kind == "bash":
@@ -36,9 +53,7 @@ def test_what_a_page_says_can_be_done(
             Path(block.kind).write_text(block.text, encoding="utf-8")
 
 
-def carry_out(
-    command: str, block: Block, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def carry_out(command: str, block: Block, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     program, *arguments = words(command)
     if program == "cd":
         monkeypatch.chdir(arguments[0])
@@ -63,10 +78,11 @@ def test_no_block_is_left_out_without_a_reason() -> None:
     assert len(every) > 20
     for block in every:
         if block.mark == "run by":
-            test, _, part = block.said.partition("::")
+            test, _, said = block.said.partition("::")
             assert (ROOT / test).is_file(), f"{block}: there is no {test}"
             text = (ROOT / test).read_text(encoding="utf-8")
-            assert part in text, f"{block}: {test} has no '{part}'"
+            for part in [said] if said else {words(one)[1] for one in block.commands if one.startswith("rovbrush ")}:
+                assert part in text, f"{block}: {test} has no '{part}'"
         elif block.mark == "not run":
             assert len(block.said.split()) > 2, f"{block}: say why"
         elif block.kind == "bash":
@@ -79,7 +95,7 @@ def test_a_command_that_is_named_exists_with_its_options(path: Path) -> None:
     for said in mentioned(path):
         name, *rest = said.split()[1:]
         assert name in commands, f"{path.relative_to(ROOT)}: `{said}`"
-        known = {one for p in commands[name].params for one in (*p.opts, *p.secondary_opts)} | {"--help", "--debug", "--compile"}
+        known = {one for p in commands[name].params for one in (*p.opts, *p.secondary_opts)} | ANYWHERE
         options = {word.split("=")[0].rstrip(",.;:)") for word in rest if word.startswith("--")}
         assert options <= known, f"{path.relative_to(ROOT)}: `{said}`: {options - known}"
 

@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 from helpers import ROOT
 
+sys.path.insert(0, str(ROOT / "docs"))
+from generate import components, messages
+
 # What a browser fetches by itself; a link that somebody may follow is none.
 FETCHED = re.compile(
     r"""<(?:script|img|iframe|source|audio|video|embed)\b[^>]*\bsrc(?:set)?=["']?(?:https?:)?//[^>]*>"""
@@ -61,3 +64,27 @@ def test_every_command_and_component_has_its_place(site: Path) -> None:
     for name in group.commands:  # type: ignore[attr-defined]
         assert f'id="rovbrush-{name}"' in reference
     assert {path.stem for path in (site / "fmus").glob("*.html")} == {*COMPONENTS, "index"}
+
+
+def test_equations_are_typeset(site: Path) -> None:
+    text = "".join(path.read_text(encoding="utf-8") for path in (site / "theory").glob("*.html"))
+    assert text.count("<math ") > 50 and "\\frac" not in text and "merror" not in text
+
+
+def test_every_message_that_is_explained_is_one_of_the_code() -> None:
+    said = [one.text for one in messages.messages()]
+    assert len(said) > 300
+    for one in messages.known():
+        assert any(one["says"] in text for text in said), f"no message has '{one['says']}'"
+
+
+def test_every_numbered_equation_is_typeset() -> None:
+    text = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "docs" / "theory").glob("*.md"))
+    shown = {tag for tag in re.findall(r"\\tag\{(\w+)\}", text)}
+    computed = {n for name in components.names() for n in re.findall(r"^\| Eq\. (\w+) \|", readme(name), re.MULTILINE)}
+    assert computed <= shown and shown - computed == {"1"}  # Eq. 1 is solved by its modes
+    assert {n for n in re.findall(r"made: equation (\w+)", text)} == computed
+
+
+def readme(name: str) -> str:
+    return (ROOT / "components" / name / "README.md").read_text(encoding="utf-8")
