@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 from helpers import ROOT
 
 sys.path.insert(0, str(ROOT / "docs"))
-from generate import components, messages
+components, messages = (import_module(f"generate.{name}") for name in ("components", "messages"))
 
 # What a browser fetches by itself; a link that somebody may follow is none.
 FETCHED = re.compile(
