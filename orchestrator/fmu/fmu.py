@@ -18,6 +18,7 @@ from .attributes import start_value
 from .capabilities import Capabilities
 from .files.archive import opened
 from .files.binary import find_library
+from .files.places import origin, require_of_this_version
 from .files.unpacked import archive_of, unpack
 from .files.windows import platform_of
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
@@ -73,6 +74,11 @@ class Fmu(Capabilities):
     def archive(self) -> Path:
         """Its archive: the file, or what was made of an unpacked folder."""
         return archive_of(self.path, self.folder)
+
+    @property
+    def origin(self) -> str:
+        """Whether it was shipped with the package, built with it, or is another file: see `files.places.origin`."""
+        return origin(self.path, self.description)
 
     @property
     def version(self) -> int:
@@ -260,6 +266,7 @@ def _read(path: Path, compiled: bool) -> Fmu:
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):  # what is wrong with it was lost when it was unpacked
         found = read_description(path, folder, compiled)
+    require_of_this_version(path, found.description)
     kind = usual_kind(found.description)
     found = found._replace(notes=(*notes.all(), *found.notes))
     fmu = Fmu(path, folder, digest, *found, kind=kind, compiled=compiled)

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..processes import peak_memory
 from ..system.file.merits import merit
+from ..system.model import System
 from .energy import balance, ledger, over_limits
 from .figures_of_merit import figure_of_merit, steady_window
 from .ranges import left_range
@@ -65,7 +66,17 @@ def summarize(run: Run) -> dict[str, Any]:
         "simulated_s": run.simulated, "wall_s": run.wall,
         "real_time_factor": run.simulated / run.wall if run.wall else 0.0,
     }  # fmt: skip
-    return result | {"start_s": run.start, "peak_memory_MB": peak_memory()}
+    return result | {"start_s": run.start, "peak_memory_MB": peak_memory(), "fmus": which_fmus(run.plan.system)}
+
+
+def which_fmus(system: System) -> str:
+    """Which FMUs ran: shipped with the package, built, or files; by component where they differ."""
+    found: dict[str, list[str]] = {}
+    for name, component in system.components.items():
+        found.setdefault(component.fmu.origin, []).append(name)
+    if len(found) == 1:
+        return next(iter(found))
+    return "; ".join(f"{', '.join(names)}: {kind}" for kind, names in found.items())
 
 
 def happened(run: Run) -> list[str]:

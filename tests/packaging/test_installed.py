@@ -19,7 +19,9 @@ import pytest
 from helpers import ROOT, system_text
 from rovbrush.components.declare.model_description import VERSION
 
-SHIPPED = ("orchestrator", "components", "setup.py", "pyproject.toml", "README.md", "LICENSE")
+SHIPPED = ("orchestrator", "components", "setup.py", "pyproject.toml", "README.md", "LICENSE", "MANIFEST.in")
+WITH_FMUS = ("README.md", "verify.c", "recordings")  # of fmus/, what a wheel has whether FMUs were built or not
+BUILT = {"fmus/native/fmi2/ours.fmu": VERSION, "fmus/native/fmi3/older.fmu": "0.0.1"}  # as `rovbrush build --native`
 LEFT_OUT = {"orchestrator/README.md"}  # for readers of the repository
 OFFLINE = ("--no-index", "--no-deps", "--no-build-isolation", "--quiet", "--disable-pip-version-check")
 
@@ -41,6 +43,14 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
         else:
             shutil.copy(ROOT / name, folder / name)
+    (folder / "fmus").mkdir()
+    for name in WITH_FMUS:
+        copy = shutil.copytree if (ROOT / "fmus" / name).is_dir() else shutil.copy
+        copy(ROOT / "fmus" / name, folder / "fmus" / name)
+    for path, made_by in BUILT.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        with zipfile.ZipFile(folder / path, "w") as archive:
+            archive.writestr("modelDescription.xml", f'<fmiModelDescription generationTool="rovbrush {made_by}"/>')
     return folder
 
 
@@ -64,6 +74,8 @@ def test_the_wheel_holds_every_file_of_the_packages(wheel: Path, source: Path) -
         if path.is_file() and name not in LEFT_OUT:
             public = name.removeprefix("orchestrator/public/")
             expected.add(f"rovbrush/{public}")
+    files = {path.relative_to(source).as_posix() for path in (source / "fmus").rglob("*") if path.is_file()}
+    expected |= {f"rovbrush/{name}" for name in files - BUILT.keys()}  # a source distribution has none of these
     with zipfile.ZipFile(wheel) as archive:
         held = {name for name in archive.namelist() if ".dist-info/" not in name}
     assert held == expected
@@ -97,6 +109,23 @@ def test_it_says_its_version_which_stands_in_one_place(installed: Path, tmp_path
     code = "import rovbrush; print(rovbrush.__version__, rovbrush.load.__module__)"
     said = ended_well(installed / "python", "-c", code, cwd=tmp_path)
     assert said == f"{VERSION} rovbrush.orchestrator.api\n"
+
+
+def test_a_folder_gives_the_fmus_that_this_version_built_there(installed: Path, source: Path, tmp_path: Path) -> None:
+    code = "import rovbrush; print(rovbrush.__path__[0])"
+    package = Path(ended_well(installed / "python", "-c", code, cwd=tmp_path).strip())
+    assert not (source / "orchestrator" / "public" / "fmus").exists()
+    if package.is_relative_to(source):
+        return  # of an editable install they stay where they are
+    found = {path.name for path in package.rglob("*.fmu")}
+    assert found == ({"ours.fmu"} if "folder" in str(installed) else set())
+
+
+def test_without_fmus_it_says_how_to_build_them(installed: Path, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [installed / "rovbrush", "plan", "nominal"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1 and "`rovbrush build`" in done.stderr, done.stderr
 
 
 def test_it_has_its_systems_and_sweeps(installed: Path, tmp_path: Path) -> None:

@@ -97,8 +97,8 @@ def _windows() -> Iterator[Line]:
 
 def _folders() -> Iterator[Line]:
     from ...cache import cache_folder, entries, limit
+    from ...fmu.files.places import fmu_folder, shipped_folder
     from ...loop.compiled import is_compiled
-    from ...system.file.components import fmu_folder
 
     folder, wrong = cache_folder(), ""
     size = sum(entry.size for entry in entries())
@@ -108,4 +108,10 @@ def _folders() -> Iterator[Line]:
     yield "the loop", "compiled" if is_compiled() else "not compiled yet; the first run does that in half a minute", ""
     place = fmu_folder()
     built = len(list(place.glob("*.fmu"))) if place.is_dir() else 0
-    yield "FMUs", f"{built} in {place}", "" if built else "rovbrush build"
+    shipped, chosen = shipped_folder(), bool(os.environ.get("ROVBRUSH_FMUS"))
+    enough = built or (shipped and not chosen)
+    yield "FMUs", f"{built} built, in {place}", "" if enough else "rovbrush build"
+    if shipped:
+        there = len(list(shipped.glob("*.fmu")))
+        order = "not used, since ROVBRUSH_FMUS names a folder" if chosen else "those that are built come first"
+        yield "shipped FMUs", f"{there} native of rovbrush {version('rovbrush')}, in {shipped}; {order}", ""

@@ -54,8 +54,8 @@ def build(
     ] = [],  # noqa: B006
 ) -> None:
     """Build the components into FMUs."""
+    from ...fmu.files.places import fmu_folder
     from ...fmu.files.windows import runs_windows
-    from ...system.file.components import fmu_folder
 
     found = list(entry_points(group="rovbrush.builders"))
     if not found:

@@ -12,6 +12,7 @@ from fmpy.model_description import InterfaceType, ModelDescription
 from ...errors import FmuError, listed
 from ..tolerant.rules import IDENTIFIER, LIBRARY, PLATFORM, Notes
 from .compiled import ASKED, compiled_library
+from .places import not_for_here
 from .sources import build_of
 from .windows import FOLDERS, how_to_install, runs_windows, wine
 
@@ -88,6 +89,8 @@ def find_library(
     platform, found = _for_windows(folder, identifier)
     if found is not None and wine(platform):
         return found
+    if shipped := not_for_here(path):
+        raise FmuError(f"FMU {path}: {shipped}")
     if not own:
         raise FmuError(
             f"FMU {path}: FMI {version}.0 has no name for binaries of {fmpy.platform_tuple}, so none can be found; "

@@ -26,7 +26,7 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
         fmu = component.fmu
         values = {v: fmu.variables[v].start for v in fmu.names(STRUCTURAL, "parameter")}
         components[name] = {
-            "fmu": fmu.path.name, "sha256": fmu.digest, "guid": fmu.description.guid,
+            "fmu": fmu.path.name, "from": fmu.origin, "sha256": fmu.digest, "guid": fmu.description.guid,
             "period_s": float(component.period),
             "parameters": {v: plain_value(value) for v, value in {**values, **component.parameters}.items()},
             "inputs": {**component.inputs, **manifest_of(component.series)},

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import InputError, RunError
-from ...system.file.components import fmu_folder
+from ...fmu.files.places import fmu_folder
 from .native_fmu import ring
 
 ROUNDS, QUICK = 15, 3

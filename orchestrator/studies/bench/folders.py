@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import FmuError, InputError, RunError
+from ...fmu.files.places import fmu_folder
 from ...fmu.fmu import Fmu
 from ...plan.plan import Plan, make_plan
-from ...system.file.components import fmu_folder
 from ...system.file.reader import load_system
 from ...system.file.shipped import shipped_systems
 from .peers.floor import floor_loop

@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from ...errors import InputError
-from ...system.file.components import fmu_folder
+from ...fmu.files.places import fmu_folder
 from ...system.file.reader import load_system
 from ...system.model import System
 from .mixed import mixed_ring

@@ -13,6 +13,7 @@ from typing import Any
 from ...clock import duration
 from ...errors import FmuError, InputError, nearest
 from ...fmu.binary import beside
+from ...fmu.files.places import named_fmu
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, Value
 from ...toml_file import TomlFile
@@ -25,19 +26,6 @@ from ..values import checked_values
 from .structure import Stated, is_structural, with_structure
 
 STATED = (bool, int, float, str)  # what a value in a file may be
-
-
-def fmu_folder() -> Path:
-    """Where built FMUs are: $ROVBRUSH_FMUS, the checkout's fmus/, or the user's data folder."""
-    chosen = os.environ.get("ROVBRUSH_FMUS")
-    if chosen:
-        return Path(chosen)
-    checkout = Path(__file__).parent.parent.parent.parent
-    if (checkout / "pyproject.toml").is_file():
-        return checkout / "fmus"
-    from platformdirs import user_data_path
-
-    return user_data_path("rovbrush") / "fmus"
 
 
 def component_of(
@@ -112,7 +100,7 @@ def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:
         or "\\" in stated
         or os.path.isfile(path / "modelDescription.xml")
     )
-    built = (fmus or fmu_folder()) / f"{stated}.fmu"
+    built = named_fmu(stated, fmus)
     return path if named and not os.path.isfile(built) else built
 
 
