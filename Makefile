@@ -2,6 +2,9 @@
 # make test  the same environment with what the tests need, then all tests and checks
 # make docs  the documentation, into build/docs; needs no network
 # make lowest  the lowest versions that pyproject.toml allows, in an environment of their own, with the tests that touch libraries most
+# make wheel  the native FMUs, then wheel and source distribution, into dist/; nothing of it is left elsewhere
+# make release  those, and a zip with all FMUs and what their receivers need
+# make first-run  how long a stranger takes from `pip install` of that wheel to Table 3, in an environment of its own
 # make evidence  claims of many thousand cases (tests/evidence/README.md); goes on where it was stopped
 PYTHON ?= python3
 VENV := .venv
@@ -30,6 +33,16 @@ docs: $(VENV)/test.stamp
 evidence: $(VENV)/test.stamp
 	$(BIN)/python -m tests.evidence
 
+wheel: $(VENV)/test.stamp
+	$(BIN)/python -m release.wheel
+
+release: wheel
+	$(BIN)/python -m release.fmus
+
+first-run: $(VENV)/test.stamp
+	test -n "$(wildcard dist/*.whl)" || $(MAKE) --no-print-directory wheel
+	$(BIN)/python -m release.first_run
+
 lowest:
 	$(PYTHON) -m venv .lowest
 	.lowest/bin/python -m pip install --quiet --disable-pip-version-check uv
@@ -50,6 +63,6 @@ $(VENV)/test.stamp: pyproject.toml
 	touch $@
 
 clean:
-	rm -rf $(VENV) .lowest results fmus/*.fmu build *.egg-info
+	rm -rf $(VENV) .lowest results fmus/*.fmu build dist *.egg-info
 
-.PHONY: run test types tests docs lowest evidence clean
+.PHONY: run test types tests docs lowest evidence wheel release first-run clean
