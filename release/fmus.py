@@ -30,12 +30,9 @@ def main(folder: Path = ROOT / "dist") -> Path:
 def pack(built: Path, target: Path) -> Path:
     """The FMUs of a folder with README, verify.c, recordings, licences and checksums, as one zip."""
     files = {path.relative_to(built).as_posix(): path.read_bytes() for path in sorted(built.rglob("*.fmu"))}
-    for path in (
-        ROOT / "fmus" / "README.md",
-        ROOT / "fmus" / "verify.c",
-        *sorted((ROOT / "fmus/recordings").iterdir()),
-    ):
-        files[path.relative_to(ROOT / "fmus").as_posix()] = path.read_bytes()
+    beside = ROOT / "fmus"
+    for path in (beside / "README.md", beside / "verify.c", *sorted((beside / "recordings").iterdir())):
+        files[path.relative_to(beside).as_posix()] = path.read_bytes()
     files |= licences()
     files[SUMS] = "".join(f"{hashlib.sha256(c).hexdigest()}  {name}\n" for name, c in files.items()).encode()
     top = target.stem

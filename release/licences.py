@@ -1,4 +1,4 @@
-"""The licences of what is in the FMUs: ours, pythonfmu's (the Python ones), the FMI headers' (sources of the native)."""
+"""The licences of what is in the FMUs: ours, that of pythonfmu, those of the headers of the standard."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from .sources import ROOT
 def licences() -> dict[str, bytes]:
     """Texts by file name."""
     found = {"LICENSE": (ROOT / "LICENSE").read_bytes()}
-    of_pythonfmu = [path for path in files("pythonfmu") or () if path.name.upper().startswith("LICEN")]
-    found |= {"licences/pythonfmu.txt": Path(path.locate()).read_bytes() for path in of_pythonfmu}
+    of_pythonfmu = next(path for path in files("pythonfmu") or () if path.name.upper().startswith("LICEN"))
+    found["licences/pythonfmu.txt"] = Path(str(of_pythonfmu.locate())).read_bytes()
     for version, names in STANDARD.items():
         found[f"licences/{version}_headers.txt"] = _first_comment(HEADERS / names[0])
     return found

@@ -24,10 +24,10 @@ def main(folder: Path = ROOT / "dist") -> None:
         build_native(source / "fmus")
         for kind in ("build_sdist", "build_wheel"):
             environment = {**os.environ, "SOURCE_DATE_EPOCH": EPOCH}
-            subprocess.run(
-                [sys.executable, "-c", BUILD, kind, str(folder.resolve())],
-                cwd=source, env=environment, check=True, stdout=subprocess.DEVNULL,
-            )  # fmt: skip
+            command = [sys.executable, "-c", BUILD, kind, str(folder.resolve())]
+            done = subprocess.run(command, cwd=source, env=environment, check=False, capture_output=True, text=True)
+            if done.returncode:
+                sys.exit(f"{kind} failed:\n{done.stdout}{done.stderr}")
     made = sorted(folder.glob("rovbrush-*"))
     for path in made:
         print(f"wrote {path} ({path.stat().st_size / 1e6:.1f} MB)")
