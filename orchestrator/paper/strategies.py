@@ -18,7 +18,8 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..files import prepare_folder, write_file, write_json
 from ..results.files.manifest import plain_value
-from ..results.pictures.canvas import captioned, new_figure
+from ..results.pictures.canvas import captioned, legend_above, new_figure
+from ..results.pictures.lines import draw
 from ..results.signals import Signal, Signals
 from ..results.summary import summarize
 from ..results.tables import Run, require_complete
@@ -165,13 +166,13 @@ def comparison_figure(name: str, runs: Mapping[str, Run]) -> Figure:
         signals = Signals(run)
         time = signals["vehicle.delta"].time
         error = signals["vehicle.x_n"].values - held(signals["mission.x_ref"], time)
-        drawn = (force_on_hull(signals, time), 1e3 * error, 1e3 * signals["vehicle.theta"].values)
+        drawn = (force_on_hull(signals, time), 1e3 * error, np.degrees(signals["vehicle.theta"].values))
         for axis, values in zip(axes, drawn, strict=True):
-            axis.plot(time, values, linewidth=0.9, label=label)
+            draw(axis, time, values, label, "-")
     reference = signals["mission.F_n_ref"]
     axes[0].plot(reference.time, reference.values, "k--", linewidth=0.8, label="set-point")
-    for axis, label in zip(axes, ("force on the hull [N]", "x_n - x_ref [mm]", "theta [mrad]"), strict=True):
+    for axis, label in zip(axes, ("force on the hull [N]", "x_n - x_ref [mm]", "theta [deg]"), strict=True):
         axis.set_ylabel(label)
-    axes[0].legend(loc="best", fontsize="small")
+    legend_above(axes[0])
     axes[-1].set_xlabel("time [s]")
     return captioned(figure, next(iter(runs.values())))

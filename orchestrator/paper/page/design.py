@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...results.pictures.canvas import captioned, new_figure
+from ...results.pictures.canvas import captioned, legend_above, new_figure
 from ..design import sections
 from ..design.spread import LIMIT, Spread
 from ..design.task import Task
@@ -78,7 +78,7 @@ def force_figure(task: Task) -> Figure:
     axis.plot(time, held(signals["mission.F_n_ref"], time), "k--", linewidth=0.9, label="asked for")
     axis.set_ylabel("force [N]")
     axis.set_xlabel("time [s]")
-    axis.legend(loc="best", fontsize="small")
+    legend_above(axis)
     return captioned(figure, task.case.run)
 
 
@@ -94,5 +94,5 @@ def spread_figure(found: Spread) -> Figure:
     axis.set_ylabel("force error, rms [%]")
     axis.set_xlabel("points [1]")
     axis.set_ylim(bottom=0.0)
-    axis.legend(loc="best", fontsize="small")
+    legend_above(axis)
     return figure

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ...results.pictures.canvas import captioned, new_figure
+from ...results.pictures.canvas import captioned, legend_above, new_figure
+from ...results.pictures.lines import draw
 from .. import mode_shapes
 from ..claims.transients import transient
 from ..lab import Case
@@ -22,12 +23,12 @@ def onset_and_run(case: Case, name: str, reference: float, title: str) -> Figure
     figure, axes = new_figure(title, 2, share=False)
     for axis, end in zip(axes, (ONSET, case.run.end), strict=True):
         inside = signal.time <= end
-        axis.plot(signal.time[inside], signal.values[inside], linewidth=0.7, label=name)
+        draw(axis, signal.time[inside], signal.values[inside], name, "-")
         axis.axhline(reference, color="black", linestyle="--", linewidth=1.0,
                      label=f"paper: {reference:g} {signal.unit}")  # fmt: skip
         axis.set_ylabel(signal.label)
         axis.set_xlabel("time [s]")
-    axes[0].legend(loc="best", fontsize="small")
+    legend_above(axes[0])
     return figure
 
 

@@ -34,3 +34,12 @@ def new_figure(title: str, rows: int = 1, share: bool = True) -> tuple[Figure, l
         axis.grid(alpha=0.3)
         axis.margins(x=0)
     return figure, list(axes)
+
+
+def legend_above(axis: Any, width: int = 100) -> None:
+    """A legend above the axis, where it hides nothing; `width`: characters that a line of it holds."""
+    handles, labels = axis.get_legend_handles_labels()
+    longest = max(map(len, labels), default=1)
+    columns = max(1, min(len(labels), width // (longest + 6)))
+    place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.2, "frameon": False}
+    axis.legend(handles, labels, ncols=columns, fontsize="small", **place)

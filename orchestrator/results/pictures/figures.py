@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ...system.file.figure_kinds import figure_kind
 from ..profiles import Profiles, profiles
-from ..signals import Signals
+from ..signals import Signal, Signals
 from ..tables import Run
-from .canvas import captioned, new_figure
+from .canvas import captioned, legend_above, new_figure
 from .lines import STYLES, draw
+from .shown import shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,44 +37,48 @@ def figure(run: Run, entry: Mapping[str, Any]) -> Figure | None:
 
 
 def time_series(signals: Signals, entry: Mapping[str, Any]) -> Figure:
-    """One axis per unit, the signals of that unit in it."""
+    """One axis per unit, the signals of that unit in it, in the unit in which people read it."""
     found = [signals[name] for name in entry["signals"]]
     units = list(dict.fromkeys(s.unit for s in found))
     figure, axes = new_figure(entry["title"], len(units))
     for axis, unit in zip(axes, units, strict=True):
-        members = [s for s in found if s.unit == unit]
+        members = [cut(s, entry.get("from"), entry.get("to")) for s in found if s.unit == unit]
+        read = shown(unit, [s.values for s in members])
         for k, signal in enumerate(members):
-            inside = (signal.time >= entry.get("from", signal.time[0])) & (
-                signal.time <= entry.get("to", signals.run.end)
-            )
-            draw(axis, signal.time[inside], signal.values[inside], signal.name, STYLES[k % len(STYLES)])
-        axis.set_ylabel(members[0].label if len(members) == 1 else f"[{unit}]")
+            draw(axis, signal.time, signal.values, signal.name, STYLES[k % len(STYLES)], read.factor)
+        axis.set_ylabel(read.label(members[0].name) if len(members) == 1 else f"[{read.unit or '1'}]")
         if "reference" in entry:
-            axis.axhline(
-                entry["reference"],
-                linestyle="--",
-                color="black",
-                linewidth=0.9,
-                label=f"paper: {entry['reference']:g} {unit}",
-            )
+            value = read.factor * entry["reference"]
+            line = {"linestyle": "--", "color": "black", "linewidth": 0.9}
+            axis.axhline(value, label=f"paper: {value:g} {read.unit}", **line)
         if len(members) > 1 or "reference" in entry:
-            axis.legend(loc="best", fontsize="small")
+            legend_above(axis)
     axes[-1].set_xlabel("time [s]")
     return figure
+
+
+def cut(signal: Signal, begin: float | None = None, end: float | None = None) -> Signal:
+    """A signal between two instants [s], both of them in it; all of it without."""
+    inside = np.ones(len(signal.time), dtype=bool)
+    inside &= signal.time >= begin if begin is not None else True
+    inside &= signal.time <= end if end is not None else True
+    return replace(signal, time=signal.time[inside], values=signal.values[inside])
 
 
 def along(found: Profiles, title: str) -> Figure:
     """One axis per signal, all its instants in it; a value reaches half way to the next place."""
     names = list(dict.fromkeys(vector.name for vector in found.vectors))
     figure, axes = new_figure(title, len(names))
+    place = shown(found.along.unit, [found.along.values])
     for axis, name in zip(axes, names, strict=True):
         members = [vector for vector in found.vectors if vector.name == name]
+        read = shown(members[0].unit, [vector.values for vector in members])
         for k, vector in enumerate(members):
             style = STYLES[k % len(STYLES)]
             line = {"drawstyle": "steps-mid", "linewidth": 1.1, "label": vector.when}
-            axis.plot(found.along.values, vector.values, style, **line)
-        axis.set_ylabel(members[0].label)
+            axis.plot(place.factor * found.along.values, read.factor * vector.values, style, **line)
+        axis.set_ylabel(read.label(members[0].name))
         if len(members) > 1:
-            axis.legend(loc="best", fontsize="small")
-    axes[-1].set_xlabel(found.along.label)
+            legend_above(axis)
+    axes[-1].set_xlabel(place.label(found.along.name))
     return figure
