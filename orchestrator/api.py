@@ -19,6 +19,7 @@ from typing import Any
 from .clock import seconds_text
 from .errors import InputError, RovbrushError
 from .markup import element, safe
+from .notebook import bar_unless
 from .plan.diagram.draw import block_diagram, diagram_html
 from .plan.diagram.file import write_diagram
 from .plan.explain import explain
@@ -154,24 +155,26 @@ class Model:
         observe: Observer | None = None,
         every: Time | None = None,
         signals: Iterable[str] = ("*",),
-        progress: Callable[[float], None] | None = None,
+        progress: Callable[[float], None] | bool = True,
     ) -> Result:
         """Run from start to stop. Raises RunError if it ends before; its `result` is what was computed until then.
 
         `start`, `stop`, `inputs`: see `over` and `with_inputs`. `observe` is called with the time [s] and the values of
         `signals` (names of outputs, or patterns such as `motor.*`) by name, at the start and then `every` so often (a
         multiple of the time in which the schedule repeats, which is the default); what it raises ends the run.
-        `progress` is called now and then with the time reached [s].
+        `progress` is called now and then with the time reached [s]; in a notebook a run that takes long shows a bar,
+        unless it is False.
         """
         model = self.over(start, stop)
         model = model.with_inputs(inputs) if inputs is not None else model
         if observe is None and every is not None:
             raise InputError("every = ... says how often to call an observer; give one with observe = ...")
-        with Stepping(model.plan) as session:
+        begin, end = float(model.system.start), float(model.system.stop)
+        with Stepping(model.plan) as session, bar_unless(progress, model.system.name, begin, end) as report:
             if observe is None:
-                session.finish(progress)
+                session.finish(report)
             else:
-                _observed(session, observe, every, session.names(signals), progress)
+                _observed(session, observe, every, session.names(signals), report)
             result = session.result()
         return result.require_good()
 

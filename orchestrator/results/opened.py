@@ -24,6 +24,8 @@ UNREADABLE = (OSError, RuntimeError, ValueError, LookupError, AttributeError, Ty
 class OpenedResult(Result):
     """As a `Result` of a run of this process, but for `run` and `save`: the files are there already."""
 
+    folder: Path
+
     def __init__(self, folder: Path) -> None:
         self.folder = folder
 
@@ -65,6 +67,19 @@ class OpenedResult(Result):
     @property
     def comparison(self) -> list[dict[str, Any]]:
         return list(self.summary.get("comparison", []))
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        found = self.summary.get("units", {})
+        return {str(key): str(unit) for key, unit in found.items()} if isinstance(found, dict) else {}
+
+    @property
+    def shown(self) -> list[str]:
+        return []
+
+    @property
+    def title(self) -> str:
+        return self.folder.resolve().name
 
     def save(self, folder: str | Path) -> list[Path]:
         raise InputError(f"these results are in {self.folder} already; copy that folder")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError, nearest
 from ..files import prepare_folder
 from .energy import require_energy
+from .figures_of_merit import figure_units
 from .files.netcdf import datasets, events_dataset, group_name
 from .files.writing import write_results
 from .summary import comparison, summarize
@@ -18,11 +19,22 @@ if TYPE_CHECKING:
     import xarray
 
 
+PUBLIC = (
+    "comparison", "dataset", "datasets", "events", "folder", "open", "require_good", "run", "save", "summary", "units",
+)  # fmt: skip
+
+
 class Result:
     """Datasets, figures of merit and files of a run."""
 
+    folder: Path | None = None  #: where it is saved, if it is
+
     def __init__(self, run: Run) -> None:
         self.run = run
+
+    def __dir__(self) -> list[str]:
+        """What is meant to be used."""
+        return sorted(PUBLIC)
 
     @staticmethod
     def open(folder: str | Path) -> Result:
@@ -79,6 +91,21 @@ class Result:
                     return table[key].assign_attrs(period=table.attrs["period"])
         raise InputError(f"no recorded signal '{name}'{nearest(name, known)}")
 
+    def _ipython_key_completions_(self) -> list[str]:
+        """What can stand in brackets, for the tab key."""
+        return [str(key) for table in self.datasets.values() for key in table]
+
+    def _repr_html_(self) -> str:
+        """In a notebook: the figures of merit with their units, the signals in small, and where it is saved."""
+        from .html import result_html
+
+        return result_html(self)
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """The units of those figures of merit that are single numbers."""
+        return figure_units(self.run.plan.system)
+
     @cached_property
     def summary(self) -> dict[str, Any]:
         """The figures of merit that the system file asks for, and what the run took."""
@@ -88,6 +115,7 @@ class Result:
     def save(self, folder: str | Path) -> list[Path]:
         """Write what `rovbrush run --out` writes; the paths. Raises InputError or RunError if that is not possible."""
         prepare_folder(Path(folder), "another folder")
+        self.folder = Path(folder)
         return write_results(self.run, Path(folder), {**self.summary, "comparison": self.comparison})
 
     @property
@@ -95,6 +123,17 @@ class Result:
         """The run's numbers beside those of the system file."""
         keys = ("label", "unit", "reference", "value", "ratio", "within")
         return [{key: row[key] for key in keys} for row in comparison(self.run, self.summary)]
+
+    @property
+    def shown(self) -> list[str]:
+        """The signals that the system file draws, first of all."""
+        figures = self.run.plan.system.reporting["figures"]
+        return list(dict.fromkeys(name for entry in figures for name in entry.get("signals", ())))
+
+    @property
+    def title(self) -> str:
+        """What was run."""
+        return self.run.plan.system.name
 
     def __repr__(self) -> str:
         shown = [group_name(self.run.plan, g) for g in range(len(self.run.plan.groups))]

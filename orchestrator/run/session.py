@@ -219,6 +219,11 @@ class Session:
         """Whether it goes no further: it has failed, or a component has ended it."""
         return bool(self.failure) or self._over
 
+    @property
+    def closed(self) -> bool:
+        """Whether its FMUs are given back."""
+        return self._closed
+
     def fail(self, why: str) -> None:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
         if not self.failure:

@@ -59,6 +59,12 @@ class Stepping(Session):
     def __repr__(self) -> str:
         return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
 
+    def _repr_html_(self) -> str:
+        """In a notebook: the time that is reached, how the session stands, and values of now."""
+        from .shown import session_html
+
+        return session_html(self)
+
     def __dir__(self) -> list[str]:
         """What is meant to be used; the rest is the run's own."""
         return sorted(PUBLIC)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from ...clock import seconds_text
 from ...errors import listed
-from ...markup import element, safe
+from ...markup import boxed, element, safe
 from ..plan import Plan
 from .blocks import Block, Flow, blocks_of, flows_of
 from .ink import shortened, text, width
@@ -61,7 +61,7 @@ def block_diagram(plan: Plan, alone: bool = False) -> str:
 
 def diagram_html(plan: Plan) -> str:
     """The diagram for a notebook or a page, in a box that is scrolled where it is too narrow."""
-    return element("div", block_diagram(plan), style="overflow-x:auto;max-width:100%")
+    return boxed(block_diagram(plan))
 
 
 def _page() -> list[str]:

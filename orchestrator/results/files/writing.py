@@ -16,6 +16,7 @@ from typing import Any
 from ...errors import RovbrushError, RunError
 from ...files import reason, write_file, write_json
 from ...plan.explain import explain
+from ..figures_of_merit import figure_units
 from ..summary import comparison, summarize
 from ..tables import Run
 from .csv import write_csv
@@ -146,7 +147,8 @@ def write_products(
         written.attempt(SUMMARY, summed)
         if written.summary or summary is not None:
             written.attempt("the comparison", compared)
-            written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, written.summary)))
+            told = {**written.summary, "units": figure_units(run.plan.system)}
+            written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, told)))
         for entry in figures:
             if "table" in entry:
                 written.attempt(str(entry["table"]), lambda entry=entry: _profiles(run, entry, folder))  # type: ignore[misc]
