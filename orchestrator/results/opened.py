@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError
 from ..files import reason
 from .files.netcdf import EVENTS, OWN_NAME
-from .files.writing import ROWS, SUMMARY
+from .files.writing import ROWS, SUMMARY, UNITS
 from .result import Result
 
 if TYPE_CHECKING:
@@ -54,6 +54,10 @@ class OpenedResult(Result):
     @cached_property
     def summary(self) -> dict[str, Any]:
         """What is in summary.json; where that was not written, whether the run is complete."""
+        return {key: value for key, value in self._told.items() if key != UNITS}
+
+    @cached_property
+    def _told(self) -> dict[str, Any]:
         try:
             found = json.loads((self.folder / SUMMARY).read_text(encoding="utf-8"))
             if isinstance(found, dict) and isinstance(found.get("complete"), bool):
@@ -70,7 +74,7 @@ class OpenedResult(Result):
 
     @cached_property
     def units(self) -> dict[str, str]:
-        found = self.summary.get("units", {})
+        found = self._told.get(UNITS, {})
         return {str(key): str(unit) for key, unit in found.items()} if isinstance(found, dict) else {}
 
     @property

@@ -24,6 +24,7 @@ from .manifest import manifest
 from .netcdf import write_netcdf
 
 ROWS, TABLE, SUMMARY, MANIFEST, PLAN = "result.nc", "result.csv", "summary.json", "manifest.json", "plan.txt"
+UNITS = "units"  # of the figures of merit, in summary.json
 MESSAGES = "messages.log"  # what FMUs logged
 COMPARED = ("label", "unit", "reference", "value", "ratio", "within")  # of a comparison, in summary.json
 
@@ -147,7 +148,7 @@ def write_products(
         written.attempt(SUMMARY, summed)
         if written.summary or summary is not None:
             written.attempt("the comparison", compared)
-            told = {**written.summary, "units": figure_units(run.plan.system)}
+            told = {**written.summary, UNITS: figure_units(run.plan.system)}
             written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, told)))
         for entry in figures:
             if "table" in entry:
