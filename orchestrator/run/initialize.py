@@ -51,7 +51,7 @@ def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) ->
         value = {**component.parameters, **first[name]}.get(variable, component.fmu.start(variable))
         memory.put((name, variable), slot, value)
     begin_events(plan, memory)
-    propagation = _Propagation(plan, instances, memory)
+    propagation = Propagation(plan, instances, memory)
     started = propagation.settle()
     for instance in instances.values():
         instance.exit_initialization()
@@ -73,7 +73,7 @@ def begin_text(clock: Clock) -> str:
     return f"the start, t = {clock.time(0):.9g} s" if clock.start else "time 0"
 
 
-class _Propagation:
+class Propagation:
     """Values along the connections, block by block."""
 
     def __init__(self, plan: Plan, instances: dict[str, Participant], memory: Memory) -> None:
@@ -123,14 +123,14 @@ class _Propagation:
                     self._solve(block.label, list(block.connections))
                 else:
                     self._set(block.connections[0], self._received(block.connections[0]))
-                self._read({c.target[0] for c in block.connections})
+                self.read({c.target[0] for c in block.connections})
             except CallError as error:
                 raise FmuError(
                     f"{error}; outputs answer at once to {plan.instants.reasons()[name]}, so they are read again where "
                     f'these are set; if the FMU forbids that, write direct = "off" under [components.{name}]'
                 ) from error
 
-    def _read(self, names: Collection[str]) -> None:
+    def read(self, names: Collection[str]) -> None:
         for key, slot in self.plan.layout.outputs.items():
             if key[0] in names and key[1] not in self.plan.system.components[key[0]].at_events:
                 self.memory.put(key, slot, self._get(key))
