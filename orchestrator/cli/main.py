@@ -11,7 +11,7 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from .commands import bench, cache, check, doctor, exchange, fmu, new, paper, run, schema, shipped, study
+from .commands import bench, cache, check, doctor, exchange, fmu, linear, new, paper, run, schema, shipped, study
 from .guard import guarded
 from .options import app
 
@@ -23,6 +23,7 @@ __all__ = [
     "doctor",
     "exchange",
     "fmu",
+    "linear",
     "main",
     "new",
     "paper",
@@ -35,7 +36,7 @@ __all__ = [
 
 
 # The commands that load FMUs into their own process.
-LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench")
+LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins")
 
 
 COMPILE = "ROVBRUSH_COMPILE"  # see fmu/files/compiled.py, which few commands need

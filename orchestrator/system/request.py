@@ -121,15 +121,17 @@ def _pairs(option: str, texts: Iterable[str], example: str, paths: bool = False)
     return tuple(found.items())
 
 
-def assignments(options: Sequence[str]) -> dict[str, object]:
-    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError."""
+def assignments(options: Sequence[str], named: str = "--set") -> dict[str, object]:
+    """`["motor.R=0.1"]` as a mapping; brackets hold a list: `beam.zeta=[0.02,0.03]`. Raises InputError.
+
+    `named`: the option that they are of."""
     values: dict[str, object] = {}
     for option in options:
         name, equals, text = option.partition("=")
         if not (equals and name.strip()):
-            raise InputError(f"--set {option}: write component.variable=value, for instance motor.R=0.1")
+            raise InputError(f"{named} {option}: write component.variable=value, for instance motor.R=0.1")
         text = text.strip()
         if text.startswith("[") != text.endswith("]"):
-            raise InputError(f"--set {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
+            raise InputError(f"{named} {option}: a list needs both brackets, for instance beam.zeta=[0.02,0.03]")
         values[name.strip()] = [part.strip() for part in text[1:-1].split(",")] if text.startswith("[") else text
     return values

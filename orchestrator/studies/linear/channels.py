@@ -39,7 +39,7 @@ def channels_of(system: System, names: Iterable[str], option: str) -> list[Chann
 
 
 def connections_of(system: System, name: str, option: str) -> list[Connection]:
-    """The connections that `a.y -> b.u` means, of arrays all of their elements. Raises InputError where there is none."""
+    """The connections that `a.y -> b.u` means, of arrays all of their elements. Raises InputError for none."""
     source, _, target = (part.strip() for part in name.partition("->"))
     target = target.partition("(")[0].strip()  # with its transfer, as the system file has it
     ends = [_scalars(system, end, option, "->") for end in (source, target)]

@@ -107,20 +107,17 @@ def _differences(instance: LoadedInstance, inputs: Sequence[str], outputs: Seque
     def set_states(values: np.ndarray) -> None:
         _vector(instance, "SetContinuousStates", n, values)
 
+    def push(k: int, value: float) -> Callable[[float], None]:
+        return lambda d: set_states(x + d * np.eye(n)[k]) if k < n else instance.set(inputs[k - n], value + d)
+
     rates = all_of()[:n]
-    columns = [
-        _central(lambda d, k=k: set_states(x + d * np.eye(n)[k]), all_of, STEP * max(abs(x[k]), abs(nominal[k]) or 1.0))
-        for k in range(n)
-    ]
-    if n:
-        set_states(x)
-    for name in inputs:
-        value = float(instance.get(name))
-        stated = abs(float(fmu.variables[name].nominal or 0.0)) or 1.0
-        columns.append(
-            _central(lambda d, v=name, u=value: instance.set(v, u + d), all_of, STEP * max(abs(value), stated))
-        )
-        instance.set(name, value)
+    values = [*x.tolist(), *(float(instance.get(name)) for name in inputs)]
+    stated = [abs(float(fmu.variables[name].nominal or 0.0)) or 1.0 for name in inputs]
+    sizes = np.maximum(np.abs(values), [*(abs(v) or 1.0 for v in nominal.tolist()), *stated])
+    columns = []
+    for k, (value, size) in enumerate(zip(values, sizes.tolist(), strict=True)):
+        columns.append(_central(push(k, value), all_of, STEP * size))
+        push(k, value)(0.0)
     table = np.array(columns).T if columns else np.zeros((n + len(outputs), 0))
     return Local(*_parts(table, n), x, rates, f"central differences, steps of {STEP:g} of each value")
 
@@ -129,7 +126,8 @@ def _central(move: Callable[[float], None], read: Callable[[], np.ndarray], step
     move(step)
     plus = read()
     move(-step)
-    return (plus - read()) / (2.0 * step)
+    column: np.ndarray = (plus - read()) / (2.0 * step)
+    return column
 
 
 def _parts(table: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

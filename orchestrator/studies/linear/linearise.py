@@ -65,7 +65,7 @@ class Point:
 
 
 def linearise(
-    system: System, inputs: Sequence[str] = (), outputs: Sequence[str] = (), options: Options = Options(),  # noqa: B008
+    system: System, inputs: Sequence[str] = (), outputs: Sequence[str] = (), options: Options = Options(),
     progress: Callable[[float], None] = lambda _share: None,
 ) -> list[Linear]:  # fmt: skip
     """The models at all times of `options.at`, rising.
@@ -79,8 +79,8 @@ def linearise(
     inputs, outputs = _all_of_one(system, inputs, outputs)
     channels = channels_of(system, inputs, "--inputs")
     signals = signals_of(system, outputs, "--outputs")
-    if not channels or not signals:
-        raise InputError(f"{'--inputs' if not channels else '--outputs'}: name at least one signal")
+    if not signals:
+        raise InputError("--outputs: name at least one signal")
     why_not = why_not_by_states(system, channels)
     if options.method == "states" and why_not:
         raise InputError(f"--method states: {why_not}")
@@ -90,6 +90,8 @@ def linearise(
             dt = duration(options.sample, "--sample") if options.sample else hyperperiod_of(make_plan(system))
             models = [model.sampled(float(dt)) for model in models]
         return models
+    if not channels:
+        raise InputError("--inputs: pulse responses need an input that nothing drives, or a connection")
     return [
         realised(point, [c.name for c in channels], signals, [c.unit for c in channels], system, options.order)
         for point in points(system, channels, signals, options, False, progress)
@@ -150,8 +152,7 @@ def points(
                 gone = start
                 kept.append(probe.keep())
             sizes = [
-                size_of(c, float(probe.session.get(c.target)), value)
-                for c, value in zip(channels, stated, strict=True)
+                size_of(c, float(probe.session.get(c.target)), value) for c, value in zip(channels, stated, strict=True)
             ]
             share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
             pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over_the_step, share)
@@ -183,7 +184,9 @@ def samples_of(text: str, one: Fraction, option: str) -> int:
     """A time in hyperperiods. Raises InputError where it is no whole number of them."""
     seconds = duration(text, option)
     if (seconds / one).denominator != 1:
-        raise InputError(f"{option} {text}: it must be a multiple of {seconds_text(one)}, in which the schedule repeats")
+        raise InputError(
+            f"{option} {text}: it must be a multiple of {seconds_text(one)}, in which the schedule repeats"
+        )
     return int(seconds / one)
 
 
@@ -229,7 +232,11 @@ def _all_of_one(
         if not alone:
             raise InputError(
                 "--inputs: name free inputs, or connections to whose signal something is to be added"
-                + (f'; for instance {free[0]} or "{system.connections[0].label}"' if free and system.connections else "")
+                + (
+                    f'; for instance {free[0]} or "{system.connections[0].label}"'
+                    if free and system.connections
+                    else ""
+                )
             )
         inputs = free
     if not outputs:

@@ -4,21 +4,21 @@ At the break something is added for a sample, and what then arrives there is wat
 `a.y -> b.u`, the response is that of what b takes during each sample, in which master, holds and samplers are: with S
 from what is added to what b takes, L = 1/S - 1 at z = exp(i omega T). Broken where a free input is added to an output
 inside of an FMU, `a.y + a.u` (a force beside the one that a controller commands), the output is continuous and what is
-added is held over a sample: with T from what is added to the output and H = (1 - exp(-i omega T))/(i omega T), the hold,
-L = -T/(T + H). Both in negative feedback: where L is -1 the loop oscillates.
+added is held over a sample: with G from what is added to the output and H = (1 - exp(-i omega T))/(i omega T), the
+hold, L = -G/(G + H). Both in negative feedback: where L is -1 the loop oscillates.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...errors import InputError
 from ...system.model import System
 from .channels import Channel, channels_of, connections_of, signals_of
-from .linearise import SAMPLES, Options, Point, hyperperiod_of, points, realised, samples_of
+from .linearise import Options, Point, points, realised
 from .open_loop import Loop, loci
 from .statespace import Linear
 
@@ -89,8 +89,8 @@ def breaks_of(system: System, names: Sequence[str]) -> Break:
         output, plus, free = (part.strip() for part in name.partition(" + "))
         if not plus:
             raise InputError(
-                f'--break {name}: write a connection, "a.y -> b.u", or an output and the free input that is added to it '
-                'inside of its FMU, "a.y + a.u"'
+                f'--break {name}: write a connection, "a.y -> b.u", or an output and the free input that is added to '
+                'it inside of its FMU, "a.y + a.u"'
             )
         watched, added = signals_of(system, [output], "--break"), channels_of(system, [free], "--break")
         if len(watched) != len(added):
@@ -116,14 +116,12 @@ def margins(
 def _margins(system: System, broken: Break, point: Point, order: int | None) -> Margins:
     added = [channel.name for channel in broken.channels]
     closed = realised(point, added, broken.signals, [c.unit for c in broken.channels], system, order)
-    if not broken.sums:  # what is added is itself part of what is taken
-        closed = replace(closed, D=closed.D)
     count = len(point.pulses.values)
     omega = np.geomspace(SLOWEST / (count * point.dt), np.pi / point.dt, FREQUENCIES)
     L = open_loop(closed, omega, broken.sums)
     if not np.any(np.abs(L) > 1e-9):
         raise InputError(
-            f"--break {', '.join(broken.names)}: nothing comes back of what is added there, so there is no loop through it"
+            f"--break {', '.join(broken.names)}: nothing comes back of what is added there: no loop goes through it"
         )
     return Margins(broken, closed, tuple(Loop(omega, locus) for locus in loci(L).T), count)
 
@@ -133,7 +131,9 @@ def open_loop(closed: Linear, omega: np.ndarray, sums: bool) -> np.ndarray:
     found = closed.response(omega)
     identity = np.eye(found.shape[1])
     if not sums:
-        return np.linalg.inv(found) - identity
+        loop: np.ndarray = np.linalg.inv(found) - identity
+        return loop
     x = 1j * omega * closed.dt
     hold = (1.0 - np.exp(-x)) / x
-    return -found @ np.linalg.inv(found + hold[:, None, None] * identity)
+    broken: np.ndarray = -found @ np.linalg.inv(found + hold[:, None, None] * identity)
+    return broken

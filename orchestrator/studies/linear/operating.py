@@ -72,7 +72,9 @@ def period_in(probe: Probe, text: str) -> int:
     if is_time(text):
         count = round(instant(text, "--period-of") / one)
         if count < 1:
-            raise InputError(f"--period-of {text} is shorter than the {seconds_text(one)} in which the schedule repeats")
+            raise InputError(
+                f"--period-of {text} is shorter than the {seconds_text(one)} in which the schedule repeats"
+            )
         return count
     begin = float(probe.session.get(name))
     for count in range(1, LONGEST):
@@ -138,7 +140,7 @@ def require_steady(found: Sequence[Residual], time: float, allowed: float, windo
     worst = [residual for residual in found if not residual.value <= allowed]
     if worst:
         raise InputError(
-            f"t = {time:g} s is no operating point: over {window:.3g} s the signals do not keep their rates; residuals: "
+            f"t = {time:g} s is no operating point: over {window:.3g} s signals do not keep their rates; residuals: "
             f"{', '.join(map(str, worst[:4]))} (allowed {allowed:g}). Take a time at which the system has settled, "
             "average a periodic one with --period-of, shorten the response with --length, or allow more with --residual"
         )

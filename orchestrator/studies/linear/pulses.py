@@ -25,8 +25,8 @@ FIRST = 20  # samples
 
 @dataclass(frozen=True)
 class Pulses:
-    """Responses (samples, p, m) and how they were found: the size of what was added to each channel, and how much of the
-    response was the same for both signs, relative to the response (0 where all is linear)."""
+    """Responses (samples, p, m) and how they were found: the size of what was added to each channel, and how much of
+    them was the same for both signs, relative to the response (0 where all is linear)."""
 
     values: np.ndarray
     sizes: tuple[float, ...]

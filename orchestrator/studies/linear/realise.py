@@ -68,7 +68,7 @@ def realise(pulses: np.ndarray, order: int | None = None) -> Realised:
 
 
 def shifts(limit: int, most: int) -> np.ndarray:
-    """At most `most` shifts from 0 to below `limit`, rising: all of them, or dense at first and then in equal ratios."""
+    """At most `most` shifts from 0 to below `limit`, rising: all, or dense at first and then in equal ratios."""
     if limit <= most:
         return np.arange(max(limit, 1))
     found = np.unique(np.round(np.geomspace(1.0, limit, most)).astype(int)) - 1

@@ -1,0 +1,265 @@
+"""The commands that look at a system near an operating point: its linear model, the margins of its loops."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..console import print_table, tell, wrote
+from ..options import (
+    FmusOption,
+    MapOption,
+    OutOption,
+    OutsideOption,
+    ParametersOption,
+    PeriodOption,
+    ReplaceOption,
+    SetOption,
+    StartOption,
+    StepOption,
+    StopOption,
+    SystemName,
+    app,
+)
+from ..progress import share
+
+if TYPE_CHECKING:
+    from ...studies.linear.linearise import Options
+    from ...studies.linear.margins import Margins
+    from ...studies.linear.statespace import Linear
+    from ...system.model import System
+
+POLES_SHOWN = 40
+
+AtOption = Annotated[
+    list[str], typer.Option("--at", metavar="TIME", help='Time of an operating point, "8 s"; repeatable.')
+]
+SampleOption = Annotated[
+    str, typer.Option("--sample", metavar="TIME", help="Time between samples; by default that in which all repeats.")
+]
+LengthOption = Annotated[
+    str, typer.Option("--length", metavar="TIME", help="Of a response; by default until it has died out.")
+]
+SizeOption = Annotated[
+    list[str], typer.Option("--size", metavar="NAME=VALUE", help="How much is added to an input; repeatable.")
+]
+OrderOption = Annotated[int | None, typer.Option("--order", min=0, help="States of the model; found by default.")]
+PeriodOfOption = Annotated[
+    str, typer.Option("--period-of", metavar="ANGLE", help="Average whole turns of this signal, or a time.")
+]
+StartsOption = Annotated[int, typer.Option("--starts", min=1, help="Pulses over a period.")]
+ResidualOption = Annotated[float, typer.Option("--residual", min=0.0, help="How far from steady a point may be.")]
+
+
+@app.command()
+def linearise(
+    system: SystemName,
+    inputs: Annotated[
+        list[str], typer.Option("--inputs", metavar="NAMES", help='Free inputs, or connections "a.y -> b.u".')
+    ] = [],  # noqa: B006
+    outputs: Annotated[list[str], typer.Option("--outputs", metavar="NAMES", help="Signals, or patterns.")] = [],  # noqa: B006
+    at: AtOption = [],  # noqa: B006
+    out: OutOption = Path("results"),
+    sample: SampleOption = "",
+    length: LengthOption = "",
+    size: SizeOption = [],  # noqa: B006
+    order: OrderOption = None,
+    period_of: PeriodOfOption = "",
+    starts: StartsOption = 8,
+    residual: ResidualOption = 0.02,
+    method: Annotated[
+        str, typer.Option("--method", help="states, pulses, or auto: states where FMUs show them.")
+    ] = "auto",
+    sampled: Annotated[
+        bool, typer.Option("--sampled", help="A continuous model with its inputs held over a sample.")
+    ] = False,
+    set_: SetOption = [],  # noqa: B006
+    start: StartOption = "",
+    stop: StopOption = "",
+    step: StepOption = "",
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
+    allow_outside: OutsideOption = [],  # noqa: B006
+    fmus: FmusOption = None,
+) -> None:
+    """A, B, C, D of a system at times of a run: by states where FMUs show them, else by pulse responses."""
+    from ...files import prepare_folder
+    from ...studies.linear.linearise import linearise as study
+    from ...studies.linear.statespace import write
+
+    options = _options(at, sample, length, size, order, period_of, starts, residual, method, sampled)
+    found = _system(system, set_, start, stop, step, replace, map_, period, parameters, allow_outside, fmus)
+    prepare_folder(out)
+    with share(f"{found.name}, linearised") as progress:
+        models = study(found, _names(inputs), _names(outputs), options, progress)
+    for model in models:
+        print_model(model)
+    wrote(write(models, out), out)
+
+
+@app.command()
+def margins(
+    system: SystemName,
+    break_: Annotated[
+        list[str],
+        typer.Option(
+            "--break", metavar="PLACE", help='Where the loop is broken: "a.y -> b.u", or "a.y + a.u"; repeatable.'
+        ),
+    ],
+    at: AtOption = [],  # noqa: B006
+    out: OutOption = Path("results"),
+    sample: SampleOption = "",
+    length: LengthOption = "",
+    size: SizeOption = [],  # noqa: B006
+    order: OrderOption = None,
+    period_of: PeriodOfOption = "",
+    starts: StartsOption = 8,
+    residual: ResidualOption = 0.02,
+    set_: SetOption = [],  # noqa: B006
+    start: StartOption = "",
+    stop: StopOption = "",
+    step: StepOption = "",
+    replace: ReplaceOption = [],  # noqa: B006
+    map_: MapOption = [],  # noqa: B006
+    period: PeriodOption = [],  # noqa: B006
+    parameters: ParametersOption = "",
+    allow_outside: OutsideOption = [],  # noqa: B006
+    fmus: FmusOption = None,
+) -> None:
+    """Gain, phase and delay margins of a loop that is broken at a connection, with Bode's and Nyquist's pictures."""
+    from ...files import prepare_folder, write_file, write_json
+    from ...studies.linear.margins import margins as study
+    from ...studies.linear.pictures import bode, nyquist
+
+    options = _options(at, sample, length, size, order, period_of, starts, residual, "pulses", False)
+    found = _system(system, set_, start, stop, step, replace, map_, period, parameters, allow_outside, fmus)
+    prepare_folder(out)
+    with share(f"{found.name}, the loop broken") as progress:
+        loops = study(found, break_, options, progress)
+    print_margins(loops)
+    content = [each.content() for each in loops]
+    paths = [
+        write_file(out / "margins.json", lambda p: write_json(p, content)),
+        write_file(out / "bode.png", bode(loops).savefig),
+        write_file(out / "nyquist.png", nyquist(loops).savefig),
+    ]
+    wrote(paths, out)
+
+
+def print_model(model: Linear) -> None:
+    """How a model was found, and its poles."""
+    notes = model.notes
+    kind = "continuous" if model.dt == 0.0 else f"sampled every {1e3 * model.dt:.6g} ms"
+    tell(
+        f"t = {model.at:g} s: {model.order} states, {len(model.inputs)} inputs, {len(model.outputs)} outputs, {kind}; "
+        f"residual of the operating point {notes.get('residual', 0.0):.2g}"
+    )
+    if notes["method"] == "pulses":
+        print_response(model)
+    else:
+        ways = "; ".join(f"{name} by {how}" for name, how in notes["by"].items())
+        tell(f"  {ways}")
+    poles = model.poles
+    cells = [
+        (
+            f"{p.s.real:.6g}", f"{p.s.imag:.6g}", f"{p.frequency:.5g}", f"{p.damping:.4f}",
+            f"{p.magnitude:.8f}" if p.z is not None else f"{p.magnitude:.6g}",
+        ) for p in poles[:POLES_SHOWN] if p.s.imag >= 0.0
+    ]  # fmt: skip
+    title = f"Poles at t = {model.at:g} s, pairs once"
+    title += f" (the slowest {POLES_SHOWN} of {len(poles)})" if len(poles) > POLES_SHOWN else ""
+    magnitude = "|z|" if model.dt else "|s| [rad/s]"
+    headings = ("real part\n[1/s]", "imaginary\n[rad/s]", "frequency\n[Hz]", "damping\n[1]", magnitude)
+    print_table(title, headings, cells, words=())
+
+
+def print_response(model: Linear) -> None:
+    """Of what responses a model was made, and how well it gives them back."""
+    notes = model.notes
+    sizes = ", ".join(f"{size:.4g} {unit}" for size, unit in zip(notes["sizes"], model.input_units, strict=True))
+    period = f" over {notes['period']:.4g} s" if notes["period"] else ""
+    tell(
+        f"  pulses of {sizes}, from {notes['starts']} instants{period}, {notes['samples']} samples; the model leaves "
+        f"{notes['error']:.2g} of the responses, of which {notes['even']:.2g} is the same for both signs of a pulse"
+    )
+    values = notes["singular_values"]
+    order = notes["order"]
+    near = [f"{v / values[0]:.2g}" for v in values[max(order - 2, 0) : order + 2]] if values else []
+    if near:
+        first = max(order - 1, 1)
+        tell(f"  Hankel singular values {first} to {first + len(near) - 1}, of the first: {', '.join(near)}")
+
+
+def print_margins(found: Sequence[Margins]) -> None:
+    """One row for each locus."""
+    from math import degrees, inf, isfinite, pi
+
+    def factor(value: float) -> str:
+        return f"{value:.4g}" if isfinite(value) and value > 0.0 else "-"
+
+    cells = []
+    for each in found:
+        for k, loop in enumerate(each.loops):
+            omega = loop.delay_crossing[0]
+            cells.append((
+                f"{each.at:g}", str(k + 1), f"{degrees(loop.phase_margin):.1f}" if loop.phase_margin < pi else "-",
+                factor(loop.gain_margin), factor(loop.gain_reduction),
+                f"{1e3 * loop.delay_margin:.4g}" if loop.delay_margin < inf else "-",
+                f"{omega / (2 * pi):.4g}" if isfinite(omega) else "-", f"{loop.distance:.3f}",
+            ))  # fmt: skip
+    headings = ("t\n[s]", "locus", "phase margin\n[deg]", "gain margin\n[1]", "less gain\n[1]", "delay margin\n[ms]",
+                "at\n[Hz]", "least distance\nto -1")  # fmt: skip
+    print_table(f"Margins of the loop broken at {', '.join(found[0].broken.names)}", headings, cells, words=())
+    for each in found:
+        print_response(each.closed)
+        growing = [p for p in each.closed.poles if p.s.real > 0.0 and p.magnitude > 1.0 + 1e-3]
+        if growing:
+            tell(
+                f"t = {each.at:g} s: the closed loop has poles that grow, the fastest with {growing[-1].s.real:.3g} 1/s"
+            )
+    if any(len(each.loops) > 1 for each in found):
+        tell("the margins of loci are of a gain, or a delay, common to all places of the break")
+
+
+def _names(texts: Sequence[str]) -> list[str]:
+    """Names from texts that may hold several, separated by commas outside of brackets."""
+    found = [""]
+    depth = 0
+    for letter in ",".join(texts):
+        depth += (letter == "[") - (letter == "]")
+        if letter == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += letter
+    return [name.strip() for name in found if name.strip()]
+
+
+def _options(
+    at: Sequence[str], sample: str, length: str, size: Sequence[str], order: int | None, period_of: str, starts: int,
+    residual: float, method: str, sampled: bool,
+) -> Options:  # fmt: skip
+    from ...studies.linear.linearise import Options
+    from ...system.request import assignments
+
+    sizes = assignments(size, "--size")
+    return Options(at, sample, length, sizes, order, period_of, starts, residual, method, sampled)
+
+
+def _system(
+    name: str, set_: list[str], start: str, stop: str, step: str, replace: list[str], map_: list[str],
+    period: list[str], parameters: str, allow_outside: list[Path], fmus: Path | None,
+) -> System:  # fmt: skip
+    from ...system.assemble import assemble
+    from ...system.request import assignments, changes_of
+
+    changes = changes_of(replace, map_, period, allow_outside, parameters)
+    found = assemble(name, assignments(set_), stop, fmus, changes, step=step, start=start)
+    for component in found.components.values():
+        for note in component.notes:
+            tell(note)
+    return found
