@@ -13,11 +13,18 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .api import Model, load
     from .errors import FmuError, InputError, RovbrushError, RunError
+    from .results.pictures.comparison import compare
     from .results.result import Result
     from .run.stepping import Stepping
 
-__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "load"]
-_PLACES = {"load": "api", "Model": "api", "Result": "results.result", "Stepping": "run.stepping"}
+__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "compare", "load"]
+_PLACES = {
+    "load": "api",
+    "compare": "results.pictures.comparison",
+    "Model": "api",
+    "Result": "results.result",
+    "Stepping": "run.stepping",
+}
 
 
 def __dir__() -> list[str]:

@@ -11,7 +11,7 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from .commands import bench, cache, check, doctor, exchange, fmu, linear, new, paper, run, schema, shipped, study
+from .commands import bench, cache, check, doctor, exchange, fmu, linear, look, new, paper, run, schema, shipped, study
 from .guard import guarded
 from .options import app
 
@@ -24,6 +24,7 @@ __all__ = [
     "exchange",
     "fmu",
     "linear",
+    "look",
     "main",
     "new",
     "paper",

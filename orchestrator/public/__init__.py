@@ -10,7 +10,10 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Session", "__version__", "load"]
+__all__ = [
+    "FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Session", "__version__", "compare",
+    "load",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

@@ -103,7 +103,7 @@ def profiles(run: Run, entry: Mapping[str, Any]) -> Profiles | None:
 def _profile(signals: Signals, names: Sequence[str], name: str, instant: float, when: str = "") -> Profile:
     """Elements as they are in the last row at or before an instant."""
     first = signals[names[0]]
-    row = max(int(np.searchsorted(first.time, instant * (1.0 + 1e-12), side="right")) - 1, 0)
+    row = max(int(np.searchsorted(first.time, instant + 1e-12 * abs(instant), side="right")) - 1, 0)
     return Profile(name, first.unit, np.array([signals[one].values[row] for one in names]), when)
 
 

@@ -3,6 +3,7 @@ results. Keys and types are checked where the file is read."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import PurePath
 from typing import Any
@@ -11,8 +12,11 @@ from ..errors import InputError, counted, nearest
 from ..system.file.figure_kinds import figure_kind
 from ..system.file.merits import OPERATIONS, merit
 from ..system.model import System
+from .files.writing import RESERVED
 from .profiles import check_profiles
 
+BOUNDARY = ("in", "ref", "parameters")  # ends of the CSV files of a recording
+RATE = re.compile(r"every_[0-9].*\.csv|varying_steps\.csv")
 FORMATS = (".png", ".pdf", ".svg")
 ALWAYS = ("real_time_factor", "wall_s", "simulated_s", "start_s", "peak_memory_MB")  # figures of merit of every run
 
@@ -31,8 +35,27 @@ def check_reporting(recorded: set[str], system: System) -> None:
             raise InputError(f"{label}: no figure of merit '{entry['value']}'{nearest(str(entry['value']), merits)}")
         if not entry["reference"]:
             raise InputError(f"{label}: reference = 0 has no ratio; compare with another number")
+    check_files(system)
     for entry in reporting["figures"]:
         check_figure(entry, recorded, system, f"{origin}: figure {entry.get('file', '')}".rstrip())
+
+
+def check_files(system: System) -> None:
+    """Raise InputError for a figure or a table whose file is one of the results, or that of another figure or table."""
+    taken: dict[str, str] = {name: "a file of the results" for name in RESERVED}
+    for component in system.components:
+        taken |= {f"{component}_{end}.csv".lower(): "a file of --record-boundary" for end in BOUNDARY}
+    for entry in system.reporting["figures"]:
+        for key in ("file", "table"):
+            name = str(entry.get(key, ""))
+            label = f"{system.path.name}: figure {entry.get('file', '')}".rstrip()
+            other = taken.get(name.lower())  # Windows and macOS tell no capitals apart
+            if RATE.fullmatch(name.lower()):
+                other = "a file of --csv-per-rate"
+            if other:
+                raise InputError(f"{label}: {key} = '{name}' would overwrite {other}; give another name")
+            if name:
+                taken[name.lower()] = "that of another figure or table"
 
 
 def check_numeric(system: System, origin: str) -> None:

@@ -17,10 +17,12 @@ from .tables import Run
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.figure import Figure
 
 
 PUBLIC = (
-    "comparison", "dataset", "datasets", "events", "folder", "open", "require_good", "run", "save", "summary", "units",
+    "comparison", "dataset", "datasets", "events", "folder", "open", "plot", "require_good", "run", "save", "summary",
+    "units",
 )  # fmt: skip
 
 
@@ -117,6 +119,18 @@ class Result:
         prepare_folder(Path(folder), "another folder")
         self.folder = Path(folder)
         return write_results(self.run, Path(folder), {**self.summary, "comparison": self.comparison})
+
+    def plot(self, *signals: str, begin: float | None = None, end: float | None = None) -> Figure:
+        """A picture of signals, names or patterns such as `motor.*`, between two instants [s]; `.savefig(path)`.
+
+        Without names what is connected. Ripples too fast to be seen are bands with their mean, on the right is a closer
+        look; angles in degrees, short lengths in millimetres. Raises InputError for an unknown name, or an empty span.
+        """
+        from .pictures.overview import picture
+        from .pictures.traces import traces
+
+        found = traces(self)
+        return picture(found, found.chosen(signals), begin, end, constants=bool(signals))
 
     @property
     def comparison(self) -> list[dict[str, Any]]:

@@ -134,6 +134,7 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
+    from ...studies.sweep.picture import write_pictures
     from ...studies.sweep.sweep import Options
     from ...studies.sweep.sweep import sweep as run_sweep
     from ...system.request import assignments, changes_of
@@ -161,8 +162,10 @@ def sweep(
     print_points(found.table)
     for axis in found.table.without_effect():
         tell(f"{axis} has no effect here: no figure of merit changes, to the last bit")
-    wrote([out / "points.jsonl", out / "sweep.nc", out / "sweep.csv"], out)
+    pictures = write_pictures(found.dataset, out)
+    wrote([out / "points.jsonl", out / "sweep.nc", out / "sweep.csv", *pictures.paths], out)
     found.require_all()
+    pictures.require_all()
 
 
 def print_points(table: Table) -> None:

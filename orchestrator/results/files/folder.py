@@ -26,7 +26,16 @@ def require_own(folder: Path, system: str, force: bool) -> list[str]:
         for file, study in STUDIES.items() if not older else ():
             if (folder / file).exists():
                 raise _taken(folder, study)
-    return [name for name in older.get("files", ()) if isinstance(name, str) and Path(name).name == name]
+    return _files(older)
+
+
+def files_of(folder: Path) -> list[str]:
+    """The files in a folder that a run wrote there; none where no run did."""
+    return _files(_manifest(folder))
+
+
+def _files(manifest: dict[str, Any]) -> list[str]:
+    return [name for name in manifest.get("files", ()) if isinstance(name, str) and Path(name).name == name]
 
 
 def remove(folder: Path, files: Iterable[str]) -> None:

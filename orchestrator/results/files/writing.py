@@ -25,7 +25,12 @@ from .netcdf import write_netcdf
 
 ROWS, TABLE, SUMMARY, MANIFEST, PLAN = "result.nc", "result.csv", "summary.json", "manifest.json", "plan.txt"
 UNITS = "units"  # of the figures of merit, in summary.json
+OVERVIEW = "overview.png"  # the picture that every run has
 MESSAGES = "messages.log"  # what FMUs logged
+RESERVED = frozenset(  # what a run, a sweep or a picture asked for later is written to
+    (ROWS, TABLE, SUMMARY, MANIFEST, PLAN, OVERVIEW, MESSAGES, "plot.png", "plot.svg", "plot.pdf", "sweep.nc",
+     "sweep.csv", "sweep.png", "sweep_tornado.png", "points.jsonl")
+)  # fmt: skip
 COMPARED = ("label", "unit", "reference", "value", "ratio", "within")  # of a comparison, in summary.json
 
 More = tuple[Sequence[str], Callable[[Run, Path], list[Path]]]  # further files by name, and what writes them
@@ -116,7 +121,7 @@ def write_products(
     figures = run.plan.system.reporting["figures"]
     table = [TABLE] * isinstance(run.recorded, list)
     said = [MESSAGES] * bool(run.messages)
-    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, *_names(figures)]
+    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, OVERVIEW, *_names(figures)]
     files += [name for names, _ in more for name in names]
 
     def summed() -> list[Path]:
@@ -150,6 +155,7 @@ def write_products(
             written.attempt("the comparison", compared)
             told = {**written.summary, UNITS: figure_units(run.plan.system)}
             written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, told)))
+        written.attempt(OVERVIEW, lambda: _overview(run, folder))
         for entry in figures:
             if "table" in entry:
                 written.attempt(str(entry["table"]), lambda entry=entry: _profiles(run, entry, folder))  # type: ignore[misc]
@@ -177,6 +183,13 @@ def _profiles(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:
     if profiles(run, entry) is None:
         return []
     return [write_file(folder / str(entry["table"]), lambda path: write_profiles(run, entry, path))]
+
+
+def _overview(run: Run, folder: Path) -> list[Path]:
+    from ..pictures.overview import overview
+    from ..pictures.traces import run_traces
+
+    return [write_file(folder / OVERVIEW, overview(run_traces(run)).savefig)]
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:

@@ -29,7 +29,7 @@ class Ripple:
 
     period: float
     dense: np.ndarray  # (blocks,)
-    swing: np.ndarray  # (blocks,), from least to largest
+    swing: np.ndarray  # (blocks,), from least to largest value of a swing, on average
 
 
 def ripple(time: np.ndarray, values: np.ndarray, columns: int = COLUMNS) -> Ripple | None:
@@ -42,8 +42,9 @@ def ripple(time: np.ndarray, values: np.ndarray, columns: int = COLUMNS) -> Ripp
     turns = time[kept[1:][rises[kept[1:]] != rises[kept[:-1]]]]
     edges = np.linspace(time[0], time[-1], blocks + 1)
     counts = np.histogram(turns, edges)[0]
-    _, least, largest = columns_of(time, values, edges)
-    swing = largest - least
+    travelled = np.diff(np.interp(edges, time, np.concatenate([[0.0], np.cumsum(np.abs(np.diff(values)))])))
+    net = np.abs(np.diff(np.interp(edges, time, values)))  # a slow change is no swing
+    swing = np.maximum(travelled - net, 0.0) / np.maximum(counts, 1)
     dense = (counts > 2) & (swing > VISIBLE * (np.max(values) - np.min(values)))
     if np.count_nonzero(dense) < DENSE:
         return None

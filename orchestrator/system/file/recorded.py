@@ -63,10 +63,10 @@ def recorded_names(
             silent = {name: c for name, c in components.items() if not c.fmu.names("output")}
             found += [name for name in _names(silent, "local") if _recordable(silent, name)]
             continue
-        hits = _matching(pattern, usual)
+        hits = matching(pattern, usual)
         found += [pattern] if _is_pattern(pattern) else hits
         if not hits:
-            hits = _matching(pattern, further)
+            hits = matching(pattern, further)
             found += [name for name in hits if _recordable(components, name)]
         if not hits:
             raise fail(pattern, f"no variable is called so{nearest(pattern, [*usual, *further])}")
@@ -81,7 +81,7 @@ def _names(components: Mapping[str, Component], *causalities: str) -> list[str]:
     return [f"{name}.{variable}" for name, c in components.items() for variable in c.fmu.names(*causalities)]
 
 
-def _matching(pattern: str, names: Sequence[str]) -> list[str]:
+def matching(pattern: str, names: Sequence[str]) -> list[str]:
     """The name that the pattern is, or all that match it; an array by its own name is all of its elements."""
     if pattern in names:
         return [pattern]

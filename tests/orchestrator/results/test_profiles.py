@@ -10,7 +10,8 @@ from helpers import column
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.results.files.writing import Written, write_products
 from rovbrush.orchestrator.results.pictures.figures import figure
-from rovbrush.orchestrator.results.profiles import profiles
+from rovbrush.orchestrator.results.profiles import elements, profiles
+from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
@@ -36,6 +37,15 @@ WRONG = {
     "scalar": ('"brush.kinetic_fraction"', '"brush.F_z"', "there is no array 'brush.F_z'"),
     "unknown component": ('along = "brush.', 'along = "brosh.', "there is no array 'brosh.lambda_r'"),
     "table outside the results": ('"modes.csv"', '"../modes.csv"', "a plain name that ends in .csv"),
+    "table over the results": (
+        '"modes.csv"',
+        '"Result.csv"',
+        "table = 'Result.csv' would overwrite a file of the results",
+    ),
+    "table over a rate": ('"modes.csv"', '"every_500_us.csv"', "would overwrite a file of --csv-per-rate"),
+    "table over a recording": ('"modes.csv"', '"motor_in.csv"', "would overwrite a file of --record-boundary"),
+    "figure over the overview": ('"modes.png"', '"overview.png"', "file = 'overview.png' would overwrite"),
+    "figure over another": ('"modes.png"', '"forces.png"', "would overwrite that of another figure or table"),
     "table of another kind": ('"modes.csv"', '"modes.txt"', "a plain name that ends in .csv"),
     "axis of time": ("at = ", "from = 0.0\nat = ", "from is of a figure over time"),
     "instants without an array": ('along = "brush.lambda_r"\n', "", "at goes with `along`"),
@@ -134,3 +144,15 @@ def test_arrays_of_other_lengths_are_refused(tmp_path: Path, fmus: Path) -> None
     path.write_text(text + more, encoding="utf-8")
     with pytest.raises(InputError, match=r"vehicle\.quat has 4 elements, and vehicle\.thrust has 8"):
         planned(assemble(str(path), {}, fmus=fmus))
+
+
+def test_instants_before_zero_are_rows_of_their_own(fmus: Path, tmp_path: Path) -> None:
+    text = ENTRY.replace("at = [0.005, 0.01, 7.0]", "at = [-0.005]")
+    plan = planned(assemble(written(tmp_path, text), {}, "0.01 s", fmus, start="-0.01 s"))
+    run = simulate(plan)
+    found = profiles(run, entry_of(run, at=[-0.005]))
+    assert found is not None
+    time = Signals(run)["brush.kinetic_fraction[1]"].time
+    (row,) = np.flatnonzero(np.abs(time + 0.005) < 1e-9)  # the instant itself, not the row before it
+    expected = [Signals(run)[name].values[row] for name in elements(run.plan.system, "brush.kinetic_fraction")]
+    assert found.vectors[0].values == pytest.approx(expected, rel=0.0, abs=0.0)
