@@ -134,8 +134,8 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
+    from ...studies.sweep.options import Options
     from ...studies.sweep.picture import write_pictures
-    from ...studies.sweep.sweep import Options
     from ...studies.sweep.sweep import sweep as run_sweep
     from ...system.request import assignments, changes_of
 

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import spearmanr
 
-from ...studies.sweep.sweep import Options, sweep
+from ...studies.sweep.options import Options
+from ...studies.sweep.sweep import sweep
 from .task import SWEEP, Task, force_error
 
 LIMIT = 0.1  # of the force that is asked for: a larger error is not held

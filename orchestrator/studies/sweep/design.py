@@ -19,12 +19,13 @@ from ...fmu.types import Value
 from ...system.file.events.numbers import is_of_event
 from ...system.model import System
 from .axis import LARGEST, Axis, checked_axis, listed, range_of, spaced
+from .blocks import block_size
 from .sampling import RANDOM, SAMPLERS, drawn
 
 
 @dataclass(frozen=True)
 class Design:
-    """A `grid` is the product of its axes, the last one fastest; `list` and SAMPLERS have one value per point."""
+    """A `grid` is the product of its axes, the last one fastest; `list`, SAMPLERS, BLOCKS have one value per point."""
 
     kind: str
     axes: tuple[Axis, ...]
@@ -57,10 +58,12 @@ def make_design(
     seed: int = 1,
     table: Path | None = None,
     sampler: str = "",
+    blocks: str = "",
 ) -> Design:
     """The design of `name: text` entries; `count` > 0 points in ranges; the rows of a CSV file with `table`.
 
-    `sampler`: how points are drawn in ranges, one of SAMPLERS; empty for the first.
+    `sampler`: how points are drawn in ranges, one of SAMPLERS; empty for the first. `blocks`: `count` is the
+    number of blocks of this kind, one of BLOCKS.
 
     Raises InputError for an unknown, driven or doubly varied parameter, a value out of range, an empty or malformed
     range.
@@ -83,10 +86,15 @@ def make_design(
             columns = {name: _grid(system, name, text) for name, text in named.items()}
             check_count(math.prod(map(len, columns.values())), "the grid of --vary")
         else:
-            check_count(count, f"--random {count}")
-            columns = drawn(system, named, count, seed, sampler)
+            if blocks:
+                check_count(count * block_size(blocks, len(vary)), f"--samples {count}")
+            else:
+                check_count(count, f"--random {count}")
+            columns = drawn(system, named, count, seed, blocks or sampler)
         axes = tuple(checked_axis(system, name, values) for name, values in columns.items())
-    design = Design("list" if table else (sampler or RANDOM) if count else "grid", axes, seed if count else None)
+    design = Design(
+        "list" if table else (blocks or sampler or RANDOM) if count else "grid", axes, seed if count else None
+    )
     check_count(len(design), f"--points {table}")
     owners: dict[str, str] = {}
     for axis in axes:

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...environment import environment, versions
+from ...environment import environment
 from ...errors import InputError, RunError, counted
 from ...files import prepare_folder
-from ...results.figures_of_merit import figure_units
-from ...system.model import System
-from ...system.request import UNCHANGED, Changes
-from .design import Design, check_count, make_design, vary_entries
-from .file import SweepFile, sweep_file
-from .point import Job, digest, job_system, load, planned
+from .design import Design, make_design
+from .options import Options
+from .point import Job
 from .points import Points, header
-from .replanned import is_structural
+from .request import Request, requested
 from .table import Table, write_table
 from .workers import LocalWorkers, Workers, computed, cores
 
@@ -27,25 +24,6 @@ if TYPE_CHECKING:
     import xarray
 
 ERRORS_SHOWN = 3
-
-
-@dataclass(frozen=True)
-class Options:
-    """What the command line adds to, or says in place of, a sweep file."""
-
-    vary: Sequence[str] = ()
-    values: Mapping[str, object] = field(default_factory=dict)
-    stop: str = ""
-    random: int = 0
-    seed: int | None = None
-    points: Path | None = None
-    workers: int = 0  # 0: one per core
-    scheduler: str = ""
-    fmus: Path | None = None
-    changes: Changes = UNCHANGED
-    design: str = ""  # of --random: see `design.SAMPLERS`
-    force: bool = False  # go on although another version or processor computed what is there
-    start: str = ""
 
 
 @dataclass(frozen=True)
@@ -94,53 +72,30 @@ def sweep(
     options: Options,
     tell: Callable[[str], None] = lambda _line: None,
     progress: Callable[[int, int], None] = lambda _done, _of: None,
+    check: Callable[[Request, Design], None] = lambda _request, _design: None,
 ) -> Swept:
     """Compute every point that `out` does not hold yet, and write sweep.nc and sweep.csv.
 
-    `tell` hears what the user must know before, `progress` how many points are done, of how many. The results do not
-    depend on workers or interruptions. Raises InputError before anything is computed; RunError after an interruption
-    (what was computed is written, and kept for the next time).
+    `tell` hears what the user must know before, `progress` how many points are done, of how many; `check` looks at what
+    is to be computed, and may raise InputError. The results do not depend on workers or interruptions. Raises
+    InputError before anything is computed; RunError after an interruption (what was computed is written, and kept for
+    the next time).
     """
-    study = sweep_file(name)
-    values = {**study.values, **options.values}
-    vary = {} if options.points else {**study.vary, **vary_entries(options.vary)}
-    if options.points and options.vary:
-        raise InputError("--points lists every point; leave --vary and --random out")
-    count = options.random or (0 if options.points else study.random)
-    check_count(count, f"--random {count}" if options.random else f"{study.name}: random = {count}")
-    changes = options.changes if options.changes.parameters else replace(options.changes, parameters=study.parameters)
-    job = Job(
-        study.system, str(options.fmus.resolve()) if options.fmus else "",
-        tuple((key, tuple(v) if isinstance(v, list) else v) for key, v in values.items() if key not in vary),
-        tuple(study.summary.items()), options.stop or study.stop, changes=changes,
-        start=options.start or study.start,
+    request = requested(name, options)
+    design = make_design(
+        request.system, request.vary, request.count, request.seed, options.points,
+        "" if options.blocks else options.design or request.study.design, options.blocks,
     )  # fmt: skip
-    system = job_system(job)
-    require_figures(system, study)
-    seed = study.seed if options.seed is None else options.seed
-    design = make_design(system, vary, count, seed, options.points, options.design or study.design)
-    for twice in {axis.name for axis in design.axes} & set(map(system.full_name, options.values)):
-        raise InputError(f"--set {twice}: it is varied; leave one of the two out")
-    load(job)  # its plan, and its figures of merit
-    for axis in design.axes:
-        if is_structural(system, axis.name):
-            for value in sorted(set(axis.values), key=float):
-                planned(job, ((axis.name, value),))
-    units = figure_units(system)
-    made_with = environment()
-    job = replace(job, digest=digest(system), versions=tuple(versions().items()))
+    check(request, design)
+    job, made_with = request.job_of(design.axes), environment()
     workers = make_workers(options, job, len(design))
     with workers:
         prepare_folder(out)
-        for component in system.components.values():
-            for note in component.notes:
-                tell(note)
-        head = header(system, job.digest, design, units, made_with)
+        request.tell_notes(tell)
+        head = header(request.system, job.digest, design, request.units, made_with)
         points = Points(out, head, options.force)
-        texts = {key: str(text) for key, text in system.reporting["summary"].items()}
-        figures = {key: (unit, texts.get(key, key.replace("_", " "))) for key, unit in units.items()}
-        title = study.description or f"{study.name} over {', '.join(vary)}"
-        table = Table(title, design, figures, points.records, points.made_with)
+        title = request.study.description or f"{request.study.name} over {', '.join(request.vary)}"
+        table = Table(title, design, request.figures, points.records, points.made_with)
         if points.records:
             tell(f"{len(points.done())} of {counted(len(design), 'point')} are there already")
         try:
@@ -159,19 +114,6 @@ def sweep(
         finally:
             points.close()
     return Swept(table, write_table(table, out), out, cost)
-
-
-def require_figures(system: System, study: SweepFile) -> None:
-    """Raise InputError, with the lines to write, where there is nothing to gather."""
-    reporting = system.reporting
-    if system.bonds or reporting["balance"] or reporting["summary"].keys() - {"window"}:
-        return
-    found = [(name, c.fmu.names("output")) for name, c in system.components.items()]
-    output = next((f"{name}.{outputs[0]}" for name, outputs in found if outputs), "component.output")
-    raise InputError(
-        f"{study.name}: the system has no [summary], so that there is nothing to gather; write, for instance, into "
-        f'{system.path.name} (or into a sweep file):\n[summary]\n{output.replace(".", "_")}_mean = "mean {output}"'
-    )
 
 
 def make_workers(options: Options, job: Job, points: int) -> Workers:

@@ -13,7 +13,8 @@ from native_build import needs_gcc
 from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.results.result import Result
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.assemble import assemble, assemble_request
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.request import Request, changes_of

@@ -16,8 +16,9 @@ from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.design import make_design
 from rovbrush.orchestrator.studies.sweep.file import shipped_sweeps, sweep_file
+from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.point import Job, load, needed
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 
 
 def test_a_dask_cluster_gives_the_same_bits(case: Path, fmus: Path, tmp_path: Path) -> None:

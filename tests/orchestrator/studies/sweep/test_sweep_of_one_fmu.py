@@ -8,7 +8,8 @@ import pytest
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies.sweep.design import make_design
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from sweep_cases import PARTS

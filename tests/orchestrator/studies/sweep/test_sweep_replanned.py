@@ -11,7 +11,8 @@ from clock_build import clocked
 from native_build import needs_gcc
 from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 
 pytestmark = needs_gcc
 PUSHED = """

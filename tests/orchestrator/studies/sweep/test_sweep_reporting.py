@@ -14,7 +14,8 @@ from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.axis import Axis
 from rovbrush.orchestrator.studies.sweep.design import Design
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.studies.sweep.table import Table, write_table
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.merits import merit, written

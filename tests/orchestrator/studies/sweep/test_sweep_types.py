@@ -11,7 +11,8 @@ import xarray
 from native_build import NUMBERS3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.options import Options
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 

@@ -9,8 +9,9 @@ import pytest
 from helpers import rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
+from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.points import Points
-from rovbrush.orchestrator.studies.sweep.sweep import Options, sweep
+from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from sweep_cases import PARTS, lines, plain_case
 
 
