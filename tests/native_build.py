@@ -194,6 +194,28 @@ def answers(target: Path, *parts: str) -> Path:
     )
 
 
+FUNCTIONS = ("x1", "x2", "x3", "x4", "fail_above", "ishigami", "g", "rosenbrock", "disc", "flat", "length")
+
+
+def functions(target: Path) -> Path:
+    """FMI 2.0: outputs that are functions of parameters, known in closed form; x2 and `length` are in m."""
+
+    def variable(reference: int, name: str) -> str:
+        is_parameter = reference < FUNCTIONS.index("ishigami")
+        unit = ' unit="m"' if name in ("x2", "length") else ""
+        start = f' start="{"1e9" if name == "fail_above" else 0.0}"' if is_parameter else ""
+        kind = 'causality="parameter" variability="fixed"' if is_parameter else 'causality="output"'
+        return (
+            f'<ScalarVariable name="{name}" valueReference="{reference}" {kind}><Real{unit}{start}/></ScalarVariable>'
+        )
+
+    first = FUNCTIONS.index("ishigami")
+    xml = native_fmu.description2(
+        target.stem, [variable(k, name) for k, name in enumerate(FUNCTIONS)], range(first + 1, len(FUNCTIONS) + 1)
+    )
+    return native_fmu.native_fmu(target, [NATIVE / "functions.c"], xml, 2)
+
+
 def built(folder: Path) -> Path:
     """A folder with feedthrough2.fmu and feedthrough3.fmu: copies of what was compiled once from these sources."""
     digest = hashlib.sha256()

@@ -11,7 +11,23 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from .commands import bench, cache, check, doctor, exchange, fmu, linear, look, new, paper, run, schema, shipped, study
+from .commands import (
+    bench,
+    cache,
+    check,
+    doctor,
+    exchange,
+    fmu,
+    linear,
+    look,
+    new,
+    paper,
+    run,
+    schema,
+    sensitivity,
+    shipped,
+    study,
+)
 from .guard import guarded
 from .options import app
 
@@ -31,6 +47,7 @@ __all__ = [
     "program",
     "run",
     "schema",
+    "sensitivity",
     "shipped",
     "study",
 ]
