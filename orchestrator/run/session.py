@@ -7,6 +7,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+import numpy as np
+
 from ..errors import InputError, RovbrushError, RunError
 from ..files import plain
 from ..loop import cells
@@ -213,6 +215,15 @@ class Session:
         if self._over:
             self.at.time, _ = failure_of(plan, self.instances, cells.INTERRUPTED, control, self.memory.z, self.space)
         return True
+
+    @property
+    def tables_of_components(self) -> np.ndarray:
+        """`components` as the loop has it; one that has asked to end is given nothing more."""
+        return self._blocks.components
+
+    def revive(self) -> None:
+        """It is where it was once, and goes on whatever has ended it since."""
+        self._over = self._interrupted = False
 
     @property
     def over(self) -> bool:

@@ -17,11 +17,15 @@ from ..results.result import Result
 from ..system.file.recorded import matches
 from .memory.ports import reader_of, writer_of
 from .session import Session
+from .snapshot import Snapshot, go_back, take_snapshot
 
 Time = str | float | Fraction
 
 
-PUBLIC = ("ended", "failure", "finish", "get", "names", "period", "plan", "result", "set", "step", "stop", "time")
+PUBLIC = (
+    "ended", "failure", "finish", "get", "names", "period", "plan", "restore", "result", "set", "snapshot", "step",
+    "stop", "time",
+)  # fmt: skip
 
 
 def _leave(_value: float) -> bool:
@@ -55,6 +59,7 @@ class Stepping(Session):
         self._shorter = int(not plan.adaptive and plan.clock.rest > 0)  # one more, which ends at the stop
         self._guard = ExitStack()
         self._guarded = False
+        self._snapshots: list[Snapshot] = []
 
     def __repr__(self) -> str:
         return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
@@ -169,6 +174,29 @@ class Stepping(Session):
             kept |= variable in self.plan.system.components[component].at_events
             self._writers[name] = _leave if kept else writer_of(self.instances[component], variable)
 
+    def snapshot(self) -> Snapshot:
+        """Where the run is now, to come back to with `restore`: any number of them, kept until they are released.
+
+        Rows that were recorded until then are copied. The run goes on bit for bit as if none had been taken, and as if
+        it had never left when it is restored; but with CVODE, which begins anew here unless `[solver]` says
+        `restart = true`. Raises InputError that names the FMUs that cannot save their states, RunError if the session
+        has ended, FmuError if an FMU does not save its state.
+        """
+        self._require_alive()
+        self._snapshots = [kept for kept in self._snapshots if not kept.released]
+        self._snapshots.append(take_snapshot(self))
+        return self._snapshots[-1]
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back (or forth) to a snapshot of this session, which stays; results that were taken stay as they are.
+
+        A session that has failed or ended goes on from there, if its FMUs are alive. Raises InputError for a snapshot
+        of another session or one that was released, RunError if the session is closed, FmuError if an FMU does not go
+        back.
+        """
+        self._require_open()
+        go_back(self, snapshot)
+
     def names(self, patterns: Iterable[str]) -> list[str]:
         """The outputs and signals of the coupling that patterns such as `motor.*` name.
 
@@ -187,6 +215,8 @@ class Stepping(Session):
         """Give the FMUs back."""
         self._readers.clear()
         self._writers.clear()
+        for snapshot in self._snapshots:
+            snapshot.release()
         super().close()
 
     def __enter__(self) -> Stepping:

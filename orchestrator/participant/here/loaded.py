@@ -37,6 +37,7 @@ class LoadedInstance(Participant):
         self._unread = 0  # messages that the filter had kept back when its row was given back
         self.arrays: dict[int, list[Value]] = {}  # values of arrays by reference: one element needs all the others
         self.modes: dict[int, State] = {}  # of saved states: restoring one brings its mode back
+        self._arrays_then: dict[int, dict[int, list[Value]]] = {}  # `arrays` of saved states
         before, self._leftovers = Surroundings(), Leftovers()
         try:
             self.instantiate()
@@ -134,16 +135,31 @@ class LoadedInstance(Participant):
     def save(self) -> int:
         self.require_state()
         state = int(self.call("save", "save its state", self.slave.getFMUState).value)
-        self.modes[state] = self.state
+        self._note(state)
         return state
+
+    def _note(self, state: int) -> None:
+        """Keep with a saved state what is known here and not by the FMU."""
+        self.modes[state] = self.state
+        self._arrays_then[state] = {reference: list(values) for reference, values in self.arrays.items()}
+
+    def _recall(self, state: int) -> None:
+        """The same, of a state that is restored."""
+        self.state = self.modes.get(state, self.between)
+        if state in self._arrays_then:
+            self.arrays = {reference: list(values) for reference, values in self._arrays_then[state].items()}
 
     def restore(self, state: int) -> None:
         self.call("restore", "restore its state", self.slave.setFMUState, ctypes.c_void_p(state))
-        self.state = self.modes.get(state, self.between)
+        self._recall(state)
 
     def forget(self, state: int) -> None:
         self.call("forget", "forget a state", self.slave.freeFMUState, ctypes.c_void_p(state))
+        self._unnote(state)
+
+    def _unnote(self, state: int) -> None:
         self.modes.pop(state, None)
+        self._arrays_then.pop(state, None)
 
     def serialize(self, state: int) -> bytes:
         return bytes(self.call("serialize", "write its state", self.slave.serializeFMUState, ctypes.c_void_p(state)))

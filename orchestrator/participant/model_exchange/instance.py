@@ -188,7 +188,7 @@ class Member(LoadedInstance):
         status = call(self._own_group.bound.address("save"), self.pointer, int(cell.ctypes.data))
         if status > 1:
             raise CallError(f"component {self.name}: cannot save its state{self.reasons()}", status)
-        self.modes[int(cell[0])] = self.state
+        self._note(int(cell[0]))
         return int(cell[0])
 
     def restore(self, state: int) -> None:
@@ -199,7 +199,7 @@ class Member(LoadedInstance):
         status = call(self._own_group.bound.address("restore"), self.pointer, state)
         if status > 1:
             raise CallError(f"component {self.name}: cannot restore its state{self.reasons()}", status)
-        self.state = self.modes.get(state, State.STEPPING)
+        self._recall(state)
 
     def forget(self, state: int) -> None:
         if not self._first:
@@ -207,7 +207,7 @@ class Member(LoadedInstance):
             return
         cell = np.array([state], dtype=np.int64)
         call(self._own_group.bound.address("forget"), self.pointer, int(cell.ctypes.data))
-        self.modes.pop(state, None)
+        self._unnote(state)
 
     def serialize(self, state: int) -> bytes:
         if not self._first:

@@ -21,7 +21,7 @@ import shutil
 import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,7 @@ from ...participant.base import Participant
 from ...plan.plan import Plan
 from ..position import Position
 from ..session import Session
+from ..state import cells_of, put_back, told_of
 from .files import ARRAYS, EVENTS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
 
@@ -60,17 +61,16 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
         shutil.rmtree(temporary, ignore_errors=True)
         temporary.mkdir(parents=True)
         session.events.write(temporary / EVENTS)
-        np.savez(temporary / ARRAYS, **_arrays(session), **session.recorder.content())  # type: ignore[arg-type]
+        pool, index = session.memory.texts.content()
+        texts = {"texts": pool, "text_index": index}
+        np.savez(temporary / ARRAYS, **cells_of(session), **texts, **session.recorder.content())  # type: ignore[arg-type]
         for k, instance in enumerate(session.instances.values()):
             (temporary / f"{k}.state").write_bytes(_state(instance))
             if session.space.states[k]:
                 (temporary / f"{k}.kept").write_bytes(instance.serialize(int(session.space.states[k])))
         if session.recorder.stream:
             session.recorder.stream.copy(temporary / ROWS)
-        head = {
-            "request": request, "at": asdict(session.at), "unchanged": fingerprint(session.plan),
-            "set_by_hand": session.set_by_hand, "events": session.events.content(),
-        }  # fmt: skip
+        head = {"request": request, "unchanged": fingerprint(session.plan), **told_of(session)}
         seal(temporary, head)
         if target.exists():
             target.rename(old)
@@ -85,17 +85,6 @@ def write_checkpoint(session: Session, folder: Path, request: Mapping[str, Any] 
             with suppress(OSError):
                 old.rename(target)
     return target
-
-
-def _arrays(session: Session) -> dict[str, np.ndarray]:
-    """What a session holds beside its rows; all but the texts are restored in place."""
-    space, texts = session.space, session.memory.texts
-    pool, index = texts.content()
-    return {
-        "z": session.memory.z, "clock": space.clock, "work": space.loop.work, "saved": space.loop.saved,
-        "texts": pool, "text_index": index,
-        **({"moments": space.moments.cells} if space.moments else {}),
-    }  # fmt: skip
 
 
 def _state(instance: Participant) -> bytes:
@@ -139,12 +128,10 @@ class Checkpoint:
     def _restore(self, session: Session) -> None:
         for name, value in self.set_by_hand.items():
             session.set(name, value)
-        for name, target in _arrays(session).items():
-            found = self.arrays.get(name)
-            if name not in ("texts", "text_index"):
-                if found is None or found.shape != target.shape or found.dtype != target.dtype:
-                    raise InputError(f"{self.folder} is of another version of rovbrush; start again")
-                target[...] = found
+        try:
+            put_back(cells_of(session), self.arrays)
+        except ValueError:
+            raise InputError(f"{self.folder} is of another version of rovbrush; start again") from None
         session.memory.texts.restore(self.arrays["texts"], self.arrays["text_index"])
         session.recorder.restore(self.arrays, self.folder / ROWS)
         for k, instance in enumerate(session.instances.values()):
@@ -153,7 +140,8 @@ class Checkpoint:
             instance.forget(state)
             if f"{k}.kept" in self.files:
                 session.space.states[k] = instance.deserialize((self.folder / f"{k}.kept").read_bytes())
-        session.events.restore(self.events, self.folder / EVENTS)
+        session.events.read(self.folder / EVENTS, int(self.events["rows"]))
+        session.events.restore(self.events)
         session.at = self.at
 
     def _require_within(self, plan: Plan) -> None:

@@ -117,16 +117,24 @@ class Events:
         """Their rows into a file of a checkpoint. Raises OSError."""
         self.happened.write(path)
 
+    def read(self, path: Path, count: int) -> None:
+        """So many rows from a file of a checkpoint. Raises ValueError, OSError."""
+        self.happened.read(path, count)
+
     def content(self) -> dict[str, Any]:
-        """What a checkpoint keeps beside it, ready for JSON."""
+        """What is kept of them beside their rows, ready for JSON."""
         of_system = {"scenario": self.scenario.content()} if self.scenario else {}
         of_fmus = {"of_fmus": kept.content_of(self.handler)} if self.handler else {}
         return {"rows": self.happened.count, **of_system, **of_fmus}
 
-    def restore(self, content: Mapping[str, Any], path: Path) -> None:
-        """Go on where another run was, when its FMUs are restored. Raises ValueError, TypeError, LookupError, OSError
-        where that cannot be."""
-        self.happened.read(path, int(content["rows"]))
+    def go_back(self, rows: Rows, content: Mapping[str, Any]) -> None:
+        """To where this run was, when its FMUs are restored."""
+        self.happened.go_back(rows)
+        self.restore(content)
+
+    def restore(self, content: Mapping[str, Any]) -> None:
+        """Go on where this or another run was, when rows and FMUs are restored. Raises ValueError, TypeError,
+        LookupError where that cannot be."""
         if self.scenario:
             self.scenario.restore(content["scenario"])
         if self.handler:

@@ -6,6 +6,7 @@ import shutil
 import struct
 import tempfile
 from collections.abc import Iterator, Sequence
+from copy import copy
 from itertools import islice
 from pathlib import Path
 from typing import IO, Any, overload
@@ -57,8 +58,15 @@ class Happened:
         self._end, self._stored, self._kept = self._file.tell(), self.count, []
 
     def rows(self) -> Rows:
-        """What there is now."""
-        return Rows(self, self.count)
+        """What there is now, also if a run goes back behind it."""
+        now = copy(self)
+        now._kept = self._kept.copy()
+        return Rows(now, self.count)
+
+    def go_back(self, rows: Rows) -> None:
+        """To what there was, as `rows` gave it; all must be in memory."""
+        then = rows.happened
+        self.count, self.last, self._kept = then.count, then.last, then._kept.copy()
 
     def each(self) -> Iterator[EventRow]:
         """All rows, one after the other."""
@@ -94,13 +102,13 @@ class Rows(Sequence[EventRow]):
     """The first rows of a run; more of them come and are not seen here."""
 
     def __init__(self, happened: Happened, count: int) -> None:
-        self._happened, self._count = happened, count
+        self.happened, self._count = happened, count
 
     def __len__(self) -> int:
         return self._count
 
     def __iter__(self) -> Iterator[EventRow]:
-        return islice(self._happened.each(), self._count)
+        return islice(self.happened.each(), self._count)
 
     @overload
     def __getitem__(self, at: int) -> EventRow: ...
@@ -112,7 +120,7 @@ class Rows(Sequence[EventRow]):
         place = at + self._count if at < 0 else at
         if not 0 <= place < self._count:
             raise IndexError(f"there are {self._count} rows of events")
-        return next(islice(self._happened.each(), place, None))
+        return next(islice(self.happened.each(), place, None))
 
 
 def write_row(file: IO[bytes], row: EventRow) -> None:

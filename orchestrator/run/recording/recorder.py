@@ -34,6 +34,7 @@ class Recorder:
         self.slots = np.concatenate([np.zeros(0, dtype=np.int64), *(group.slots for group in plan.groups)])
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
         self._seen = [0] * len(plan.groups)
+        self._given = False  # whether somebody has tables that lie in the buffer
         wanted = CHUNK if plan.adaptive else -(-plan.clock.stop // plan.clock.hyperperiod)
         self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
         for (_, columns, cell), group in zip(self.groups.tolist(), plan.groups, strict=True):
@@ -80,6 +81,7 @@ class Recorder:
         counts, before = self.rows[: len(self.columns)].tolist(), self.before
         first = [min(max(seen, gone), gone + count)
                  for seen, gone, count in zip(self._seen, before, counts, strict=True)]  # fmt: skip
+        self._given = True
         tables = [table[begin - gone :] for table, begin, gone in zip(self.tables(counts), first, before, strict=True)]
         self._seen = [gone + count for gone, count in zip(before, counts, strict=True)]
         return Piece(time, tick, first, tables)
@@ -118,6 +120,7 @@ class Recorder:
         """The first `rows` rows of every table, counted from time 0. What the disk refuses is pending in the file."""
         here = [count - gone for count, gone in zip(rows, self.before, strict=True)]
         if self.stream is None:
+            self._given = True
             return self.tables(here)
         try:
             self.flush(here)
@@ -128,8 +131,24 @@ class Recorder:
     def content(self) -> dict[str, np.ndarray]:
         """What is in the buffer, and how many rows went before; for `restore`."""
         rows = self.rows.tolist()
-        cells = np.concatenate([table.ravel() for table in self.tables(rows)])
-        return {"held": np.array(self.held), "rows": self.rows, "before": np.array(self.before), "cells": cells}
+        cells = np.concatenate([np.zeros(0), *(table.ravel() for table in self.tables(rows))])
+        return {"held": np.array(self.held), "rows": self.rows.copy(), "before": np.array(self.before), "cells": cells}
+
+    def go_back(self, content: Mapping[str, np.ndarray]) -> None:
+        """To rows that this recorder has had, as `content` gave them; tables that were given out stay as they are."""
+        held = int(content["held"])
+        if self._given or held != self.held:
+            self._reserve(held)
+            self._given = False
+        self.rows[:] = content["rows"]
+        self._seen = [min(seen, count) for seen, count in zip(self._seen, self.rows.tolist(), strict=False)]
+        self._fill(content["cells"])
+
+    def _fill(self, cells: np.ndarray) -> None:
+        first = 0
+        for table in self.tables(self.rows.tolist()):
+            table[...] = cells[first : first + table.size].reshape(table.shape)
+            first += table.size
 
     def restore(self, content: Mapping[str, np.ndarray], file: Path) -> None:
         """Go on where another recorder was; `file` holds the rows that went before, if any did.
@@ -144,10 +163,7 @@ class Recorder:
             raise ValueError("there are more rows than there is room for")
         self._reserve(held)
         self.rows[:] = rows
-        first = 0
-        for table in self.tables(self.rows.tolist()):
-            table[...] = content["cells"][first : first + table.size].reshape(table.shape)
-            first += table.size
+        self._fill(content["cells"])
         if any(content["before"]):
             if self.file is None:
                 raise InputError("this run was recorded to a file; go on with a file to record to")
