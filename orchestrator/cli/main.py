@@ -11,6 +11,7 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
+from ..extras import how_to_install
 from .commands import (
     bench,
     cache,
@@ -97,6 +98,9 @@ def main() -> NoReturn:
             code = 2
         elif debug:
             raise
+        elif isinstance(error, ModuleNotFoundError) and (how := how_to_install(error)):
+            complain(f"this needs {how}")
+            code = 2
         else:
             complain(f"unexpected {type(error).__name__}: {error}; run again with --debug for the traceback")
             code = 1

@@ -35,7 +35,7 @@ def reproduce(
         if number not in CLAIMS:
             raise InputError(f"--claim {number}: the claims are 1 to {max(CLAIMS)}{nearest(str(number), [])}")
     if not numbers:
-        for library in ("jinja2", "plotly"):
+        for library in ("jinja2", "latex2mathml", "plotly", "scipy"):
             if find_spec(library) is None:
                 raise InputError(f"the report needs {library}: python -m pip install 'rovbrush[report]'")
         prepare_folder(out)

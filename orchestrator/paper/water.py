@@ -125,7 +125,8 @@ def errors(lab: Lab, brush: Brush) -> Rows:
     few = points_error(full.calculated("brush.lambda_r", 3))
     return [
         *rows,
-        (f"linear bending under the flow's steady drag, |y(L)|/L = {bent:.2g}: of deflection, of drag",
+        (f"linear bending under the flow's steady drag, which deflects the tip by {bent:.2g} of the length: "
+         "of deflection, of drag",
          ", ".join(f"{100.0 * one:+.2g}" for one in errors_of_blade)),
         ("six points along a bristle, its own speed up to the flow's: of the drag on a mode, at most",
          f"{100.0 * few:.2g}"),

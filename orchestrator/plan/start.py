@@ -11,7 +11,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from ..extras import needed as require_library
 from ..system.model import Connection, System
+
+LOOPED = "an algebraic loop at the start"
 
 Answers = Mapping[str, Mapping[str, frozenset[str]]]  # by component and output: the inputs on which it depends at once
 
@@ -121,6 +124,7 @@ def _with_loops(
     connections: Sequence[Connection], set_of: Sequence[int], members: Sequence[Sequence[int]]
 ) -> tuple[Block, ...]:
     """As `start_order`, where some connections need each other."""
+    require_library("scipy", LOOPED)
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RunError
+from ..extras import needed
 from ..files import reason
-from .files.netcdf import EVENTS, OWN_NAME
+from .files.netcdf import DATASETS, EVENTS, OWN_NAME
 from .files.writing import ROWS, SUMMARY, UNITS
 from .result import Result
 
@@ -43,6 +44,7 @@ class OpenedResult(Result):
 
     @cached_property
     def events(self) -> xarray.Dataset:
+        needed("xarray", DATASETS)
         import xarray
 
         return self._tables.get(EVENTS, xarray.Dataset())
@@ -124,6 +126,7 @@ def open_tables(path: Path) -> dict[str, xarray.Dataset]:
 
 
 def _table(group: Any) -> xarray.Dataset:
+    needed("xarray", DATASETS)
     import xarray
 
     from .files.hdf5 import texts_of, values_of

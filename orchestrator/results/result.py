@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, RunError, nearest
+from ..extras import needed
 from ..files import prepare_folder
 from .energy import require_energy
 from .figures_of_merit import figure_units
-from .files.netcdf import datasets, events_dataset, group_name
+from .files.netcdf import DATASETS, datasets, events_dataset, group_name
 from .files.writing import write_results
 from .summary import comparison, summarize
 from .tables import Run
@@ -69,6 +70,7 @@ class Result:
     @cached_property
     def dataset(self) -> xarray.Dataset:
         """All signals in one dataset. Of several rates each has a time of its own, such as `time_500_us`."""
+        needed("xarray", DATASETS)
         import xarray
 
         found = self.datasets

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..clock import Clock
 from ..errors import FmuError
+from ..extras import needed
 from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
@@ -16,6 +17,7 @@ from ..participant.opening import start
 from ..plan.happening.scenario import with_values_from_start
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
+from ..plan.start import LOOPED
 from ..results.tables import Started
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Connection
@@ -165,7 +167,7 @@ class Propagation:
 
     def _solve(self, label: str, unknowns: list[Connection]) -> None:
         """Find the inputs of a loop that their sources give back; those that are held take what they are sent."""
-        from scipy.optimize import root
+        root = needed("scipy.optimize", LOOPED).root
 
         def residual(inputs: np.ndarray) -> np.ndarray:
             for c, value in zip(unknowns, inputs.tolist(), strict=True):

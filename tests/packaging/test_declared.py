@@ -35,6 +35,7 @@ def normal(name: str) -> str:
 NOT_IMPORTED |= {name: "of the documentation, which Sphinx builds" for name in named(EXTRAS["docs"])}
 NOT_IMPORTED |= {name: "what runs a notebook" for name in named(EXTRAS["notebooks"])}
 DECLARED = named(PROJECT["dependencies"]).union(*(named(texts) for extra, texts in EXTRAS.items() if extra != "test"))
+DECLARED -= {"rovbrush"}  # of the extra that gathers others
 
 
 def imports(path: Path) -> set[str]:
@@ -64,7 +65,7 @@ def test_everything_imported_is_declared() -> None:
 
 def test_commands_start_without_the_extras() -> None:
     """Nothing of an extra is imported before it is asked for."""
-    missing = set().union(*map(named, EXTRAS.values())) - named(PROJECT["dependencies"])
+    missing = set().union(*map(named, EXTRAS.values())) - named(PROJECT["dependencies"]) - {"rovbrush"}
     modules = [module for module, names in packages_distributions().items() if missing & set(map(normal, names))]
     code = (
         "import sys; sys.modules |= dict.fromkeys(sys.argv[1:]); sys.argv[1:] = ['systems']; "
@@ -74,6 +75,35 @@ def test_commands_start_without_the_extras() -> None:
     assert done.returncode == 0 and "nominal" in done.stdout, done.stderr
 
 
+def test_all_gathers_what_users_may_want() -> None:
+    (gathered,) = EXTRAS["all"]
+    extras = set(re.findall(r"[\w-]+", gathered.partition("[")[2]))
+    assert extras == EXTRAS.keys() - {"all", "docs", "hosts", "test"}
+
+
+def test_a_run_and_its_pictures_need_no_extra_and_others_say_what_they_need(tmp_path: Path, fmus: Path) -> None:
+    """As if no library of an extra were installed."""
+    missing = set().union(*map(named, EXTRAS.values())) - named(PROJECT["dependencies"]) - {"rovbrush"}
+    modules = [module for module, names in packages_distributions().items() if missing & set(map(normal, names))]
+    code = (
+        "import sys; n = int(sys.argv[1]); sys.modules |= dict.fromkeys(sys.argv[2 + n:]); "
+        "sys.argv[1:] = sys.argv[2:2 + n]; "
+        "from rovbrush.orchestrator.cli.main import main; main()"
+    )
+
+    def told(*words: str) -> tuple[int, str]:
+        done = python(code, str(len(words)), *words, *modules, timeout=300.0)
+        return done.returncode, done.stdout + done.stderr
+
+    of_run = ("run", "nominal", "--stop", "0.1 s", "--fmus", str(fmus), "--out", str(tmp_path / "out"))
+    status, said = told(*of_run)
+    assert status == 0 and "fig3_normal_force.png" in said, said
+    status, said = told("sweep", "friction", "--fmus", str(fmus), "--out", str(tmp_path / "swept"))
+    assert status == 2 and "a sweep needs xarray: python -m pip install 'rovbrush[study]'" in said, said
+    status, said = told("test-component", str(fmus / "dc_motor.fmu"), "--as", "dc_motor")
+    assert status == 2 and "this needs scipy: python -m pip install 'rovbrush[" in said, said
+
+
 def test_everything_declared_is_used() -> None:
     used = imported().keys() | NOT_IMPORTED.keys()
     assert used >= DECLARED, DECLARED - used
@@ -81,7 +111,7 @@ def test_everything_declared_is_used() -> None:
 
 def test_the_tests_install_every_extra_they_test() -> None:
     for extra, requirements in EXTRAS.items():
-        assert named(requirements) <= named(EXTRAS["test"]), extra
+        assert named(requirements) - {"rovbrush"} <= named(EXTRAS["test"]), extra
 
 
 def test_the_tests_declare_what_they_import() -> None:

@@ -15,9 +15,15 @@ import typer
 
 from ..options import app
 
-NEEDED = ("rovbrush", "numpy", "numba", "llvmlite", "scipy", "fmpy", "pythonfmu", "h5py", "h5netcdf", "xarray",
-          "pint", "msgspec", "lxml", "matplotlib", "typer", "rich")  # fmt: skip
-EXTRAS = {"dask": "sweeps on a cluster", "plotly": "the report", "pyccel": "native FMUs from kernels"}
+NEEDED = ("rovbrush", "numpy", "numba", "llvmlite", "fmpy", "pythonfmu", "h5py", "pint", "msgspec", "lxml",
+          "matplotlib", "typer", "rich")  # fmt: skip
+EXTRAS = {
+    "scipy": "studies, and loops at the start",
+    "xarray": "results as datasets, and sweeps",
+    "dask": "sweeps on a cluster",
+    "plotly": "the report",
+    "pyccel": "native FMUs from kernels",
+}
 TOOLS = {
     "C compiler": (("gcc", "cc", "clang"), "native FMUs of this platform cannot be built"),
     "for Windows": (("x86_64-w64-mingw32-gcc",), "native FMUs for win64 cannot be built"),

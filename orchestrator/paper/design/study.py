@@ -40,8 +40,9 @@ def design(
     sweep goes on there. `tell` hears the command of each run before it. Raises InputError for a missing library or a
     folder that cannot be written, before any run.
     """
-    if find_spec("jinja2") is None:
-        raise InputError("the page needs jinja2: python -m pip install 'rovbrush[report]'")
+    for library in ("jinja2", "latex2mathml", "scipy"):
+        if find_spec(library) is None:
+            raise InputError(f"the page needs {library}: python -m pip install 'rovbrush[report]'")
     prepare_folder(out)
     lab = Lab(fmus, tell)
     asked = task(lab)

@@ -6,18 +6,20 @@ from typing import Any
 
 from .. import energy_flow
 from ..lab import Lab
-from .mission_picture import mission_figure
+from .mission_picture import ON_A_PHONE, mission_figure
 from .motion import Motion
 
 MISSION = "hull_pass"  # what is shown in motion
 CONFIG = {"displaylogo": False, "responsive": True}
 
 
-def plotly_html(figure: Any, with_script: bool) -> str:
-    """A plotly figure; the first one of the page brings the script."""
+def plotly_html(figure: Any, with_script: bool, after: str = "") -> str:
+    """A plotly figure; the first one of the page brings the script. `after`: what is done once it is drawn."""
     import plotly.io
 
-    text: str = plotly.io.to_html(figure, config=CONFIG, full_html=False, include_plotlyjs=with_script, auto_play=False)
+    text: str = plotly.io.to_html(
+        figure, config=CONFIG, full_html=False, include_plotlyjs=with_script, auto_play=False, post_script=after or None
+    )
     return text
 
 
@@ -42,7 +44,7 @@ def energy(lab: Lab) -> dict[str, Any]:
     rows = [(x.source, x.target, f"{x.energy:.2f}", f"{100 * x.energy / supplied:.2f} %") for x in links]
     open_ends = ", ".join(f"{node} {energy_flow.imbalance(links, node):+.3f} J" for node in ("motor", "brush"))
     return {
-        "end": case.run.end, "open_ends": open_ends, "figure": plotly_html(figure, with_script=True), "rows": rows,
+        "end": case.run.end, "open_ends": open_ends, "figure": plotly_html(figure, with_script=False), "rows": rows,
         "command": case.command,
     }  # fmt: skip
 
@@ -53,5 +55,5 @@ def motion(lab: Lab) -> dict[str, Any]:
     moved, words = Motion(case), case.run.plan.system.description
     return {
         "words": f"{words[0].upper()}{words[1:]}", "largest": moved.largest,
-        "figure": plotly_html(mission_figure(moved), with_script=False), "command": case.command,
+        "figure": plotly_html(mission_figure(moved), with_script=True, after=ON_A_PHONE), "command": case.command,
     }  # fmt: skip

@@ -20,6 +20,33 @@ PLOTS = (
     (("motor.omega_b", "omega_b", 1.0, "#1f5f8b"),),
     (("vehicle.theta", "pitch", 57.29577951308232, "#1f5f8b"),),
 )
+# On a narrow screen the plots stand under the scene and its slider, not beside it; a screen that is turned changes it.
+ON_A_PHONE = r"""
+(function () {
+  var plot = document.getElementById("{plot_id}"), narrow = window.matchMedia("(max-width: 800px)");
+  var one = {height: 1120, "margin.t": 130, "scene.domain.x": [0, 1], "scene.domain.y": [0.56, 1],
+    "legend.orientation": "h", "legend.y": 1.01, "legend.yanchor": "bottom", "legend.font.size": 10,
+    "updatemenus[0].xanchor": "left", "updatemenus[0].y": 0.555, "sliders[0].y": 0.515,
+    "sliders[0].x": 0, "sliders[0].len": 1,
+    "scene.camera.eye": {x: 0.95, y: -1.75, z: 0.7}};
+  ["", "2", "3", "4"].forEach(function (k, row) {
+    one["xaxis" + k + ".domain"] = [0.16, 1];
+    one["yaxis" + k + ".domain"] = [0.325 - 0.105 * row, 0.415 - 0.105 * row];
+    one["yaxis" + k + ".title.font.size"] = 11;
+  });
+  var other = {};
+  Object.keys(one).forEach(function (key) {
+    other[key] = key.split(/[.[\]]+/).filter(String).reduce(function (at, name) {
+      return at === undefined || at === null ? null : at[name] === undefined ? null : at[name]; }, plot.layout);
+  });
+  function lay() {
+    plot.style.height = plot.parentElement.style.height = (narrow.matches ? one : other).height + "px";
+    Plotly.relayout(plot, narrow.matches ? one : other);
+  }
+  narrow.addEventListener("change", lay);
+  if (narrow.matches) { lay(); }
+})();
+"""
 AXES = ("force [N]", "delta [mm]", "omega_b [rad/s]", "pitch [deg]")
 
 

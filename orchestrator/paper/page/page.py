@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from typing import Any
 
-from ...results.files.manifest import PACKAGES
+from ...results.files.manifest import versions as installed
 from ...results.summary import comparison
 from .. import water
 from ..claims import VERDICTS
@@ -20,7 +20,8 @@ from .verification import checks
 
 TITLE = "The rolling-brush paper, claim by claim"
 CHIPS = dict(zip(VERDICTS, ("yes", "fit", "no"), strict=True))  # classes of the style
-SECTIONS = (  # each a template of that name
+SECTIONS = (  # each a template of that name; the first brings the script of all interactive figures
+    ("motion", "In motion"),
     ("claims", "Claims"),
     ("table3", "Table 3"),
     ("figures", "Figures 2, 3 and 4"),
@@ -28,7 +29,6 @@ SECTIONS = (  # each a template of that name
     ("verification", "Verification"),
     ("water", "In water"),
     ("energy", "Energy from battery to hull"),
-    ("motion", "In motion"),
     ("provenance", "What was run"),
 )
 
@@ -94,7 +94,11 @@ def provenance(lab: Lab) -> dict[str, Any]:
         for component in system.components.values():
             names = used.setdefault((component.fmu.path.name, component.fmu.digest), [])
             names += {system.name} - set(names)
-    versions = [("python", platform.python_version()), *((p, version(p)) for p in (*PACKAGES, "plotly", "jinja2"))]
+    versions = [
+        ("python", platform.python_version()),
+        *installed().items(),
+        *((p, version(p)) for p in ("plotly", "jinja2")),
+    ]
     return {
         "fmus": [(name, ", ".join(systems), digest) for (name, digest), systems in sorted(used.items())],
         "versions": ", ".join(f"{name} {number}" for name, number in versions),

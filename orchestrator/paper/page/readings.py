@@ -29,20 +29,22 @@ def readings(lab: Lab) -> list[tuple[str, str, str]]:
     return [
         (
             "Table 2 with Table 3: one bristle per filament",
-            f"221.7 N over {n} filaments is {share:.2f} N each, {share / euler:.0f} times the Euler load of a bristle "
-            f"({1e3 * euler:.1f} mN).",
+            f"221.7 N over {n} filaments is {share:.2f} N each, {share / euler:.0f} times the Euler load of a bristle, "
+            f"$\\pi^2 E I / (4 L^2)$ = {1e3 * euler:.1f} mN.",
             f"A filament is a bundle of N_b = {N_b:g} equal bristles (calibrated).",
         ),
         (
             "The brush: rolling, or a cup",
-            "'Rolling', Eqs. 10, 14, 15 and 125 Hz mean an axis along the hull; T_brush = R_brush F_y and F_y/F_z = mu "
+            "'Rolling', Eqs. 10, 14, 15 and 125 Hz mean an axis along the hull; "
+            "$T_{\\text{brush}} = R_{\\text{brush}} F_y$ and $F_y / F_z = \\mu$ "
             "fit one normal to it, with all tips sliding all the time.",
             "Both are computed: filament_brush (nominal, all claims) and cup_brush (cup_nominal, claim 10).",
         ),
         (
             "Eq. 8, penetration",
-            f"R_brush cancels; what is left, L cos(alpha), is {1e3 * printed:.0f} mm at rest.",
-            "Penetration of the tip into the plane at R_brush - delta, from the full geometry with foreshortening.",
+            f"R_brush cancels; what is left, $L \\cos \\alpha$, is {1e3 * printed:.0f} mm at rest.",
+            "Penetration of the tip into the plane at $R_{\\text{brush}} - \\delta$, from the full geometry with "
+            "foreshortening.",
         ),
         (
             "Eq. 7, normal force",
@@ -50,9 +52,9 @@ def readings(lab: Lab) -> list[tuple[str, str, str]]:
             "Never negative; the damping term rises from zero over a small depth (0 gives the printed law).",
         ),
         (
-            "Eq. 9, sgn(v_s)",
+            "Eq. 9, $\\text{sgn}(v_s)$",
             "Discontinuous where the tip sticks.",
-            "Smoothed below v_eps; exact to 4e-4 beyond 5 v_eps.",
+            "Smoothed below v_eps; exact to 4e-4 beyond $5\\,v_{\\text{eps}}$.",
         ),
         (
             "Eqs. 11 and 12, sums over modes",

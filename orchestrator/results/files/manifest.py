@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterable
-from importlib.metadata import version
+from contextlib import suppress
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from ...fmu.reading.structure import STRUCTURAL
@@ -39,10 +40,19 @@ def manifest(run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
         **({"ended": run.ended} if run.ended else {}),
         "components": components, "calculated": run.calculated,
         "connections": [_connection(run, c) for c in system.connections],
-        "versions": {"python": platform.python_version(), **{package: version(package) for package in PACKAGES}},
+        "versions": {"python": platform.python_version(), **versions()},
         "platform": f"{platform.system()} {platform.machine()}",
         "files": list(files),
     }  # fmt: skip
+
+
+def versions() -> dict[str, str]:
+    """Of PACKAGES, those that are installed."""
+    found = {}
+    for package in PACKAGES:
+        with suppress(PackageNotFoundError):
+            found[package] = version(package)
+    return found
 
 
 def _connection(run: Run, c: Connection) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...clock import seconds_text
+from ...extras import needed
 from ...plan.plan import Plan
 from ..signals import Signals, typed
 from ..tables import EventRow, Run
@@ -23,6 +24,7 @@ from .rows_file import RowsFile
 if TYPE_CHECKING:
     import xarray
 
+DATASETS = "a result as datasets"
 OWN_NAME = "recorded_name"
 EVENTS = "events"  # the group of what happened
 PIECE = 10_000  # rows of events that are written at once
@@ -77,6 +79,7 @@ def _said(unit: str, description: str) -> dict[str, str]:
 
 def datasets(run: Run) -> dict[str, xarray.Dataset]:
     """One dataset per rate, by a name such as `every_500_us`."""
+    needed("xarray", DATASETS)
     import xarray
 
     return {
@@ -90,6 +93,7 @@ def datasets(run: Run) -> dict[str, xarray.Dataset]:
 
 def events_dataset(run: Run) -> xarray.Dataset:
     """What happened in a run, one row each; none of a system without events."""
+    needed("xarray", DATASETS)
     import xarray
 
     columns = {column.name: ("time", column.values, column.attributes) for column in event_columns(run)}

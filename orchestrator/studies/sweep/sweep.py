@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...environment import environment
 from ...errors import InputError, RunError, counted
+from ...extras import needed
 from ...files import prepare_folder
 from .design import Design, make_design
 from .options import Options
@@ -81,6 +82,7 @@ def sweep(
     InputError before anything is computed; RunError after an interruption (what was computed is written, and kept for
     the next time).
     """
+    needed("xarray", "a sweep")
     request = requested(name, options)
     design = make_design(
         request.system, request.vary, request.count, request.seed, options.points,

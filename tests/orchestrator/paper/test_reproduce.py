@@ -54,10 +54,12 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.tags.append((tag, dict(attrs)))
-        self.hidden += tag in ("script", "style")
+        self.hidden += tag in ("script", "style", "math")
+        if tag == "math":
+            self.words.append(dict(attrs)["alttext"] or "")
 
     def handle_endtag(self, tag: str) -> None:
-        self.hidden -= tag in ("script", "style")
+        self.hidden -= tag in ("script", "style", "math")
 
     def handle_data(self, data: str) -> None:
         if not self.hidden:
@@ -172,6 +174,7 @@ def test_the_page_has_its_figures_and_all_claims(parsed: Page, rows: dict[int, d
     for name in ours:
         assert f"{name}.fmu" in words, name
     assert "`" not in words, "Markdown that nobody renders"
+    assert next(attributes["id"] for tag, attributes in parsed.tags if tag == "section") == "motion"
     for anchor in ("claims", "table3", "figures", "readings", "verification", "energy", "motion", "provenance"):
         assert any(a.get("id") == anchor for _, a in parsed.tags), anchor
 
