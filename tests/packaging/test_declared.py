@@ -81,29 +81,6 @@ def test_all_gathers_what_users_may_want() -> None:
     assert extras == EXTRAS.keys() - {"all", "docs", "hosts", "test"}
 
 
-def test_a_run_and_its_pictures_need_no_extra_and_others_say_what_they_need(tmp_path: Path, fmus: Path) -> None:
-    """As if no library of an extra were installed."""
-    missing = set().union(*map(named, EXTRAS.values())) - named(PROJECT["dependencies"]) - {"rovbrush"}
-    modules = [module for module, names in packages_distributions().items() if missing & set(map(normal, names))]
-    code = (
-        "import sys; n = int(sys.argv[1]); sys.modules |= dict.fromkeys(sys.argv[2 + n:]); "
-        "sys.argv[1:] = sys.argv[2:2 + n]; "
-        "from rovbrush.orchestrator.cli.main import main; main()"
-    )
-
-    def told(*words: str) -> tuple[int, str]:
-        done = python(code, str(len(words)), *words, *modules, timeout=300.0)
-        return done.returncode, done.stdout + done.stderr
-
-    of_run = ("run", "nominal", "--stop", "0.1 s", "--fmus", str(fmus), "--out", str(tmp_path / "out"))
-    status, said = told(*of_run)
-    assert status == 0 and "fig3_normal_force.png" in said, said
-    status, said = told("sweep", "friction", "--fmus", str(fmus), "--out", str(tmp_path / "swept"))
-    assert status == 2 and "a sweep needs xarray: python -m pip install 'rovbrush[study]'" in said, said
-    status, said = told("test-component", str(fmus / "dc_motor.fmu"), "--as", "dc_motor")
-    assert status == 2 and "this needs scipy: python -m pip install 'rovbrush[" in said, said
-
-
 def test_everything_declared_is_used() -> None:
     used = imported().keys() | NOT_IMPORTED.keys()
     assert used >= DECLARED, DECLARED - used
