@@ -43,7 +43,7 @@ def test_what_needs_an_extra_says_which(tmp_path: Path) -> None:
     status, said = without_extras("sweep", "friction", "--out", tmp_path / "swept")
     assert status == 2 and "a sweep needs xarray: python -m pip install 'rovbrush[study]'" in said, said
     status, said = without_extras("reproduce", "--out", tmp_path / "report")
-    assert status == 2 and "pip install 'rovbrush[report]'" in said, said
+    assert status == 2 and "this needs scipy: python -m pip install 'rovbrush[study]'" in said, said
 
 
 def test_a_library_has_the_smallest_extra_that_brings_it() -> None:
