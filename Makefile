@@ -1,6 +1,7 @@
 # make run   own virtual environment, install, build the FMUs, nominal run, results/ and the Table 3 comparison
 # make test  the same environment with what the tests need, then all tests and checks
 # make docs  the documentation, into build/docs; needs no network
+# make pictures  those of its gallery and of the README, by the commands that they show
 # make lowest  the lowest versions that pyproject.toml allows, in an environment of their own, with the tests that touch libraries most
 # make wheel  the native FMUs, then wheel and source distribution, into dist/; nothing of it is left elsewhere
 # make release  those, and a zip with all FMUs and what their receivers need
@@ -29,6 +30,9 @@ tests: $(VENV)/test.stamp
 docs: $(VENV)/test.stamp
 	$(BIN)/python -m sphinx -b html -W --keep-going -q docs build/docs
 	@echo "build/docs/index.html"
+
+pictures: $(VENV)/test.stamp
+	$(BIN)/python docs/gallery/make.py
 
 evidence: $(VENV)/test.stamp
 	$(BIN)/python -m tests.evidence
@@ -65,4 +69,4 @@ $(VENV)/test.stamp: pyproject.toml
 clean:
 	rm -rf $(VENV) .lowest results fmus/*.fmu build dist *.egg-info
 
-.PHONY: run test types tests docs lowest evidence wheel release first-run clean
+.PHONY: run test types tests docs pictures lowest evidence wheel release first-run clean

@@ -24,7 +24,7 @@ extensions = [
     "myst_nb",
     "generate",
 ]
-exclude_patterns = ["generate", "README.md"]
+exclude_patterns = ["generate"]
 templates_path: list[str] = []
 nitpicky = False
 highlight_language = "none"
