@@ -46,6 +46,7 @@ html_theme = "pydata_sphinx_theme"
 html_title = "rovbrush"
 html_static_path = ["_static", str(Path(find_spec("ziamath").origin).parent / "fonts" / "STIXTwoMath-Regular.ttf")]
 html_css_files = ["rovbrush.css"]
+html_sidebars = {"index": [], "gallery/index": [], "tutorial/index": []}
 html_math_renderer = "mathml"
 html_show_sourcelink = False
 html_copy_source = False

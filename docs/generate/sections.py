@@ -49,6 +49,8 @@ def linked(text: str, path: str) -> str:
         name = (Path(path).parent / target).as_posix()
         resolved = re.sub(r"[^/]+/\.\./", "", name)
         known = re.fullmatch(r"components/(\w+)/README\.md", resolved)
+        if resolved.startswith("docs/"):
+            return f"[{text}](/{resolved.removeprefix('docs/')}{place})"
         return f"[{text}](/fmus/{known[1]}.md{place})" if known else text
 
     return LINK.sub(link, text)
