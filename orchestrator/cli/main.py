@@ -11,13 +11,13 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
-from ..extras import how_to_install
 from .commands import (
     bench,
     cache,
     check,
     doctor,
     exchange,
+    fit,
     fmu,
     linear,
     look,
@@ -39,6 +39,7 @@ __all__ = [
     "check",
     "doctor",
     "exchange",
+    "fit",
     "fmu",
     "linear",
     "look",
@@ -55,7 +56,7 @@ __all__ = [
 
 
 # The commands that load FMUs into their own process.
-LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins")
+LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins", "fit")
 
 
 COMPILE = "ROVBRUSH_COMPILE"  # see fmu/files/compiled.py, which few commands need

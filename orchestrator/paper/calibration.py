@@ -16,6 +16,7 @@ from ..results.summary import summarize
 from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate
+from ..studies.fit.solver import Free, minimise, values_at
 from ..system.assemble import assemble
 from ..system.file.shipped import SYSTEMS
 from ..system.model import System
@@ -82,38 +83,22 @@ def calibrate(
 def fit_rung(
     system: System, specification: Specification, fixed: Mapping[str, float], start: Mapping[str, float]
 ) -> Fit:
-    """Bounded nonlinear least squares (scipy, trust region reflective) over the free parameters."""
-    from scipy.optimize import least_squares
+    """Bounded nonlinear least squares over the free parameters, as `studies/fit` does it, to figures of merit."""
+    free = [Free(name, e.low, e.high, start[name], e.log) for name, e in specification.free.items()]
 
-    free = specification.free
-    coded = {name: np.log if entry.log else np.asarray for name, entry in free.items()}
-    bounds = {name: (entry.low, start[name], entry.high) for name, entry in free.items()}
-    edges = np.array([[coded[name](three[k]) for name, three in bounds.items()] for k in range(3)])
+    def run(values: Mapping[str, float]) -> dict[str, Any]:
+        return summarize(require_complete(simulate(make_plan(system.with_values(values, "calibration")))))
 
-    def values(x: np.ndarray) -> dict[str, float]:
-        decoded = {name: float(np.exp(v)) if free[name].log else float(v) for name, v in zip(free, x, strict=True)}
-        return {**fixed, **decoded}
-
-    def run(x: np.ndarray) -> dict[str, Any]:
-        return summarize(require_complete(simulate(make_plan(system.with_values(values(x), "calibration")))))
-
-    def residuals(x: np.ndarray) -> np.ndarray:
-        summary = run(x)
+    def residuals(values: Mapping[str, float]) -> np.ndarray:
+        summary = run({**fixed, **values})
         terms = [(summary[key] / t.reference - 1.0) / t.scale for key, t in specification.targets.items()]
         terms += [max(0.0, summary[key] - limit.at_most) / limit.scale for key, limit in specification.limits.items()]
         return np.array(terms)
 
     # Contact makes the means a little rough: differences over 1e-3 of each parameter, not over rounding errors.
-    solution = least_squares(
-        residuals,
-        edges[1],
-        bounds=(edges[0], edges[2]),
-        x_scale="jac",
-        diff_step=[1e-3] * len(free),
-        max_nfev=EVALUATIONS,
-    )
-    best = {name: float(f"{v:.5g}") for name, v in values(solution.x).items()}
-    summary = summarize(require_complete(simulate(make_plan(system.with_values(best, "calibration")))))
+    solution = minimise(residuals, free, EVALUATIONS, diff_step=[1e-3] * len(free))
+    best = {name: float(f"{v:.5g}") for name, v in {**fixed, **values_at(free, solution.x)}.items()}
+    summary = run(best)
     missed = [key for key, t in specification.targets.items() if abs(summary[key] / t.reference - 1) > t.bound]
     missed += [key for key, limit in specification.limits.items() if summary[key] > limit.at_most * 1.005]
     figures = [Figure(key, summary[key], t.reference) for key, t in specification.targets.items()]

@@ -13,7 +13,7 @@ from ..options import app
 @app.command()
 def schema(
     kind: Annotated[
-        str, typer.Argument(metavar="KIND", help="Of which file: system, mapping, sweep, parameter or unit.")
+        str, typer.Argument(metavar="KIND", help="Of which file: system, mapping, sweep, fit, parameter or unit.")
     ] = "system",
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write it there.")] = None,
     reference: Annotated[

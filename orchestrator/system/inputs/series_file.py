@@ -88,12 +88,17 @@ def with_files(system: System, paths: Iterable[Path], option: str = "--input") -
     """A copy whose inputs follow the columns of CSV files. Raises InputError."""
     for path in paths:
         for name, column in columns_of(path, option).items():
-            component, scalars = _inputs_of(system, name, f"{option} {path.name}")
-            if len(scalars) > 1:
-                raise InputError(f"{option} {path.name}: {name} has {len(scalars)} elements; give each a column")
-            series = _column_series(component, scalars[0], path, name, column, option)
-            system = system.with_component(component.with_series(scalars[0], series))
+            system = with_column(system, name, column, path, option)
     return system
+
+
+def with_column(system: System, name: str, column: Column, path: Path, option: str) -> System:
+    """A copy in which one input follows a column of a file. Raises InputError."""
+    component, scalars = _inputs_of(system, name, f"{option} {path.name}")
+    if len(scalars) > 1:
+        raise InputError(f"{option} {path.name}: {name} has {len(scalars)} elements; give each a column")
+    series = _column_series(component, scalars[0], path, name, column, option)
+    return system.with_component(component.with_series(scalars[0], series))
 
 
 def with_inputs(system: System, inputs: Mapping[str, Any], origin: str = "inputs") -> System:
