@@ -11,6 +11,7 @@ from typing import NoReturn
 import typer
 
 from ..errors import RovbrushError
+from ..extras import how_to_install
 from .commands import (
     bench,
     cache,
@@ -56,7 +57,10 @@ __all__ = [
 
 
 # The commands that load FMUs into their own process.
-LOADING = ("run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins", "fit")
+LOADING = (
+    "run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins",
+    "fit",
+)
 
 
 COMPILE = "ROVBRUSH_COMPILE"  # see fmu/files/compiled.py, which few commands need
