@@ -154,8 +154,9 @@ def points(
             sizes = [
                 size_of(c, float(probe.session.get(c.target)), value) for c, value in zip(channels, stated, strict=True)
             ]
+            over = over_the_step and not all(probe.at_once.values())  # else what is taken is that of the instant
             share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
-            pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over_the_step, share)
+            pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over, share)
             probe.back(here)
             largest = np.max(np.abs(pulses.values) * np.array(sizes), axis=(0, 2))
             scale = np.concatenate([largest, np.full(len(probe.signals) - count, 1.0)])
