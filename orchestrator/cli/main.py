@@ -85,7 +85,7 @@ def main() -> NoReturn:
     if "--compile" in sys.argv[1:]:
         os.environ[COMPILE] = "1"  # for processes that are started here, too
     try:
-        code = app(arguments, standalone_mode=False)
+        code = app(arguments, prog_name="rovbrush", standalone_mode=False)
     except RovbrushError as error:
         if debug:
             raise

@@ -8,9 +8,10 @@ from typing import Annotated
 
 import typer
 
+from . import completion
+
 app = typer.Typer(
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     help="Multirate co-simulation by FMUs: any system of them, checked, planned, run.",
 )
@@ -43,23 +44,32 @@ def every_command(
 SYSTEM_HELP = (
     "A shipped system (see `rovbrush systems`), a .toml, .ssp, .ssd, .fmu or OspSystemStructure.xml, or a folder."
 )
-SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)]
+SystemName = Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP, autocompletion=completion.systems)]
 SetOption = Annotated[
     list[str],
     typer.Option(
-        "--set", metavar="NAME=VALUE", help="Set a parameter or a free input, for instance motor.R=0.1; repeatable."
+        "--set",
+        metavar="NAME=VALUE",
+        autocompletion=completion.settable,
+        help="Set a parameter or a free input, for instance motor.R=0.1; repeatable.",
     ),
 ]
 ReplaceOption = Annotated[
     list[str],
     typer.Option(
-        "--replace", metavar="NAME=FMU", help="Another FMU in place of a component, for instance motor=their.fmu."
+        "--replace",
+        metavar="NAME=FMU",
+        autocompletion=completion.assigned,
+        help="Another FMU in place of a component, for instance motor=their.fmu.",
     ),
 ]
 MapOption = Annotated[
     list[str],
     typer.Option(
-        "--map", metavar="NAME=FILE", help="What the variables are called there, for instance motor=map.toml."
+        "--map",
+        metavar="NAME=FILE",
+        autocompletion=completion.assigned,
+        help="What the variables are called there, for instance motor=map.toml.",
     ),
 ]
 PeriodOption = Annotated[
@@ -67,13 +77,17 @@ PeriodOption = Annotated[
     typer.Option(
         "--period",
         metavar="NAME=TIME",
+        autocompletion=completion.assigned,
         help='Another period of a component: motor="1 ms"; of a component alone "1 ms".',
     ),
 ]
 ParametersOption = Annotated[
     str,
     typer.Option(
-        "--parameters", metavar="SET", help="Another parameter set: its name, or its file (see `rovbrush systems`)."
+        "--parameters",
+        metavar="SET",
+        autocompletion=completion.sets,
+        help="Another parameter set: its name, or its file (see `rovbrush systems`).",
     ),
 ]
 InputOption = Annotated[

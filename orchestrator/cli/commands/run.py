@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from ...errors import InputError
+from .. import completion
 from ..console import tell
 from ..options import (
     SYSTEM_HELP,
@@ -125,7 +126,7 @@ def plan(
 
 @app.command()
 def run(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP)] = "",
+    system: Annotated[str, typer.Argument(metavar="SYSTEM", help=SYSTEM_HELP, autocompletion=completion.systems)] = "",
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006
     input_: InputOption = [],  # noqa: B006
@@ -137,12 +138,20 @@ def run(
     parameters: ParametersOption = "",
     record_boundary: Annotated[
         list[str],
-        typer.Option("--record-boundary", metavar="NAME", help="Record a component's inputs and outputs to replay it."),
+        typer.Option(
+            "--record-boundary",
+            metavar="NAME",
+            autocompletion=completion.components,
+            help="Record a component's inputs and outputs to replay it.",
+        ),
     ] = [],  # noqa: B006
     record: Annotated[
         list[str],
         typer.Option(
-            "--record", metavar="PATTERN", help="Record these, not what the system file says: motor.*; repeatable."
+            "--record",
+            metavar="PATTERN",
+            autocompletion=completion.recorded,
+            help="Record these, not what the system file says: motor.*; repeatable.",
         ),
     ] = [],  # noqa: B006
     step: StepOption = "",

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from ...errors import InputError
+from .. import completion
 from ..console import tell, wrote
 from ..options import app
 
@@ -15,7 +16,13 @@ from ..options import app
 @app.command()
 def systems(
     copy: Annotated[
-        str, typer.Option("--copy", metavar="NAME", help="Copy this one, with what it refers to, to begin with.")
+        str,
+        typer.Option(
+            "--copy",
+            metavar="NAME",
+            autocompletion=completion.copies,
+            help="Copy this one, with what it refers to, to begin with.",
+        ),
     ] = "",
     to: Annotated[Path | None, typer.Option("--to", metavar="DIR", help="Copy it there; by default here.")] = None,
 ) -> None:

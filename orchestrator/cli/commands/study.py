@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from .. import completion
 from ..console import print_table, tell, wrote
 from ..options import (
     FmusOption,
@@ -92,13 +93,19 @@ def print_signals(name: str, rows: Sequence[Mapping[str, Any]]) -> None:
 @app.command()
 def sweep(
     name: Annotated[
-        str, typer.Argument(metavar="NAME", help="A shipped sweep or system (see `rovbrush systems`), or a .toml file.")
+        str,
+        typer.Argument(
+            metavar="NAME",
+            autocompletion=completion.sweeps,
+            help="A shipped sweep or system (see `rovbrush systems`), or a .toml file.",
+        ),
     ],
     vary: Annotated[
         list[str],
         typer.Option(
             "--vary",
             metavar="NAME=VALUES",
+            autocompletion=completion.varied,
             help="motor.R=0.1:0.3:7 (low:high:count, :log for equal ratios) or motor.V_in=8,12; repeatable: a grid.",
         ),
     ] = [],  # noqa: B006

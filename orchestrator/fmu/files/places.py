@@ -6,11 +6,12 @@ import os
 import re
 from importlib.metadata import version
 from pathlib import Path
-
-import fmpy
-from fmpy.model_description import ModelDescription
+from typing import TYPE_CHECKING
 
 from ...errors import FmuError
+
+if TYPE_CHECKING:
+    from fmpy.model_description import ModelDescription
 
 HERE = Path(__file__).parent.parent.parent.parent  # a checkout, or the folder of the installed package
 NATIVE = Path("native") / "fmi2"  # which of the shipped ones run
@@ -72,6 +73,8 @@ def not_for_here(path: Path) -> str:
     """What to say of a shipped FMU that has no library for this machine; empty of any other."""
     if not is_shipped(path):
         return ""
+    import fmpy
+
     return (
         f"the FMUs that come with rovbrush are for 64-bit Linux and Windows on x86 processors, and this is "
         f"{fmpy.platform_tuple}; with a C compiler, --compile makes libraries of the sources that they carry"
