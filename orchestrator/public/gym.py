@@ -1,0 +1,37 @@
+"""Any system as an environment of Gymnasium.
+
+import rovbrush.gym
+
+env = rovbrush.gym.Environment("plant.toml", {"motor.V_in": (0.0, 12.0)}, {"motor.omega_b": (0.0, 100.0)},
+                               "-abs(motor.omega_b - 30)", episode="5 s")
+rovbrush.gym.register("Brush-v0", system="plant.toml", ...)   # then gymnasium.make("Brush-v0"), gymnasium.make_vec
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+__all__ = ["Environment", "register"]  # noqa: F822 (loaded when it is asked for)
+
+
+def register(name: str, **keywords: Any) -> None:
+    """Let `gymnasium.make(name)` and `make_vec` make an `Environment` with these keywords."""
+    if find_spec("gymnasium") is None:
+        raise _missing()
+    import_module("gymnasium").register(name, entry_point="rovbrush.gym:Environment", kwargs=keywords)
+
+
+def __getattr__(name: str) -> Any:
+    if name != "Environment":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if find_spec("gymnasium") is None:
+        raise _missing()
+    return import_module("rovbrush.orchestrator.training.environment").Environment
+
+
+def _missing() -> Exception:
+    errors = import_module("rovbrush.orchestrator.errors")
+    error: Exception = errors.InputError("environments need Gymnasium: pip install 'rovbrush[gym]'")
+    return error
