@@ -42,8 +42,8 @@ class Expression:
         try:
             body = ast.parse(text.strip(), mode="eval").body
         except (SyntaxError, ValueError, MemoryError, RecursionError) as error:
-            at = f" at column {error.offset}" if isinstance(error, SyntaxError) and error.offset else ""
-            raise InputError(f"{what} = {text!r}{at}: {getattr(error, 'msg', error)}") from None
+            column = getattr(error, "offset", 0) or len(text.strip()) + 1  # 0 where the text ends too early
+            raise InputError(f"{what} = {text!r}, column {column}: {getattr(error, 'msg', error)}") from None
         self._value = self._read(body, 0)
 
     def __call__(self) -> float:

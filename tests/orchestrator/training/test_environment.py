@@ -73,7 +73,7 @@ def test_expressions_end_an_episode_and_what_is_drawn_follows_the_seed(system: P
         ({"observations": {"c.y": (0.0, 1.0)}}, "no component 'c'"),
         ({"reward": "b.z + 1"}, "column 1: .*has no variable 'z'"),
         ({"reward": "open(b.y)"}, "`open` cannot be called"),
-        ({"reward": "b.y +"}, "at column"),
+        ({"reward": "b.y +"}, "column 6: "),
         ({"reward": "'text'"}, "is not allowed"),
         ({"period": "1.5 ms"}, "no multiple of 0.001 s"),
         ({"episode": "10.5 ms"}, "no multiple of the period"),
