@@ -58,7 +58,16 @@ __all__ = [
 
 # The commands that load FMUs into their own process.
 LOADING = (
-    "run", "plan", "converge", "calibrate", "reproduce", "design", "strategies", "bench", "linearise", "margins",
+    "run",
+    "plan",
+    "converge",
+    "calibrate",
+    "reproduce",
+    "design",
+    "strategies",
+    "bench",
+    "linearise",
+    "margins",
     "fit",
 )
 
