@@ -44,15 +44,11 @@ def optimise(
     maximise: Annotated[str, typer.Option("--maximise", metavar="FIGURE", help="As --minimise.")] = "",
     subject_to: Annotated[
         list[str],
-        typer.Option(
-            "--subject-to", metavar='"FIGURE <= VALUE"', help='Or >=; also "z_max <= 5 mm"; repeatable.'
-        ),
+        typer.Option("--subject-to", metavar='"FIGURE <= VALUE"', help='Or >=; also "z_max <= 5 mm"; repeatable.'),
     ] = [],  # noqa: B006
     generations: Annotated[int, typer.Option("--generations", min=1, help="After the first.")] = 20,
     population: Annotated[int, typer.Option("--population", min=0, help="Points of one; 0: 8 per parameter.")] = 0,
-    polish: Annotated[
-        int | None, typer.Option("--polish", min=0, help="Local search: 10 runs per parameter.")
-    ] = None,
+    polish: Annotated[int | None, typer.Option("--polish", min=0, help="Local search: 10 runs per parameter.")] = None,
     seed: Annotated[int | None, typer.Option("--seed", min=0, help="Of the search; 1 by default.")] = None,
     out: OutOption = Path("results"),
     set_: SetOption = [],  # noqa: B006

@@ -39,9 +39,7 @@ def figure_of(text: str) -> str:
     """The figure that a constraint is about. Raises InputError for what is no constraint."""
     found = WRITTEN.fullmatch(text)
     if found is None:
-        raise InputError(
-            f'{OPTION} "{text}": write "figure <= value" or "figure >= value", or "figure <= 5 mm"'
-        )
+        raise InputError(f'{OPTION} "{text}": write "figure <= value" or "figure >= value", or "figure <= 5 mm"')
     return found["figure"]
 
 

@@ -48,7 +48,7 @@ class Optimum:
             if isinstance(space, Range):
                 near = 1e-3 * (space.high - space.low)
                 for end, name in ((space.low, "lower"), (space.high, "upper")):
-                    if abs(float(value) - end) <= near:  # type: ignore[arg-type]
+                    if abs(float(value) - end) <= near:
                         ends[axis.name] = name
         return ends
 

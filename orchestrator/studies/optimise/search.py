@@ -20,9 +20,8 @@ def evolve(trials: Trials, population: int, generations: int, seed: int) -> None
 
     dimensions = len(trials.spaces)
     rng = np.random.default_rng(seed)
-    first = (
-        np.argsort(rng.random((dimensions, population)), axis=1).T + rng.random((population, dimensions))
-    ) / population
+    cells = np.argsort(rng.random((dimensions, population)), axis=1).T
+    first = (cells + rng.random((population, dimensions))) / population  # a Latin hypercube
     constraints: Any = ()
     if trials.aim.constraints:
         constraints = NonlinearConstraint(lambda x: _excesses(trials, x), -np.inf, 0.0)
@@ -68,14 +67,15 @@ def shares_of(trials: Trials) -> np.ndarray:
         if not isinstance(space, Range):
             shares.append((list(space.items).index(value) + 0.5) / len(space.items))
         elif space.items:
-            shares.append((space.items.index(int(value)) + 0.5) / len(space.items))  # type: ignore[arg-type]
+            shares.append((space.items.index(int(value)) + 0.5) / len(space.items))
         elif space.log:
             end = space.high + 1 if space.whole else space.high
-            shares.append(float(np.log((float(value) + 0.5 * space.whole) / space.low) / np.log(end / space.low)))  # type: ignore[arg-type]
+            shares.append(float(np.log((float(value) + 0.5 * space.whole) / space.low) / np.log(end / space.low)))
         else:
             end = space.high + 1 if space.whole else space.high
-            shares.append((float(value) + 0.5 * space.whole - space.low) / (end - space.low))  # type: ignore[arg-type]
-    return np.clip(np.array(shares), 0.0, 1.0)
+            shares.append((float(value) + 0.5 * space.whole - space.low) / (end - space.low))
+    found: np.ndarray = np.clip(np.array(shares, dtype=float), 0.0, 1.0)
+    return found
 
 
 def _costs(trials: Trials, shares: np.ndarray) -> np.ndarray:

@@ -65,7 +65,7 @@ class Trials:
     def values(self, shares: np.ndarray) -> list[Values]:
         """The values at points of the unit cube, (points, parameters)."""
         columns = [space.at(shares[:, k]) for k, space in enumerate(self.spaces.values())]
-        return [tuple(row) for row in zip(*columns, strict=True)]  # type: ignore[arg-type]
+        return [tuple(row) for row in zip(*columns, strict=True)]
 
     def at(self, shares: np.ndarray) -> list[Trial]:
         """The trials at points of the unit cube, (points, parameters); new ones are computed together."""

@@ -19,7 +19,7 @@ SET = "optimum.toml"
 
 
 def write_found(found: Optimum, out: Path) -> tuple[Path, ...]:
-    """The files, numbers first; a parameter set only where the constraints hold. Raises RunError if the disk refuses."""
+    """The files, numbers first; a parameter set where the constraints hold. Raises RunError if the disk refuses."""
     paths = [write_file(out / "optimise.json", lambda path: write_json(path, as_json(found)))]
     if found.best.violation == 0.0:
         paths.append(write_file(out / SET, lambda path: path.write_text(parameter_set(found), encoding="utf-8")))
