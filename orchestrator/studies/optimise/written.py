@@ -81,6 +81,9 @@ def convergence(found: Optimum) -> Figure:
     axis.set_xlabel("run")
     unit = found.request.units[found.aim.figure]
     axis.set_ylabel(f"{found.aim.figure} [{unit}]")
-    axis.margins(y=0.05)
+    good = [found.aim.sign * t.cost for t in found.trials if t.violation == 0.0]
+    if good and max(good) > min(good):  # what breaks constraints may lie far away
+        room = 0.1 * (max(good) - min(good))
+        axis.set_ylim(min(good) - room, max(good) + room)
     legend_above(axis)
     return figure
