@@ -154,7 +154,8 @@ def points(
             sizes = [
                 size_of(c, float(probe.session.get(c.target)), value) for c, value in zip(channels, stated, strict=True)
             ]
-            over = over_the_step and not all(probe.at_once.values())  # else what is taken is that of the instant
+            probe.of_instants = over_the_step and all(probe.at_once.values())
+            over = over_the_step and not probe.of_instants
             share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
             pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over, share)
             probe.back(here)

@@ -41,6 +41,7 @@ class Probe:
             for channel in self.channels
         }
         self.base: dict[str, float] = {}
+        self.of_instants = False  # whether inputs are read as they are at an instant, not as they were over the step
 
     def __enter__(self) -> Probe:
         self.session.__enter__()
@@ -100,7 +101,13 @@ class Probe:
 
     def read(self) -> np.ndarray:
         """The signals now, (p,)."""
-        return np.array([self.session.get(name) for name in self.signals], dtype=float)
+        return np.array([self._value(name) for name in self.signals], dtype=float)
+
+    def _value(self, name: str) -> float:
+        if self.of_instants:  # the cell of an input has what it was over the step, its FMU what it is now
+            owner, _, variable = name.partition(".")
+            return float(self.session.instances[owner].get(variable))
+        return float(self.session.get(name))
 
 
 def require_states(system: System) -> None:
