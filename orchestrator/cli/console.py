@@ -71,7 +71,7 @@ def tell(text: str) -> None:
     """Plain text: lines that are too long for the terminal are folded between words, and go on indented."""
     if FOLDING:
         text = "\n".join(map(_folded, text.split("\n")))
-    console.print(text, markup=False)
+    console.print(text, markup=False, soft_wrap=True)  # a path longer than the terminal stays one word
 
 
 def _folded(line: str) -> str:

@@ -2,9 +2,9 @@
 
 import rovbrush.gym
 
-env = rovbrush.gym.Environment("plant.toml", {"motor.V_in": (0.0, 12.0)}, {"motor.omega_b": (0.0, 100.0)},
-                               "-abs(motor.omega_b - 30)", episode="5 s")
-rovbrush.gym.register("Brush-v0", system="plant.toml", ...)   # then gymnasium.make("Brush-v0"), gymnasium.make_vec
+env = rovbrush.gym.Environment("plant.toml", {"drive.u": (0.0, 12.0)}, {"drive.w": (0.0, 100.0)},
+                               "-abs(drive.w - 30)", episode="5 s")
+rovbrush.gym.register("Drive-v0", system="plant.toml", ...)   # then gymnasium.make("Drive-v0"), gymnasium.make_vec
 """
 
 from __future__ import annotations

@@ -29,8 +29,8 @@ Reward = str | Callable[[Values, Values], float]
 class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
     """An agent sets inputs that nothing drives and sees signals, every `period`, for an `episode`.
 
-        env = Environment("plant.toml", {"motor.V_in": (0.0, 12.0)}, {"motor.omega_b": (0.0, 100.0)},
-                          "-abs(motor.omega_b - 30)", period="10 ms", episode="5 s")
+        env = Environment("plant.toml", {"drive.u": (0.0, 12.0)}, {"drive.w": (0.0, 100.0)},
+                          "-abs(drive.w - 30)", period="10 ms", episode="5 s")
 
     `system`: what `rovbrush.load` takes, or a Model. `actions`, `observations`: names with (low, high) in the unit of
     the FMU, or None (or a list of names) where the FMU declares min and max. Both are vectors of float64, in the order

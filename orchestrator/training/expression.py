@@ -1,4 +1,4 @@
-"""Expressions of signals, such as `-abs(motor.omega_b - 30) - 0.01 * time`, as functions of no argument.
+"""Expressions of signals, such as `-abs(drive.w - 30) - 0.01 * time`, as functions of no argument.
 
 Names, numbers, arithmetic (`+ - * / // % **`), comparisons, `abs`, `min`, `max`, `exp`, `and`, `or`, `not`:
 nothing else is read, and nothing is evaluated as Python.

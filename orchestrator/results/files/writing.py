@@ -189,7 +189,8 @@ def _overview(run: Run, folder: Path) -> list[Path]:
     from ..pictures.overview import overview
     from ..pictures.traces import run_traces
 
-    return [write_file(folder / OVERVIEW, overview(run_traces(run)).savefig)]
+    found = run_traces(run)
+    return [write_file(folder / OVERVIEW, overview(found).savefig)] if found.usual() else []
 
 
 def _figure(run: Run, entry: Mapping[str, Any], folder: Path) -> list[Path]:

@@ -38,7 +38,7 @@ class Match:
 
 
 def matches_of(texts: Sequence[str]) -> tuple[Match, ...]:
-    """`motor.i,motor.omega_b`, or `motor.i=current` where the column is called otherwise. Raises InputError."""
+    """`drive.y,drive.w`, or `drive.y=current` where the column is called otherwise. Raises InputError."""
     found = []
     for entry in (part.strip() for text in texts for part in text.split(",")):
         name, _, column = (part.strip() for part in entry.partition("="))
@@ -50,7 +50,7 @@ def matches_of(texts: Sequence[str]) -> tuple[Match, ...]:
         if names.count(name) > 1:
             raise InputError(f"--match {name}: it stands there twice")
     if not found:
-        raise InputError("--match says which signals were measured, for instance --match motor.i,motor.omega_b")
+        raise InputError("--match says which signals were measured, for instance --match drive.y,drive.w")
     return tuple(found)
 
 

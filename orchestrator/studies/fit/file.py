@@ -1,13 +1,13 @@
 """A fit as a TOML file, for several experiments that differ in more than their data.
 
 system = "test_stand"                          # a shipped system, or a path beside this file
-match = ["motor.i", "motor.omega_b"]           # or "motor.i=current" where the column is called otherwise
+match = ["drive.y", "drive.w"]           # or "drive.y=current" where the column is called otherwise
 [vary]
-"motor.R" = "0.05:0.2"                         # low:high, or low:high:log
+"drive.R" = "0.05:0.2"                         # low:high, or low:high:log
 [[experiments]]
 data = "loaded.csv"                            # beside this file; columns of free inputs drive them
 stop_time = "2 s"                              # otherwise the last time of the data
-set = { "brush.delta" = 0.004 }
+set = { "load.x" = 0.004 }
 """
 
 from __future__ import annotations

@@ -256,7 +256,7 @@ def free_parameters(system: System, vary: Sequence[str], tell: Callable[[str], N
     """What is fitted, from the values that the system has. Raises InputError."""
     entries = vary_entries(vary)
     if not entries:
-        raise InputError("--vary says what is fitted and in which range, for instance --vary motor.R=0.05:0.2")
+        raise InputError("--vary says what is fitted and in which range, for instance --vary drive.R=0.05:0.2")
     found = []
     for given, text in entries.items():
         name = system.full_name(given)
