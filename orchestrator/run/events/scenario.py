@@ -132,7 +132,7 @@ class Scenario:
     def content(self) -> dict[str, Any]:
         """What a checkpoint keeps of it, ready for JSON; the faults themselves are cells of the run."""
         pending = [[str(entry.time), *entry[1:]] for entry in self.pending]
-        return {"pending": pending, "seen": sorted(self.seen), "words": self.words}
+        return {"pending": pending, "seen": sorted(self.seen), "words": list(self.words)}
 
     def restore(self, content: Mapping[str, Any]) -> None:
         """Go on where another one was. Raises ValueError, TypeError or LookupError for what none can have held."""

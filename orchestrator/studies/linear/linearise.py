@@ -168,7 +168,7 @@ def points(
             require_steady(steady, clock.time(tick), options.residual, window * probe.dt)
             probe.back(here)
             for each in (*kept, here):
-                each.forget(probe.session)
+                each.release()
             notes = {
                 "residual": steady[0].value, "residual_of": steady[0].signal, "starts": len(kept),
                 "period": float(period * one),

@@ -13,10 +13,10 @@ from ...loop.cells import ABSENT, CHANGED, GAIN, MODE, OFFSET_OR_VALUE, SIGMA
 from ...plan.instants import direct_answers
 from ...plan.plan import make_plan
 from ...run.settle import settle
+from ...run.snapshot import Snapshot
 from ...run.stepping import Stepping
 from ...system.model import System
 from .channels import Channel, with_disturbances
-from .kept import Kept
 
 
 class Probe:
@@ -57,14 +57,14 @@ class Probe:
         """A sample [s]."""
         return self.every * self.session.period
 
-    def keep(self) -> Kept:
+    def keep(self) -> Snapshot:
         """The state of all at this instant, to be gone back to as often as wanted."""
         self.base = {c.name: float(self.session.get(c.target)) for c in self.channels if c.connection is None}
-        return Kept(self.session)
+        return self.session.snapshot()
 
-    def back(self, kept: Kept) -> None:
+    def back(self, kept: Snapshot) -> None:
         """To a kept state, nothing added."""
-        kept.restore(self.session)
+        self.session.restore(kept)
         for channel in self.channels:
             if channel.connection is None:
                 self.session.set(channel.target, self.base[channel.name])

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...run.snapshot import Snapshot
 from .channels import Channel
-from .kept import Kept
 from .probe import Probe
 
 SIZE = 1e-3  # of a channel's value, or of its nominal size where that is more
@@ -39,7 +39,7 @@ def size_of(channel: Channel, value: float, stated: float | None) -> float:
 
 
 def pulses_from(
-    probe: Probe, starts: Sequence[Kept], sizes: Sequence[float], samples: int | None, most: int, count: int,
+    probe: Probe, starts: Sequence[Snapshot], sizes: Sequence[float], samples: int | None, most: int, count: int,
     over_the_step: bool = False, progress: Callable[[float], None] = lambda _share: None,
 ) -> Pulses:  # fmt: skip
     """The mean responses of the first `count` signals to all channels over the starts.
@@ -66,7 +66,7 @@ def pulses_from(
     return Pulses(values, tuple(sizes), float(np.sqrt(even / odd)) if odd else 0.0)
 
 
-def _enough(reader: _Reader, kept: Kept, channel: Channel, size: float, most: int) -> int:
+def _enough(reader: _Reader, kept: Snapshot, channel: Channel, size: float, most: int) -> int:
     """After how many samples the response to a channel has died out, or has grown too large; `most` at most."""
     count = min(LOOK, most)
     while True:  # the runs are short against what is made of them: they are begun anew, longer
@@ -90,7 +90,7 @@ class _Reader:
     def now(self) -> np.ndarray:
         return self.probe.read()[: self.count]
 
-    def one(self, kept: Kept, channel: Channel, size: float, samples: int) -> np.ndarray:
+    def one(self, kept: Snapshot, channel: Channel, size: float, samples: int) -> np.ndarray:
         """The signals (samples, p) from a kept state on, with something added during the first sample."""
         probe = self.probe
         probe.back(kept)
