@@ -12,6 +12,7 @@ from ...clock import seconds_text
 from ...errors import listed
 from ...markup import boxed, element, safe
 from ..plan import Plan
+from ..schedule.formulas import ITERATED
 from .blocks import Block, Flow, blocks_of, flows_of
 from .ink import shortened, text, width
 from .labels import Label, label_of
@@ -25,9 +26,10 @@ KINDS = {
     "linear": ("#c77d0a", "extrapolated by a line"),
     "quadratic": ("#c2552d", "extrapolated by a parabola"),
     "interpolate": ("#2a9d64", "interpolated, its source is ahead"),
-    "iterated": ("#7a5bc4", "solved: mean of both ends"),
-    "end": ("#7a5bc4", "solved: value at the end"),
-    "end on line": ("#7a5bc4", "solved: a line to the end"),
+    **{
+        transfer: ("#7a5bc4", f"solved: {how}")
+        for transfer, how in zip(ITERATED, ("mean of both ends", "value at the end", "a line to the end"), strict=True)
+    },
     "continuous": ("#b3487f", "solved in each evaluation"),
     "tick": ("#5f7d8c", "ticks with it"),
 }

@@ -25,7 +25,7 @@ from .netcdf import write_netcdf
 
 ROWS, TABLE, SUMMARY, MANIFEST, PLAN = "result.nc", "result.csv", "summary.json", "manifest.json", "plan.txt"
 UNITS = "units"  # of the figures of merit, in summary.json
-OVERVIEW = "overview.png"  # the picture that every run has
+OVERVIEW = "overview.png"  # the picture that every run has whose rows are in memory
 MESSAGES = "messages.log"  # what FMUs logged
 RESERVED = frozenset(  # what a run, a sweep or a picture asked for later is written to
     (ROWS, TABLE, SUMMARY, MANIFEST, PLAN, OVERVIEW, MESSAGES, "plot.png", "plot.svg", "plot.pdf", "sweep.nc",
@@ -115,13 +115,14 @@ def write_products(
 ) -> None:
     """Make everything but the rows, each product apart; `more`: further ones. `summary`: one that is there already.
 
-    What was recorded to a file has no result.csv. Ctrl-C leaves out what is not made yet.
+    Of what was recorded to a file there is no result.csv and no overview.png. Ctrl-C leaves out what is not made yet.
     """
     folder = written.folder
     figures = run.plan.system.reporting["figures"]
-    table = [TABLE] * isinstance(run.recorded, list)
+    in_memory = isinstance(run.recorded, list)
+    table, picture = [TABLE] * in_memory, [OVERVIEW] * (in_memory and any(g.columns for g in run.plan.groups))
     said = [MESSAGES] * bool(run.messages)
-    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, OVERVIEW, *_names(figures)]
+    files = [ROWS, *said, MANIFEST, PLAN, *table, SUMMARY, *picture, *_names(figures)]
     files += [name for names, _ in more for name in names]
 
     def summed() -> list[Path]:
@@ -155,7 +156,10 @@ def write_products(
             written.attempt("the comparison", compared)
             told = {**written.summary, UNITS: figure_units(run.plan.system)}
             written.attempt(SUMMARY, file(SUMMARY, lambda path: write_json(path, told)))
-        written.attempt(OVERVIEW, lambda: _overview(run, folder))
+        if picture:
+            written.attempt(OVERVIEW, lambda: _overview(run, folder))
+        else:
+            (folder / OVERVIEW).unlink(missing_ok=True)  # that of an earlier run
         for entry in figures:
             if "table" in entry:
                 written.attempt(str(entry["table"]), lambda entry=entry: _profiles(run, entry, folder))  # type: ignore[misc]
