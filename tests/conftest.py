@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+import sys
 import tempfile
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -12,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from compiled_once import libraries_compiled_once
 from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
 from rovbrush.components.build import COMPONENTS, HERE, build
@@ -32,6 +34,8 @@ FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py"))
 
 def pytest_configure(config: pytest.Config) -> None:
     """Tests begin alike wherever they are started, and leave nothing in the user's folders."""
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # Python is started two thousand times
+    sys.dont_write_bytecode = False
     signal.signal(signal.SIGINT, signal.default_int_handler)  # `nohup`, `make test &`: ignored, and that is inherited
     kept = getattr(config, "cache", None)
     home = Path(kept.mkdir("home")) if kept is not None else Path(tempfile.mkdtemp(prefix="home_"))
@@ -77,7 +81,7 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with all FMUs: the project's components and the fixtures."""
 
     def make(folder: Path) -> None:
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with libraries_compiled_once(folder.parent / "libraries"), ThreadPoolExecutor(os.cpu_count()) as pool:
             built: list[Future[Any]] = [] if is_compiled() else [pool.submit(compiled_run)]  # not by every worker
             built += [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
             built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
@@ -95,7 +99,7 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
         pytest.skip("no C compiler: native FMUs cannot be built")
 
     def make(folder: Path) -> None:
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with libraries_compiled_once(folder.parent / "libraries"), ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(lambda name: build(HERE / name, folder, 0, platforms), COMPONENTS))
 
     return made_once(tmp_path_factory, "native_fmus", make) / "native"
