@@ -73,21 +73,27 @@ class Probe:
         """Add so much to a channel, from this instant on, and let what answers at once answer; 0 takes it away."""
         if channel.connection is None:
             self.session.set(channel.target, self.base[channel.name] + value)
-            if self.at_once[channel.name]:
-                self._settle(channel.key[0])
         else:
             self.bend(channel, 1.0, value)
-            if self.at_once[channel.name]:
-                self._settle()
+        self.answer(channel)
+
+    def answers(self, channel: Channel) -> str | None:
+        """Which component answers at once to a channel, "" for all that follow; None where none does."""
+        if not self.at_once[channel.name]:
+            return None
+        return channel.key[0] if channel.connection is None else ""
+
+    def answer(self, channel: Channel) -> None:
+        """Let what answers at once to a channel do so."""
+        component = self.answers(channel)
+        if component is not None:
+            settle(self.plan, self.session.instances, self.session.memory, component)
 
     def bend(self, channel: Channel, gain: float, offset: float) -> None:
         """Let a connection send `gain` times what it would, and `offset`, in the unit of its input."""
         first, z = self.faults[channel.key], self.session.memory.z
         z[first + GAIN], z[first + OFFSET_OR_VALUE], z[first + SIGMA] = gain, offset, 0.0
         z[first + MODE] = ABSENT if (gain, offset) == (1.0, 0.0) else CHANGED
-
-    def _settle(self, component: str = "") -> None:
-        settle(self.plan, self.session.instances, self.session.memory, component)
 
     def require_alive(self) -> None:
         """Raise RunError where the run has ended."""
