@@ -2,70 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
-from math import ceil
-from typing import Any
+from collections.abc import Callable, Sequence
 
-import numpy as np
-
-from ...clock import duration, seconds_text
+from ...clock import duration
 from ...errors import InputError, nearest
-from ...fmu.attributes import parse_value
-from ...plan.plan import Plan, make_plan
+from ...plan.plan import make_plan
 from ...system.model import System
-from ...system.quantities import in_own_unit
 from .by_states import by_states, why_not_by_states
-from .channels import Channel, channels_of, free_inputs, signals_of
-from .operating import (
-    ALLOWED,
-    period_in,
-    require_angle,
-    require_steady,
-    residuals,
-    starts_in,
-    ticks_of,
-    times_of,
-)
-from .probe import Probe, require_states
-from .pulses import Pulses, pulses_from, size_of
+from .channels import channels_of, free_inputs, signals_of
+from .operating import times_of
+from .options import METHODS, Options, hyperperiod_of
+from .points import Point, points
 from .realise import realise
 from .statespace import Linear
 
-SAMPLES = 2000  # at most, of a response that does not die out
-STARTS = 8  # of pulses over a period
-METHODS = ("auto", "states", "pulses")
-
-
-@dataclass(frozen=True)
-class Options:
-    """How a linear model is made; texts as on the command line, empty ones are the defaults."""
-
-    at: Sequence[str] = ()
-    sample: str = ""  # time between two samples; the hyperperiod
-    length: str = ""  # of a response; until it has died out, SAMPLES at most
-    sizes: Mapping[str, object] | None = None  # of what is added, by the channel's name
-    order: int | None = None
-    period_of: str = ""
-    starts: int = STARTS
-    residual: float = ALLOWED
-    method: str = "auto"
-    sampled: bool = False  # a continuous model as a sampled one too
-
-
-@dataclass(frozen=True)
-class Point:
-    """One operating point: the responses there, and what was found of it."""
-
-    time: float
-    dt: float
-    pulses: Pulses
-    notes: dict[str, Any]
-
 
 def linearise(
-    system: System, inputs: Sequence[str] = (), outputs: Sequence[str] = (), options: Options = Options(),
+    system: System, inputs: Sequence[str] = (), outputs: Sequence[str] = (), options: Options = Options(),  # noqa: B008
     progress: Callable[[float], None] = lambda _share: None,
 ) -> list[Linear]:  # fmt: skip
     """The models at all times of `options.at`, rising.
@@ -113,109 +66,6 @@ def realised(
         found.A, found.B, found.C, D, point.dt, tuple(inputs), tuple(outputs), tuple(units),
         tuple(unit_of(system, name) for name in outputs), (), point.time, notes,
     )  # fmt: skip
-
-
-def points(
-    system: System, channels: Sequence[Channel], signals: Sequence[str], options: Options, over_the_step: bool,
-    progress: Callable[[float], None] = lambda _share: None,
-) -> list[Point]:  # fmt: skip
-    """The responses of `signals` to `channels` at all operating points; see `pulses_from` for `over_the_step`."""
-    times = times_of(system, options.at)
-    require_states(system)
-    angle = require_angle(system, options.period_of)
-    plan = make_plan(system)
-    if plan.adaptive:
-        raise InputError(
-            f"with algorithm '{system.algorithm}' steps vary, so there is no map from sample to sample; take another "
-            "algorithm, for instance gauss-seidel"
-        )
-    clock, one = plan.clock, hyperperiod_of(plan)
-    every = samples_of(options.sample, one, "--sample") if options.sample else 1
-    length = max(samples_of(options.length, one, "--length") // every, 4) if options.length else None
-    stated = sizes_of(system, channels, options.sizes or {})
-    ticks = [ticks_of(clock, system.start, time) for time in times]
-    span = 3 * (length or SAMPLES) * every + 4 * every
-    longer = replace(system, stop=max(system.stop, ceil((times[-1] + 2 * span * one) / one) * one + system.start))
-    found = []
-    with Probe(longer, channels, [*signals, *(a for a in angle if a not in signals)], every) as probe:
-        count = len(signals)
-        for k, tick in enumerate(ticks):
-            probe.session.finish(until_tick=tick)
-            probe.require_alive()
-            here = probe.keep()
-            period = period_in(probe, options.period_of)
-            probe.back(here)
-            kept, gone = [], 0
-            for start in starts_in(period, max(options.starts, 1)):
-                for _ in range(start - gone):
-                    probe.session.step()
-                gone = start
-                kept.append(probe.keep())
-            sizes = [
-                size_of(c, float(probe.session.get(c.target)), value) for c, value in zip(channels, stated, strict=True)
-            ]
-            probe.of_instants = over_the_step and all(probe.at_once.values())
-            over = over_the_step and not probe.of_instants
-            share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
-            pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over, share)
-            probe.back(here)
-            largest = np.max(np.abs(pulses.values) * np.array(sizes), axis=(0, 2))
-            scale = np.concatenate([largest, np.full(len(probe.signals) - count, 1.0)])
-            window = len(pulses.values) // 2
-            turns = -(-period // every)
-            window = max(round(window * every / period), 1) * period // every if period else max(window, 1)
-            steady = residuals(probe, window, turns, scale)
-            require_steady(steady, clock.time(tick), options.residual, window * probe.dt)
-            probe.back(here)
-            for each in (*kept, here):
-                each.release()
-            notes = {
-                "residual": steady[0].value, "residual_of": steady[0].signal, "starts": len(kept),
-                "period": float(period * one),
-            }  # fmt: skip
-            found.append(Point(clock.time(tick), probe.dt, pulses, notes))
-    return found
-
-
-def hyperperiod_of(plan: Plan) -> Fraction:
-    """The time [s] in which the schedule repeats."""
-    return plan.clock.seconds(plan.clock.hyperperiod)
-
-
-def samples_of(text: str, one: Fraction, option: str) -> int:
-    """A time in hyperperiods. Raises InputError where it is no whole number of them."""
-    seconds = duration(text, option)
-    if (seconds / one).denominator != 1:
-        raise InputError(
-            f"{option} {text}: it must be a multiple of {seconds_text(one)}, in which the schedule repeats"
-        )
-    return int(seconds / one)
-
-
-def sizes_of(system: System, channels: Sequence[Channel], given: Mapping[str, object]) -> list[float | None]:
-    """What is to be added to each channel, in its own unit; None where that was not said. Raises InputError."""
-    known = {channel.name: channel for channel in channels} | {channel.target: channel for channel in channels}
-    found: dict[str, float] = {}
-    for name, value in given.items():
-        full = system.full_name(name)
-        channel = known.get(full)
-        if channel is None:
-            raise InputError(f"--size {name}: it is no input of the linear model{nearest(full, known)}")
-        fmu, variable = system.components[channel.key[0]].fmu, channel.key[1]
-        label = f"--size {name}"
-        number = in_own_unit(fmu, variable, value, label, difference=True)
-        size = float(parse_value(replace_bounds(fmu.variables[variable]), number, label, fmu.type_of(variable)))
-        if size <= 0.0:
-            raise InputError(f"{label} = {size:g} must be above 0")
-        found[channel.name] = size
-    return [found.get(channel.name) for channel in channels]
-
-
-def replace_bounds(variable: Any) -> Any:
-    """A variable whose differences may be anything."""
-    from attrs import evolve
-
-    return evolve(variable, min=None, max=None)
 
 
 def unit_of(system: System, name: str) -> str:

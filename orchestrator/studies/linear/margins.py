@@ -18,8 +18,10 @@ import numpy as np
 from ...errors import InputError
 from ...system.model import System
 from .channels import Channel, channels_of, connections_of, signals_of
-from .linearise import Options, Point, points, realised
+from .linearise import realised
 from .open_loop import Loop, loci
+from .options import Options
+from .points import Point, points
 from .statespace import Linear
 
 FREQUENCIES = 1500

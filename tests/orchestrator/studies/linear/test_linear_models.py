@@ -12,8 +12,9 @@ from helpers import Measured
 from linear_cases import gain, loop, plant, system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.mock import mock_fmu
-from rovbrush.orchestrator.studies.linear.linearise import Options, linearise
+from rovbrush.orchestrator.studies.linear.linearise import linearise
 from rovbrush.orchestrator.studies.linear.margins import margins
+from rovbrush.orchestrator.studies.linear.options import Options
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import System
 from scipy.linalg import expm

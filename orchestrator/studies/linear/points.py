@@ -1,0 +1,91 @@
+"""Operating points of a run, and how it answers there to pulses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import ceil
+from typing import Any
+
+import numpy as np
+
+from ...errors import InputError
+from ...plan.plan import make_plan
+from ...system.model import System
+from .channels import Channel
+from .operating import period_in, require_angle, require_steady, residuals, starts_in, ticks_of, times_of
+from .options import SAMPLES, Options, hyperperiod_of, samples_of, sizes_of
+from .probe import Probe, require_states
+from .pulses import Pulses, pulses_from, size_of
+
+
+@dataclass(frozen=True)
+class Point:
+    """One operating point: the responses there, and what was found of it."""
+
+    time: float
+    dt: float
+    pulses: Pulses
+    notes: dict[str, Any]
+
+
+def points(
+    system: System, channels: Sequence[Channel], signals: Sequence[str], options: Options, over_the_step: bool,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> list[Point]:  # fmt: skip
+    """The responses of `signals` to `channels` at all operating points; see `pulses_from` for `over_the_step`."""
+    times = times_of(system, options.at)
+    require_states(system)
+    angle = require_angle(system, options.period_of)
+    plan = make_plan(system)
+    if plan.adaptive:
+        raise InputError(
+            f"with algorithm '{system.algorithm}' steps vary, so there is no map from sample to sample; take another "
+            "algorithm, for instance gauss-seidel"
+        )
+    clock, one = plan.clock, hyperperiod_of(plan)
+    every = samples_of(options.sample, one, "--sample") if options.sample else 1
+    length = max(samples_of(options.length, one, "--length") // every, 4) if options.length else None
+    stated = sizes_of(system, channels, options.sizes or {})
+    ticks = [ticks_of(clock, system.start, time) for time in times]
+    span = 3 * (length or SAMPLES) * every + 4 * every
+    longer = replace(system, stop=max(system.stop, ceil((times[-1] + 2 * span * one) / one) * one + system.start))
+    found = []
+    with Probe(longer, channels, [*signals, *(a for a in angle if a not in signals)], every) as probe:
+        count = len(signals)
+        for k, tick in enumerate(ticks):
+            probe.session.finish(until_tick=tick)
+            probe.require_alive()
+            here = probe.keep()
+            period = period_in(probe, options.period_of)
+            probe.back(here)
+            kept, gone = [], 0
+            for start in starts_in(period, max(options.starts, 1)):
+                for _ in range(start - gone):
+                    probe.session.step()
+                gone = start
+                kept.append(probe.keep())
+            sizes = [
+                size_of(c, float(probe.session.get(c.target)), value) for c, value in zip(channels, stated, strict=True)
+            ]
+            probe.of_instants = over_the_step and all(probe.at_once.values())
+            over = over_the_step and not probe.of_instants
+            share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
+            pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over, share)
+            probe.back(here)
+            largest = np.max(np.abs(pulses.values) * np.array(sizes), axis=(0, 2))
+            scale = np.concatenate([largest, np.full(len(probe.signals) - count, 1.0)])
+            window = len(pulses.values) // 2
+            turns = -(-period // every)
+            window = max(round(window * every / period), 1) * period // every if period else max(window, 1)
+            steady = residuals(probe, window, turns, scale)
+            require_steady(steady, clock.time(tick), options.residual, window * probe.dt)
+            probe.back(here)
+            for each in (*kept, here):
+                each.release()
+            notes = {
+                "residual": steady[0].value, "residual_of": steady[0].signal, "starts": len(kept),
+                "period": float(period * one),
+            }  # fmt: skip
+            found.append(Point(clock.time(tick), probe.dt, pulses, notes))
+    return found
