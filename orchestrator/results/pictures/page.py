@@ -24,6 +24,8 @@ from .shown import Shown, shown
 from .traces import Traces
 
 LARGEST = 40_000  # samples of a signal in a page; of more the extremes of short times are kept
+TOGETHER, LEAST = 60_000, 1_500  # of all signals of a page; and what each has however many there are
+EXACT = 1e-4  # of what a signal ranges over: numbers of half the length may be so far off
 PANEL, GAP, HEAD = 190, 62, 70  # pixels: height of an axis, room for the legend above it, room above all
 COLOURS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#7f7f7f", "#bcbd22", "#17becf")
 DASHES = ("solid", "dash", "dashdot", "dot")
@@ -131,6 +133,7 @@ def plot_html(panels: Sequence[Panel]) -> str:
     height = HEAD + len(panels) * (PANEL + GAP)
     gap = GAP / (height - HEAD) if len(panels) > 1 else 0.0
     figure = make_subplots(rows=len(panels), cols=1, shared_xaxes=True, vertical_spacing=gap)
+    most = max(LEAST, min(LARGEST, TOGETHER // sum(len(panel.signals) for panel in panels)))
     closer: list[dict[str, Any]] = []
     layout: dict[str, Any] = {}
     for row, panel in enumerate(panels, start=1):
@@ -139,7 +142,7 @@ def plot_html(panels: Sequence[Panel]) -> str:
         layout[legend] = {"orientation": "h", "x": 0, "y": axis.domain[1], "yanchor": "bottom", "font": {"size": 11}}
         for k, (signal, name) in enumerate(zip(panel.signals, panel.names, strict=True)):
             style = {"color": COLOURS[(panel.first + k) % len(COLOURS)], "dash": DASHES[k % len(DASHES)]}
-            traces, entry = signal_traces(signal, name, panel.read.factor, style, len(figure.data))
+            traces, entry = signal_traces(signal, name, panel.read.factor, style, len(figure.data), most)
             for trace in traces:
                 figure.add_trace(go.Scatter(**trace, legend=legend), row=row, col=1)
             closer += [entry] if entry else []
@@ -154,7 +157,7 @@ def plot_html(panels: Sequence[Panel]) -> str:
 
 
 def signal_traces(
-    signal: Signal, name: str, factor: float, style: Mapping[str, str], first: int
+    signal: Signal, name: str, factor: float, style: Mapping[str, str], first: int, most: int = LARGEST
 ) -> tuple[list[dict[str, Any]], dict[str, Any] | None]:
     """What draws a signal; and of one with a ripple which of it to show at which width of the time axis."""
     about = {"name": safe(name), "legendgroup": f"{first}", "mode": "lines"}
@@ -166,31 +169,42 @@ def signal_traces(
     found = band(signal.time[finite], values[finite]) if np.count_nonzero(finite) > 1 else None
     swings = ripple(signal.time[finite], values[finite]) if found else None
     shape = "linear" if signal.values.dtype.kind == "f" else "hv"
-    time, kept = thinned(signal.time, values)
-    line = {**about, "x": time, "y": kept, "line": {**style, "width": 1.3, "shape": shape}}
+    time, kept = thinned(signal.time, values, most)
+    line = {**about, "x": time, "y": compact(kept), "line": {**style, "width": 1.3, "shape": shape}}
     if found is None or swings is None:
         return [line], None
     edge = {"legendgroup": about["legendgroup"], "mode": "lines", "showlegend": False, "hoverinfo": "skip"}
     red, green, blue = (int(style["color"][k : k + 2], 16) for k in (1, 3, 5))
     fill = {"fill": "tonexty", "fillcolor": f"rgba({red},{green},{blue},0.25)"}
     traces: list[dict[str, Any]] = [
-        {**edge, "x": found.time, "y": found.least, "line": {"width": 0}},
-        {**edge, "x": found.time, "y": found.largest, "line": {"width": 0}, **fill},
-        {**about, "x": found.time, "y": found.mean, "line": {**style, "width": 1.6}},
+        {**edge, "x": found.time, "y": compact(found.least), "line": {"width": 0}},
+        {**edge, "x": found.time, "y": compact(found.largest), "line": {"width": 0}, **fill},
+        {**about, "x": found.time, "y": compact(found.mean), "line": {**style, "width": 1.6}},
         {**line, "name": f"{about['name']}, samples", "visible": False, "showlegend": False, "opacity": 0.7},
     ]
     width = COLUMNS / READABLE * swings.period
     return traces, {"width": width, "raw": False, "band": [first, first + 1], "line": first + 3}
 
 
-def thinned(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """At most LARGEST samples: the least and the largest of each short time, in their order."""
-    if len(time) <= LARGEST:
+def thinned(time: np.ndarray, values: np.ndarray, most: int = LARGEST) -> tuple[np.ndarray, np.ndarray]:
+    """At most `most` samples: the least and the largest of each short time, in their order."""
+    if len(time) <= most:
         return time, values
-    size = 2 * len(time) // LARGEST + 1
+    size = 2 * len(time) // most + 1
     whole = len(time) // size * size
     folded = np.where(np.isfinite(values[:whole]), values[:whole], 0.0).reshape(-1, size)
     firsts = np.arange(0, whole, size)
     places = np.sort(np.stack([firsts + folded.argmin(axis=1), firsts + folded.argmax(axis=1)], axis=1), axis=1).ravel()
     places = np.unique(np.concatenate([[0], places, np.arange(whole, len(time))]))
     return time[places], values[places]
+
+
+def compact(values: np.ndarray) -> np.ndarray:
+    """Numbers of half the length, where nobody could see the difference."""
+    finite = values[np.isfinite(values)]
+    with np.errstate(over="ignore"):
+        small = finite.astype(np.float32)
+    if not len(finite) or np.max(np.abs(small - finite)) > EXACT * np.ptp(finite):
+        return values
+    short: np.ndarray = values.astype(np.float32)
+    return short

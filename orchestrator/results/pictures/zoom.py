@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..signals import Signal
-from .bands import ripple
+from .bands import Ripple, ripple
 
 SWINGS = 8  # of a ripple, in a closer look
 PART = 0.1  # of the run, where there is neither ripple nor event
 WORTH = 0.5  # of the run; a longer look is none
-STRONG = 0.5  # of the strongest swing: the last place where the ripple is at least so strong is shown
+STRONG = 0.5  # of its strongest swings: a ripple that is at least so strong
 
 
 def zoom(signals: Sequence[Signal], events: Sequence[float] = ()) -> tuple[float, float] | None:
@@ -27,18 +27,28 @@ def zoom(signals: Sequence[Signal], events: Sequence[float] = ()) -> tuple[float
 
 
 def _swings(signals: Sequence[Signal]) -> tuple[float, float] | None:
-    """A few swings of the ripple that fills most of the picture, at the last place where it is strong."""
+    """A few swings of the ripple that fills most of the picture, at the last place where most ripples are strong."""
     found = [(s, r) for s in signals if (r := ripple(s.time, s.values)) is not None]
     if not found:
         return None
     signal, chosen = max(found, key=lambda pair: np.count_nonzero(pair[1].dense))
-    swing = np.where(chosen.dense, chosen.swing, 0.0)
-    block = int(np.flatnonzero(swing >= STRONG * np.quantile(swing[chosen.dense], 0.9))[-1])
-    width = (signal.time[-1] - signal.time[0]) / len(swing)
-    middle = signal.time[0] + (block + 0.5) * width
+    width = (signal.time[-1] - signal.time[0]) / len(chosen.swing)
+    middles = signal.time[0] + (np.arange(len(chosen.swing)) + 0.5) * width
+    together = np.sum([_strong(one, its, middles) for one, its in found], axis=0)
+    middle = middles[int(np.flatnonzero(together == np.max(together))[-1])]
     half = SWINGS * chosen.period / 2.0
     late = min(middle + half, float(signal.time[-1]))
     return late - 2.0 * half, late
+
+
+def _strong(signal: Signal, found: Ripple, at: np.ndarray) -> np.ndarray:
+    """Where a ripple is strong, at instants `at` (instants,)."""
+    swing = np.where(found.dense, found.swing, 0.0)
+    strong = swing >= STRONG * np.quantile(swing[found.dense], 0.9)
+    width = (signal.time[-1] - signal.time[0]) / len(swing)
+    blocks = np.floor((at - signal.time[0]) / width).astype(int)
+    inside = (blocks >= 0) & (blocks < len(swing))
+    return inside & strong[np.clip(blocks, 0, len(swing) - 1)]
 
 
 def _events(events: Sequence[float], begin: float, end: float) -> tuple[float, float] | None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...files import write_file, write_json
-from ...results.pictures.canvas import new_figure
+from ...results.pictures.canvas import legend_above, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -84,6 +84,9 @@ def draw(found: Fitted) -> Figure:
             below.axhline(side * signal.rms, color="gray", linestyle="--", linewidth=0.8)
         above.set_ylabel(f"{signal.name} [{signal.unit}]")
         below.set_ylabel(f"data - run [{signal.unit}]")
-        above.legend(loc="best", fontsize="small")
+        legend_above(above)
+        for handle in above.get_legend().legend_handles:  # as faint as the points it could not be read
+            handle.set_alpha(1.0)
+            handle.set_markersize(6)
     axes[-1].set_xlabel("time [s]")
     return figure

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...files import write_file, write_json
 from .indices import CONFIDENCE, Estimate, Indices
+from .picture import draw
 
 if TYPE_CHECKING:
     from .sensitivity import Sensitivity
@@ -22,6 +23,8 @@ def write_indices(found: Sensitivity, out: Path) -> tuple[Path, ...]:
         write_file(out / "sensitivity.json", lambda path: write_json(path, as_json(found))),
         write_file(out / "sensitivity.csv", lambda path: _write_csv(found, path)),
     ]
+    if (picture := draw(found)) is not None:
+        paths.append(write_file(out / "sensitivity.png", lambda path: picture.savefig(path, format="png")))
     return tuple(paths)
 
 

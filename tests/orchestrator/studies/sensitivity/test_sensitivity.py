@@ -13,6 +13,7 @@ import pytest
 from helpers import rovbrush
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sensitivity.indices import estimated
+from rovbrush.orchestrator.studies.sensitivity.picture import draw
 from rovbrush.orchestrator.studies.sensitivity.sensitivity import Sensitivity, sensitivity
 from rovbrush.orchestrator.studies.sweep.blocks import block_shares
 from rovbrush.orchestrator.studies.sweep.options import Options
@@ -46,11 +47,25 @@ def test_a_figure_that_never_changes_has_no_indices_and_says_its_value(found: Se
     assert flat.without == "it never changes: 3 at every point" and not flat.of
 
 
+def test_the_picture_has_a_tornado_with_whiskers_for_each_figure_that_changes(found: Sensitivity) -> None:
+    picture = draw(found)
+    assert picture is not None
+    drawn = {axis.get_xlabel().partition(":")[0]: axis for axis in picture.axes}
+    assert set(drawn) == {"ishigami", "g", "rosenbrock", "disc", "length"}
+    (g,) = (i for i in found.indices if i.figure == "g")
+    assert [label.get_text() for label in drawn["g"].get_yticklabels()] == [found.parameters[k] for k in g.order()]
+    total, first = drawn["g"].containers
+    assert [bar.get_width() for bar in total] == [g.of["ST"][k].value for k in g.order()]
+    whiskers = [segment[:, 0].tolist() for segment in drawn["g"].collections[1].get_segments()]
+    assert whiskers == [[g.of["S1"][k].low, g.of["S1"][k].high] for k in g.order()] and len(first) == 3
+
+
 def test_files_hold_every_number(found: Sensitivity) -> None:
     folder = found.swept.folder
     content = json.loads((folder / "sensitivity.json").read_text())
     entry = content["figures"]["g"]["parameters"]["f.x1"]["ST"]
     (g,) = (i for i in found.indices if i.figure == "g")
+    assert (folder / "sensitivity.png").read_bytes().startswith(b"\x89PNG")
     assert entry == {"value": g.of["ST"][0].value, "interval": [g.of["ST"][0].low, g.of["ST"][0].high]}
     assert content["complete"] and content["runs"] == 128 * 5 and content["seed"] == 1
     with (folder / "sensitivity.csv").open() as file:
