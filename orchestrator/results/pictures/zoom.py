@@ -48,7 +48,8 @@ def _strong(signal: Signal, found: Ripple, at: np.ndarray) -> np.ndarray:
     width = (signal.time[-1] - signal.time[0]) / len(swing)
     blocks = np.floor((at - signal.time[0]) / width).astype(int)
     inside = (blocks >= 0) & (blocks < len(swing))
-    return inside & strong[np.clip(blocks, 0, len(swing) - 1)]
+    there: np.ndarray = inside & strong[np.clip(blocks, 0, len(swing) - 1)]
+    return there
 
 
 def _events(events: Sequence[float], begin: float, end: float) -> tuple[float, float] | None:
