@@ -43,13 +43,18 @@ class Surroundings:
         if _library():
             _library().fegetenv(self.environment)
 
+    @property
+    def disturbed(self) -> bool:
+        """Whether numbers are no longer rounded as they were."""
+        return self.exact and not exact()
+
     def restore(self, folder: bool = True) -> list[str]:
         """Restore what was changed; each as words to go behind a name.
 
         `folder`: whether to look at that, and at signals, too (25 us).
         """
         found = []
-        if self.exact and not exact() and _library():
+        if self.disturbed and _library():
             _library().fesetenv(self.environment)
             found.append("changed how floating-point numbers are rounded")
         if folder and self.folder and (now := _folder()) != self.folder:

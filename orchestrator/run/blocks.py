@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -30,6 +31,8 @@ class Blocks:
         self.function, self.plan, self.memory = function, plan, memory
         self.space, self.control = space, control
         self.components, self.blocks, self.typed = memory.tables(instances)
+        self._clock = plan.cycle_ticks, plan.clock.numerator, plan.clock.denominator
+        self._prepared: tuple[object, object, Callable[..., int]] = (None, None, function)
         self.began = 0.0  # s from the start of the process to the end of the first block
         self._size, self._looked = 1, 0.0
 
@@ -43,21 +46,26 @@ class Blocks:
 
     def run(self, at: Position, size: int, recorder: Recorder) -> tuple[int, bool]:
         """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
-        clock = self.plan.clock
+        operations, arrays = self.plan.operations(at.cycle), recorder.arrays
+        if self._prepared[0] is not operations or self._prepared[1] is not arrays:
+            self._prepared = operations, arrays, self._prepare(operations, arrays)
         self.control[cells.RESUME_AT] = at.operation
         begin = time.perf_counter()
-        code = self.function(
-            self.plan.operations(at.cycle), self.plan.coefficients, self.components, self.blocks, self.memory.z,
-            *self.typed, *recorder.arrays, self.control, *self.space.arrays, at.cycle, size, self.plan.cycle_ticks,
-            clock.numerator, clock.denominator,
-        )  # fmt: skip
+        code = self._prepared[2](at.cycle, size, *self._clock)
         spent = time.perf_counter() - begin
         at.wall += spent
         due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
         self._looked = begin if due else self._looked
         self.began = self.began or seconds_since_start()
-        self._size = max(1, min(2 * self._size, int(size * BLOCK / max(spent, 1e-6))))
+        self._size = min(2 * self._size, int(size * BLOCK / max(spent, 1e-6))) or 1
         return code, due
+
+    def _prepare(self, operations: np.ndarray, recorded: tuple[np.ndarray, ...]) -> Callable[..., int]:
+        """The loop with its arrays, which stay the same from step to step."""
+        return partial(
+            self.function, operations, self.plan.coefficients, self.components, self.blocks, self.memory.z,
+            *self.typed, *recorded, self.control, *self.space.arrays,
+        )  # fmt: skip
 
     def run_rows(self, rows: np.ndarray, cycle: int) -> int:
         """Do some operations at once, as of a cycle, whatever the loop is waiting for; the code that it ends with."""

@@ -61,6 +61,11 @@ class Participants:
                     f'isolation = "process" under [components.NAME] keeps it apart'
                 )
 
+    @property
+    def disturbed(self) -> bool:
+        """Whether one of them has changed how numbers are rounded: what is to be looked after without delay."""
+        return self._surroundings.disturbed
+
     def calculated(self) -> dict[str, Any]:
         """What they have calculated of their parameters, by `component.variable`."""
         return {

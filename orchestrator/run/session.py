@@ -63,6 +63,7 @@ class Session:
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
         self.at = Position(time=plan.clock.time(0))
+        self._adaptive, self._cycle_ticks, self._whole = plan.adaptive, plan.cycle_ticks, plan.clock.cycles
         self.ended_badly = ""  # how components fell down while they were terminated and freed
         self._interrupted = False
         self._closed = False
@@ -97,7 +98,9 @@ class Session:
     @property
     def tick(self) -> int:
         """The time reached in ticks of the plan's clock; after a failure that of the last whole cycle."""
-        return int(self.space.clock[cells.NOW]) or min(self.at.cycle * self.plan.cycle_ticks, self.plan.clock.stop)
+        if self._adaptive:
+            return int(self.space.clock[cells.NOW])
+        return min(self.at.cycle * self._cycle_ticks, self.plan.clock.stop)
 
     def advance(
         self,
@@ -136,9 +139,9 @@ class Session:
 
     def _run_block(self, cycles: int) -> None:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
-        plan, clock = self.plan, self.plan.clock
-        if not plan.adaptive and self.at.cycle < clock.cycles:  # what is left behind them is done by itself
-            cycles = min(cycles, clock.cycles - self.at.cycle)
+        plan, clock, adaptive = self.plan, self.plan.clock, self._adaptive
+        if not adaptive and self.at.cycle < self._whole:  # what is left behind them is done by itself
+            cycles = min(cycles, self._whole - self.at.cycle)
         try:
             size = self._blocks.size(self.at, cycles, self.recorder)
         except RunError as error:  # the disk refuses: what was computed is not to be lost for it
@@ -146,14 +149,15 @@ class Session:
             return
         begin = self.at.cycle
         code, due = self._blocks.run(self.at, size, self.recorder)
-        while self._handled(code):
+        while code != cells.DONE and self._handled(code):
             if self.over:
                 return
             size -= self.at.cycle - begin
             begin = self.at.cycle
             code, due = self._blocks.run(self.at, size, self.recorder) if size else (cells.DONE, due)
-        reached = clock.time(min(self.tick + size * plan.cycle_ticks, clock.stop))
-        self.participants.look_around(f"before t = {reached:.9g} s", due)
+        if due or self.participants.disturbed:
+            reached = clock.time(min(self.tick + size * plan.cycle_ticks, clock.stop))
+            self.participants.look_around(f"before t = {reached:.9g} s", due)
         if due:
             self.participants.look()
         self.at.operation = 0
@@ -170,9 +174,10 @@ class Session:
             if self._interrupted:
                 self.failure = f"{self.stop_requests.reason} at t = {self.at.time:.9g} s"
         else:
-            self.at.cycle = self._rows[0] - 1 if plan.adaptive else self.at.cycle + size
-            self.at.time = clock.time(self.tick)
-            self._over = clock.start + self.tick >= self.events.ends_at
+            self.at.cycle = self._rows[0] - 1 if adaptive else self.at.cycle + size
+            tick = self.tick
+            self.at.time = clock.time(tick)
+            self._over = clock.start + tick >= self.events.ends_at
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""

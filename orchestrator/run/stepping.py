@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from fractions import Fraction
 from functools import partial
 from types import TracebackType
-from typing import Any
+from typing import Any, cast
 
 from ..clock import duration, seconds_text
 from ..errors import InputError, RunError, nearest
@@ -53,7 +53,7 @@ class Stepping(Session):
             Session.close(self)
             raise KeyboardInterrupt
         self._readers: dict[str, Callable[[], Any]] = {}
-        self._writers: dict[str, Callable[[float], bool]] = {}
+        self._writers: dict[str, Callable[[float], None]] = {}
         self._counts: dict[Time, int] = {}
         self._last = plan.clock.stop // (1 if plan.adaptive else plan.clock.hyperperiod)  # no step is below a tick
         self._shorter = int(not plan.adaptive and plan.clock.rest > 0)  # one more, which ends at the stop
@@ -94,16 +94,17 @@ class Stepping(Session):
         count = 1 if by is None else self._counts[by]
         self._require_alive()
         last = self._last + self._shorter if by is None else self._last
-        if self.tick >= self.plan.clock.stop or self.at.cycle + count > last:
+        if self.at.cycle + count > last or (self._adaptive and self.tick >= self.plan.clock.stop):
             raise self._at_stop()
         self.control[STOP_REQUEST] = 0
-        if self.plan.adaptive and by is not None:
+        if self._adaptive and by is not None:
             until = min(self.tick + count * self.plan.clock.hyperperiod, self.plan.clock.stop)
             self.advance(until_tick=until)
         elif self._guarded:  # without what `advance` does around its blocks
-            end = self.at.cycle + count
-            while self.at.cycle < end and not self.over:
-                self._run_block(end - self.at.cycle)
+            at = self.at
+            end = at.cycle + count
+            while at.cycle < end and not self.over:
+                self._run_block(end - at.cycle)
         else:
             self.advance(cycles=count)
         self._settle()
@@ -150,29 +151,49 @@ class Stepping(Session):
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. Raises InputError for an unknown name."""
+        return (self._readers.get(name) or self.reader(name))()
+
+    def reader(self, name: str) -> Callable[[], Any]:
+        """What gives the value of `get(name)` at any time, as long as the session is open. Raises InputError."""
         reader = self._readers.get(name)
         if reader is None:
-            value = super().get(name)
+            super().get(name)  # or raise
             component, _, variable = self.plan.system.full_name(name).partition(".")
-            self._readers[name] = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
-            return value
-        return reader()
+            reader = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
+            self._readers[name] = reader
+        return reader
 
     def set(self, name: str, value: object) -> None:
         """Set an input that nothing drives, from the next step on; of an array a sequence of all values.
 
         Raises InputError for an unknown name, a driven input, a parameter, a wrong type or a value out of range.
         """
-        writer = self._writers.get(name)
-        if writer is not None and isinstance(value, float) and not self.over and writer(value):
-            return
-        super().set(name, value)
-        if writer is None:
-            component, _, variable = self.plan.system.full_name(name).partition(".")
-            key = component, variable
-            kept = key in self.plan.layout.inputs  # its cell is what counts: events change it too
-            kept |= variable in self.plan.system.components[component].at_events
-            self._writers[name] = _leave if kept else writer_of(self.instances[component], variable)
+        if not isinstance(value, float):
+            super().set(name, value)
+        else:
+            (self._writers.get(name) or self.writer(name))(value)
+
+    def writer(self, name: str) -> Callable[[float], None]:
+        """What does `set(name, value)` with a number, with the same errors, quicker from the second time on."""
+        if name in self._writers:
+            return self._writers[name]
+        usual, quick = super().set, cast(Callable[[float], bool] | None, None)
+
+        def write(value: float) -> None:
+            nonlocal quick
+            if quick is None or self._closed or self.over or not quick(value):
+                usual(name, value)
+                quick = quick or self._quick_writer(name)
+
+        self._writers[name] = write
+        return write
+
+    def _quick_writer(self, name: str) -> Callable[[float], bool]:
+        """What sets an input that `Session.set` can set, where nothing but its FMU must know."""
+        component, _, variable = self.plan.system.full_name(name).partition(".")
+        kept = (component, variable) in self.plan.layout.inputs  # its cell is what counts: events change it too
+        kept |= variable in self.plan.system.components[component].at_events
+        return _leave if kept else writer_of(self.instances[component], variable)
 
     def snapshot(self) -> Snapshot:
         """Where the run is now, to come back to with `restore`: any number of them, kept until they are released.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +14,13 @@ import numpy as np
 from ..api import Model, load
 from ..clock import duration
 from ..errors import InputError, RovbrushError, RunError
-from ..run.memory.ports import reader_of
+from ..plan.plan import Plan
 from ..run.snapshot import Snapshot, unkept
 from ..run.stepping import Stepping
 from .expression import Expression
 from .ranges import Drawn, applies_later
 from .signals import Named, Signal, actions_of, observations_of
+from .wires import Wires, observed_names
 
 Values = dict[str, float]
 Reward = str | Callable[[Values, Values], float]
@@ -68,39 +68,43 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
         start = model.system.start
         model = model.over("", float(start + duration(episode, "episode")))
         self.model = Model(replace(model.system, record=()))
-        self.plan = plan = self.model.plan
-        self._count, self._by, self._steps = _times(self.model, period, episode)
+        plan = self.model.plan
+        self._by, self._steps = _times(self.model, period, episode)
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise InputError(f"render_mode = {render_mode!r}: there is 'rgb_array', or None")
         self.render_mode = render_mode
         self.actions, self.observations = actions_of(plan, actions), observations_of(plan, observations)
         self.action_space = _box(self.actions)
         self.observation_space = _box(self.observations)
-        self._low, self._high = self.action_space.low, self.action_space.high
         self._reward, self._texts = reward, {"terminated": terminated, "truncated": truncated}
+        seen = [*(signal.name for signal in self.observations), *self._checked_expressions(plan)]
+        self.model = Model(replace(self.model.system, observed=observed_names(plan, seen)))
+        self.plan = plan = self.model.plan
         self._drawn = Drawn(self.model.system, randomise or {})
         self._later = [name for name in self._drawn.names if applies_later(self.model.system, name)]
         self._slow = unkept(plan)
         if self._slow:
             warnings.warn(f"every reset initializes the system anew: {self._slow}", stacklevel=2)
         self._session: Stepping | None = None
+        self._wires: Wires | None = None
         self._start: Snapshot | None = None
         self._fixed: dict[str, object] = {}
         self._trace: list[tuple[float, list[float]]] = []
         self._done = 0
-        self._check_expressions()
 
-    def _check_expressions(self) -> None:
-        """Names and syntax, before anything is loaded."""
+    def _checked_expressions(self, plan: Plan) -> list[str]:
+        """Names and syntax, before anything is loaded; the signals that they name."""
+        found: list[str] = []
 
         def reader(name: str) -> Callable[[], float]:
             if name != "time":
-                observations_of(self.plan, {name: (0.0, 1.0)})
+                found.append(observations_of(plan, {name: (0.0, 1.0)})[0].name)
             return lambda: 0.0
 
         for what, text in {"reward": self._reward, **self._texts}.items():
             if isinstance(text, str) and (text or what == "reward"):
                 Expression(text, what, reader)
+        return found
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -125,7 +129,8 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
         for name in self._later:
             session.set(name, drawn[name])
         self._done, self._trace = 0, []
-        observed = self._observe()
+        assert self._wires is not None
+        observed = self._wires.observe()
         if self.render_mode:
             self._trace.append((session.time, observed.tolist()))
         return observed, {"time": session.time, "drawn": drawn, "reset": how}
@@ -138,63 +143,38 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
         session.__enter__()
         self._session, self._fixed = session, fixed
         self._start = None if self._slow else session.snapshot()
-        self._readers = [self._reader(signal.name) for signal in self.observations]
-        self._names = [signal.name for signal in self.actions]
-        reward = self._reward
-        self._rewarded = Expression(reward, "reward", self._reader) if isinstance(reward, str) else None
-        self._ends = {
-            what: Expression(text, what, self._reader) if text else None for what, text in self._texts.items()
-        }
+        self._wires = wires = Wires(session, self.actions, self.observations)
+        reader, reward = wires.reader, self._reward
+        self._rewarded = Expression(reward, "reward", reader) if isinstance(reward, str) else None
+        self._ends = {what: Expression(text, what, reader) for what, text in self._texts.items() if text}
         return session
-
-    def _reader(self, name: str) -> Callable[[], float]:
-        session = self._session
-        assert session is not None
-        if name == "time":
-            return lambda: session.time
-        component, _, variable = self.plan.system.full_name(name).partition(".")
-        fast = reader_of(self.plan, session.memory, (component, variable))
-        return fast or partial(session.get, name)
-
-    def _observe(self) -> np.ndarray:
-        return np.array([read() for read in self._readers], dtype=np.float64)
 
     def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """Set the actions and go on by one period."""
-        session = self._session
-        if session is None:
+        session, wires = self._session, self._wires
+        if session is None or wires is None:
             raise RunError("the environment has not begun: call reset() first")
-        given = np.asarray(action, dtype=np.float64)
-        if given.shape != self._low.shape:
-            raise InputError(f"the action has the shape {given.shape}, not {self._low.shape}: {', '.join(self._names)}")
-        values = given.tolist()
-        for k, value in enumerate(values):
-            if not self._low[k] <= value <= self._high[k]:
-                raise self._outside(k, value)
-            session.set(self._names[k], value)
+        values = wires.set(action)
         session.step(self._by)
         self._done += 1
-        observed = self._observe()
-        if self._rewarded is not None:
-            reward = self._rewarded()
-        else:
-            seen = dict(zip([signal.name for signal in self.observations], observed.tolist(), strict=True))
-            reward = float(self._reward(seen, dict(zip(self._names, values, strict=True))))  # type: ignore[operator]
-        terminated, truncated = self._ends["terminated"], self._ends["truncated"]
+        observed = wires.observe()
+        reward = self._rewarded() if self._rewarded is not None else self._called(observed, values)
+        terminated, truncated = False, self._done >= self._steps or session.over
+        if self._ends:
+            terminated, truncated = self._over("terminated"), truncated or self._over("truncated")
+        time = session.at.time
         if self.render_mode:
-            self._trace.append((session.time, observed.tolist()))
-        return (
-            observed, reward, terminated is not None and bool(terminated()),
-            self._done >= self._steps or session.over or (truncated is not None and bool(truncated())),
-            {"time": session.time},
-        )  # fmt: skip
+            self._trace.append((time, observed.tolist()))
+        return observed, reward, terminated, truncated, {"time": time}
 
-    def _outside(self, k: int, value: float) -> InputError:
-        signal = self.actions[k]
-        return InputError(
-            f"action {signal.name} = {value:g} {signal.unit}: {signal.low:g} to {signal.high:g} are allowed "
-            f"(gymnasium.wrappers.ClipAction clips)"
-        )
+    def _called(self, observed: np.ndarray, values: list[float]) -> float:
+        """The reward that a callable gives."""
+        seen = dict(zip([signal.name for signal in self.observations], observed.tolist(), strict=True))
+        given = dict(zip([signal.name for signal in self.actions], values, strict=True))
+        return float(self._reward(seen, given))  # type: ignore[operator]
+
+    def _over(self, what: str) -> bool:
+        return what in self._ends and bool(self._ends[what]())
 
     def render(self) -> Any:
         """The observations of the episode over time as a picture, (height, width, 3) of uint8; None without a mode."""
@@ -206,7 +186,7 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
 
     def close(self) -> None:
         """Give the FMUs back."""
-        session, self._session, self._start = self._session, None, None
+        session, self._session, self._start, self._wires = self._session, None, None, None
         if session is not None:
             session.__exit__(None, None, None)
 
@@ -216,8 +196,8 @@ def _box(signals: list[Signal]) -> gymnasium.spaces.Box:
     return gymnasium.spaces.Box(low, high, dtype=np.float64)
 
 
-def _times(model: Model, period: str | float, episode: str | float) -> tuple[int, str | float | None, int]:
-    """Cycles and length of a period as `Stepping.step` takes it, and periods of an episode. Raises InputError."""
+def _times(model: Model, period: str | float, episode: str | float) -> tuple[str | float | None, int]:
+    """The length of a period as `Stepping.step` takes it, and periods of an episode. Raises InputError."""
     clock = model.plan.clock
     cycle = clock.seconds(clock.hyperperiod)
     each = cycle if period == "" else duration(period, "period")
@@ -229,4 +209,4 @@ def _times(model: Model, period: str | float, episode: str | float) -> tuple[int
     if steps.denominator != 1 or steps < 1:
         raise InputError(f"episode = {episode} is no multiple of the period {float(each):g} s")
     by = None if count == 1 and not model.plan.adaptive else float(each) if isinstance(period, float) else period
-    return int(count), by or None, int(steps)
+    return by or None, int(steps)

@@ -21,7 +21,7 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows; all by default. "
+            help="masters, start, components, long, growth, solvers, windows, gym; all by default. "
             "With --against: against, fmus.",
         ),
     ] = None,
@@ -131,6 +131,20 @@ def print_solvers(rows: Rows) -> None:
     print_table("FMUs for Model Exchange: integration, least time of all rounds", ("model", "solver", ""), cells)
 
 
+def print_gym(rows: Rows) -> None:
+    """Environments: steps and resets."""
+    if not rows:
+        return
+    cells = [
+        (
+            r["system"], f"{r['actions']}", f"{r['observations']}", f"{r['steps_per_s']:.0f}",
+            f"{r['best_steps_per_s']:.0f}", f"{r['us_per_reset']:.1f}", f"{r['best_us_per_reset']:.1f}",
+        ) for r in rows
+    ]  # fmt: skip
+    headings = ("system", "actions", "seen", "steps/s", "best", "reset [us]", "best")
+    print_table(f"Environments of Gymnasium, nothing recorded, {medians(rows)}", headings, cells)
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -160,6 +174,6 @@ def print_folders(rows: Rows) -> None:
 
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
-    "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "against": print_against,
-    "fmus": print_folders,
+    "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
+    "against": print_against, "fmus": print_folders,
 }  # fmt: skip

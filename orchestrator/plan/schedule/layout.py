@@ -136,6 +136,7 @@ def make_layout(
     driven |= {(name, variable) for name, c in system.components.items() for variable in c.series}
     driven |= set(changed := set_inputs(system.events))
     seen = set(watched(system.events).values())
+    seen |= {(owner, variable) for owner, _, variable in (name.partition(".") for name in system.observed)}
     used |= seen
     for name, component in system.components.items():
         fmu = component.fmu

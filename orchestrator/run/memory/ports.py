@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -11,7 +12,6 @@ from ...fmu.kinds import MODEL_EXCHANGE
 from ...fmu.types import function_type
 from ...loop.versions import exchange, signatures
 from ...participant.base import Participant
-from ...participant.lifecycle import good
 from ...plan.plan import Plan
 from ...plan.schedule.layout import Key
 from .memory import Memory
@@ -19,13 +19,19 @@ from .memory import Memory
 LARGEST = sys.float_info.max
 
 
+def cell_of(plan: Plan, memory: Memory, key: Key) -> int | None:
+    """The cell in which the value of a double is after every step; None for any other signal."""
+    extra, layout = plan.layout.extras.get(key), plan.layout
+    if extra is not None:
+        return extra.slot
+    slot = layout.outputs.get(key, layout.inputs.get(key))
+    return None if slot is None or memory.kind(key).dtype != np.float64 else slot
+
+
 def reader_of(plan: Plan, memory: Memory, key: Key) -> Callable[[], float] | None:
-    """What reads a double output from its cell; None for any other signal."""
-    slot = plan.layout.outputs.get(key)
-    if slot is None or memory.kind(key).dtype != np.float64:
-        return None
-    item = memory.z.item
-    return lambda: float(item(slot))
+    """What reads a double from its cell; None for any other signal."""
+    slot = cell_of(plan, memory, key)
+    return None if slot is None else partial(memory.z.item, slot)
 
 
 def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
@@ -43,13 +49,13 @@ def writer_of(instance: Participant, variable: str) -> Callable[[float], bool]:
     sign = -1.0 if fmu.places[variable].negated else 1.0
     reference, cell = np.array([fmu.places[variable].reference], dtype=np.uint32), np.zeros(1)
     at, to, pointer = reference.ctypes.data, cell.ctypes.data, instance.pointer
-    version = signatures(fmu.version)
+    give = partial(exchange, signatures(fmu.version), function, pointer, at, 1, to, 1)
     arrays = (reference, cell)  # alive as long as their addresses are in use
 
     def write(value: float) -> bool:
         if not low <= value <= high:
             return False
         arrays[1][0] = sign * value
-        return good(exchange(version, function, pointer, at, 1, to, 1))
+        return (give() | 1) == 1  # `versions.good`
 
     return write

@@ -53,16 +53,15 @@ class Recorder:
         table = [(firsts[k], columns, cells[k]) for k, columns in enumerate(self.columns)]
         self.groups = np.array(table, dtype=np.int64).reshape(-1, 3)
         self.buffer = np.zeros(max(int(cells[-1]), 1))
-
-    @property
-    def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        return self.slots, self.groups, self.buffer, self.rows
+        self.arrays = self.slots, self.groups, self.buffer, self.rows  # others from now on
 
     def make_room(self, cycles: int) -> int:
         """How many of the next `cycles` cycles can be recorded before the next call of this: at least one.
 
         Raises RunError if the disk refuses.
         """
+        if not self.columns:
+            return cycles
         room = self._room()
         if room == 0 and self.plan.adaptive and self.held < self._cycles_in(IN_MEMORY):
             before = self.tables(self.rows.tolist())

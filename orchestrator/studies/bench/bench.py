@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from .against import against
 from .components import component_rows
 from .folders import folder_rows
 from .growth import growth_rows
+from .gym import gym_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
 from .solvers import solver_rows
@@ -42,6 +44,7 @@ PARTS = {
     "growth": Part("reader and plan of large systems", 40.0, 15.0),
     "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
+    "gym": Part("environments of Gymnasium: steps and resets", 25.0, 10.0),
     "against": Part("this installation against another one", 300.0, 60.0),
     "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
@@ -140,6 +143,11 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from growth_rows(folder, asked.quick)
         elif name == "solvers":
             yield from solver_rows(folder, asked.quick)
+        elif name == "gym":
+            if not asked.parts and find_spec("gymnasium") is None:
+                tell("without environments: pip install 'rovbrush[gym]'")
+                return
+            yield from gym_rows(folder, asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")

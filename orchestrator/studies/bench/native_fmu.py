@@ -81,14 +81,18 @@ def feedthrough(target: Path, signals: int = 1) -> Path:
     return native_fmu(target, [SOURCES / "feedthrough.c"], xml, 2, {"SIGNALS": signals})
 
 
-def ring(folder: Path, components: int, signals: int = 1, stop: str = "10 s", period: str = "1 ms") -> Path:
-    """A system file: `components` feedthrough FMUs in a ring, every one driven by the one before it.
+def ring(
+    folder: Path, components: int, signals: int = 1, stop: str = "10 s", period: str = "1 ms", closed: bool = True
+) -> Path:
+    """A system file: `components` feedthrough FMUs in a ring, every one driven by the one before it; if it is not
+    `closed`, nothing drives the first.
 
     It states no format, so that older versions, which this one is compared with, read it too.
     """
     feedthrough(folder / f"feedthrough{signals}.fmu", signals)
     path = folder / f"ring_{components}_{signals}.toml"
-    wires = "".join(f'  "c{k}.y -> c{(k + 1) % components}.u",\n' for k in range(components))
+    sources = range(components if closed else components - 1)
+    wires = "".join(f'  "c{k}.y -> c{(k + 1) % components}.u",\n' for k in sources)
     tables = "".join(
         f'[components.c{k}]\nfmu = "feedthrough{signals}.fmu"\nperiod = "{period}"\n' for k in range(components)
     )
