@@ -75,7 +75,7 @@ def test_a_writer_sets_as_the_session_does_with_its_errors(tmp_path: Path) -> No
             assert read() == value == session.get("a.y")
         with pytest.raises(InputError, match=r"a\.v is unknown"):
             wrong(1.0)
-        with pytest.raises(InputError, match="not finite"):
+        with pytest.raises(InputError, match="not a finite number"):
             write(math.nan)
     with pytest.raises(RunError, match="closed"):
         write(1.0)
