@@ -44,7 +44,8 @@ class Wires:
         if None in cells:
             self.observe = partial(_gathered, [session.reader(s.name) for s in observations])
         else:
-            self.observe = partial(session.memory.z.take, np.array(cells, dtype=np.intp))
+            z, at = session.memory.z, np.array(cells, dtype=np.intp)
+            self.observe = lambda: z[at]
 
     def set(self, action: object) -> list[float]:
         """Set the actions, and give them as numbers. Raises InputError for what is no such vector or out of bounds;
