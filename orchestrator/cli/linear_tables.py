@@ -85,5 +85,27 @@ def print_margins(found: Sequence[Margins]) -> None:
             tell(
                 f"t = {each.at:g} s: the closed loop has poles that grow, the fastest with {growing[-1].s.real:.3g} 1/s"
             )
+        if each.in_time:
+            print_in_time(each)
     if any(len(each.loops) > 1 for each in found):
         tell("the margins of loci are of a gain, or a delay, common to all places of the break")
+
+
+def print_in_time(each: Margins) -> None:
+    """The delay margin by the model and on runs."""
+    from math import isfinite
+
+    found = each.in_time
+    assert found is not None
+    runs = f"{2 * len(found.trials)} runs from t = {each.at:g} s, to {found.until:.4g} s at most"
+    told = f"t = {each.at:g} s: delay margin {1e3 * found.model:.4g} ms by the model"
+    if isfinite(found.delay):
+        between = f"dies out with {1e3 * found.dies_out:.4g} ms and grows with {1e3 * found.grows:.4g} ms"
+        tell(
+            f"{told}, {1e3 * found.delay:.4g} ms in the time domain (a kick {between}): "
+            f"difference {100.0 * found.difference:+.1f} %; {runs}"
+        )
+    elif isfinite(found.grows):
+        tell(f"{told}; in the time domain a kick grows with {1e3 * found.grows:.4g} ms already; {runs}")
+    else:
+        tell(f"{told}; in the time domain a kick dies out with {1e3 * found.longest:.4g} ms too; {runs}")

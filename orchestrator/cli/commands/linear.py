@@ -117,6 +117,9 @@ def margins(
     period_of: PeriodOfOption = "",
     starts: StartsOption = 8,
     residual: ResidualOption = 0.02,
+    verify: Annotated[
+        bool, typer.Option("--verify", help="Look for the delay margin on runs too: a delay that makes a kick grow.")
+    ] = False,
     set_: SetOption = [],  # noqa: B006
     start: StartOption = "",
     stop: StopOption = "",
@@ -131,6 +134,7 @@ def margins(
     """Gain, phase and delay margins of a loop that is broken at a connection, with Bode's and Nyquist's pictures."""
     from ...files import prepare_folder, write_file, write_json
     from ...studies.linear.margins import margins as study
+    from ...studies.linear.margins import verified
     from ...studies.linear.pictures import bode, nyquist
 
     options = _options(at, sample, length, size, order, period_of, starts, residual, "pulses", False)
@@ -138,6 +142,9 @@ def margins(
     prepare_folder(out)
     with share(f"{found.name}, the loop broken") as progress:
         loops = study(found, break_, options, progress)
+    if verify:
+        with share(f"{found.name}, with delays") as progress:
+            loops = verified(found, loops, progress)
     print_margins(loops)
     content = [each.content() for each in loops]
     paths = [

@@ -11,17 +11,24 @@ hold, L = -G/(G + H). Both in negative feedback: where L is -1 the loop oscillat
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil
 
 import numpy as np
 
+from ...clock import instant
 from ...errors import InputError
+from ...plan.plan import make_plan
 from ...system.model import System
 from .channels import Channel, channels_of, connections_of, signals_of
+from .delayed import DelayedLoop, InTime, in_time, longest_run
 from .linearise import realised
 from .open_loop import Loop, loci
-from .options import Options
+from .operating import ticks_of
+from .options import Options, hyperperiod_of
 from .points import Point, points
+from .probe import Probe
 from .statespace import Linear
 
 FREQUENCIES = 1500
@@ -46,6 +53,7 @@ class Margins:
     closed: Linear
     loops: tuple[Loop, ...]
     response: int  # samples
+    in_time: InTime | None = None  # what runs say of the smallest delay margin, where they were asked
 
     @property
     def at(self) -> float:
@@ -68,7 +76,7 @@ class Margins:
                  "omega": loop.omega.tolist(), "real": loop.L.real.tolist(), "imag": loop.L.imag.tolist()}
                 for loop in self.loops
             ],
-            "closed": self.closed.content(),
+            "closed": self.closed.content(), **({"verified": self.in_time.content()} if self.in_time else {}),
         }  # fmt: skip
 
 
@@ -113,6 +121,29 @@ def margins(
     broken = breaks_of(system, names)
     found = points(system, broken.channels, broken.signals, options, not broken.sums, progress)
     return [_margins(system, broken, point, options.order) for point in found]
+
+
+def verified(
+    system: System, found: Sequence[Margins], progress: Callable[[float], None] = lambda _share: None
+) -> list[Margins]:
+    """What `margins` found of a system, with what runs say of the delay margins there are. Raises RunError."""
+    broken, asked = found[0].broken, [k for k, each in enumerate(found) if np.isfinite(each.least_delay.delay_margin)]
+    every = round(found[0].closed.dt / float(hyperperiod_of(make_plan(system))))
+    longest = max((longest_run(found[k].least_delay) for k in asked), default=0.0)
+    longer = replace(system, stop=system.stop + Fraction(ceil(longest)))
+    verified = list(found)
+    with Probe(longer, broken.channels, broken.signals, every) as probe:
+        for count, k in enumerate(asked):
+            each, loop = found[k], found[k].least_delay
+            probe.session.finish(until_tick=ticks_of(probe.plan.clock, system.start, instant(each.at, "--at")))
+            probe.require_alive()
+            delayed = DelayedLoop(probe, broken.sums, each.closed.notes["sizes"])
+            with probe.keep() as here:
+                share = lambda part, count=count: progress((count + part) / len(asked))  # noqa: E731
+                omega, margin = loop.delay_crossing
+                verified[k] = replace(each, in_time=in_time(delayed, here, margin, omega, share))
+                probe.back(here)
+    return verified
 
 
 def _margins(system: System, broken: Break, point: Point, order: int | None) -> Margins:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import ceil
 from typing import Any
 
@@ -17,6 +18,10 @@ from .operating import period_in, require_angle, require_steady, residuals, star
 from .options import SAMPLES, Options, hyperperiod_of, samples_of, sizes_of
 from .probe import Probe, require_states
 from .pulses import Pulses, pulses_from, size_of
+
+CLEAN = 0.03  # of a response that is the same for both signs of a pulse: larger pulses are tried above it
+HIDDEN = 0.5  # the same: what no model can be made of
+LARGER = (1e2, 1e4)  # times the pulses that are taken by default
 
 
 @dataclass(frozen=True)
@@ -71,7 +76,11 @@ def points(
             probe.of_instants = over_the_step and all(probe.at_once.values())
             over = over_the_step and not probe.of_instants
             share = lambda part, k=k: progress((k + part) / len(ticks))  # noqa: E731
-            pulses = pulses_from(probe, kept, sizes, length, SAMPLES, count, over, share)
+            again = partial(
+                pulses_from, probe, kept, samples=length, most=SAMPLES, count=count, over_the_step=over, progress=share
+            )
+            pulses = _clean(probe, [value is None for value in stated], sizes, again)
+            sizes = list(pulses.sizes)
             probe.back(here)
             largest = np.max(np.abs(pulses.values) * np.array(sizes), axis=(0, 2))
             scale = np.concatenate([largest, np.full(len(probe.signals) - count, 1.0)])
@@ -89,3 +98,38 @@ def points(
             }  # fmt: skip
             found.append(Point(clock.time(tick), probe.dt, pulses, notes))
     return found
+
+
+def _clean(probe: Probe, free: Sequence[bool], sizes: Sequence[float], pulses: Callable[..., Pulses]) -> Pulses:
+    """The responses by pulses of these sizes, or larger ones where they are `free`, since steps of readings or ripple
+    hide those. Raises InputError where all of them are hidden: noise is the same in all runs, and does no harm.
+    """
+    found = pulses(sizes=sizes)
+    for factor in LARGER if any(free) else ():
+        if found.even <= CLEAN and np.any(found.values):
+            break
+        try:
+            again = pulses(sizes=[factor * s if f else s for s, f in zip(sizes, free, strict=True)])
+        except InputError:  # beyond what an input may be
+            break
+        found = min(found, again, key=lambda p: (not np.any(p.values), p.even))
+    if found.even > HIDDEN:
+        names = ", ".join(f"{c.name} by {s:.3g} {c.unit}" for c, s in zip(probe.channels, found.sizes, strict=True))
+        raise InputError(
+            f"pulses ({names}) are hidden: {found.even:.2g} of their responses is the same for both signs of a pulse "
+            f"(allowed {HIDDEN:g}); add more by --size, or set to 0 the parameters by which sensors round, lose or "
+            f"switch{_rounding(probe.plan.system)}"
+        )
+    return found
+
+
+def _rounding(system: System) -> str:
+    """Parameters whose names say that they round or lose samples, and which are not 0: an aid, no proof."""
+    found = [
+        f"--set {name}.{v}=0"
+        for name, c in system.components.items()
+        for v in c.fmu.names("parameter")
+        if any(word in v.lower() for word in ("quant", "resolution", "dropout"))
+        and c.parameters.get(v, c.fmu.variables[v].start) not in (0, 0.0, "0", "0.0", None)
+    ]
+    return f", for instance {' '.join(found[:4])}" if found else ""

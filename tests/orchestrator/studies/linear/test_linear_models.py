@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from helpers import Measured
-from linear_cases import gain, loop, plant, system
+from linear_cases import Plant, gain, loop, plant, system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.mock import mock_fmu
 from rovbrush.orchestrator.studies.linear.linearise import linearise
-from rovbrush.orchestrator.studies.linear.margins import margins
+from rovbrush.orchestrator.studies.linear.margins import margins, verified
 from rovbrush.orchestrator.studies.linear.options import Options
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import System
@@ -94,6 +94,38 @@ def test_margins_of_an_integrator_are_the_known_ones_wherever_its_loop_is_broken
         margin = np.pi / 2.0 - omega * T / 2.0 - omega * T * max(late - 1, 0)
         assert locus.phase_margin == pytest.approx(margin, abs=1e-4)
         assert locus.delay_margin == pytest.approx(margin / omega, rel=1e-4)
+
+
+@pytest.mark.parametrize("place", ["p.y -> g.u", "g.y -> p.u"])
+def test_delay_margin_of_an_integrator_is_the_one_at_which_runs_begin_to_grow(place: str, measured: Measured) -> None:
+    """Trials end 2 % apart; a delay between two samples is a straight line between them, 0.3 % of a gain."""
+    k = 15.0
+    (each,) = verified(loop(k), margins(loop(k), [place], START))
+    assert each.in_time is not None
+    omega = 2.0 / T * np.arcsin(k * T / 2.0)
+    known = (np.pi / 2.0 - omega * T / 2.0) / omega
+    measured(f"delay margin on runs, integrator broken at {place}", each.in_time.delay / known - 1, "0.02")
+    assert each.in_time.dies_out < each.in_time.delay < each.in_time.grows
+    assert abs(each.in_time.delay / known - 1.0) < 0.02 and abs(each.in_time.difference) < 0.02
+
+
+class Rounded(Plant):
+    """An integrator whose output is told in steps."""
+
+    A, STEP = ((-2.0,),), 0.005
+
+    def get(self, names: Iterable[str]) -> list[float]:
+        found = super().get(names)
+        return [self.STEP * np.floor(v / self.STEP + 0.5) if n == "y" else v for n, v in zip(names, found, strict=True)]
+
+
+def test_pulses_that_a_rounded_reading_hides_are_made_larger_or_are_an_error() -> None:
+    alone = system({"p": (mock_fmu("rounded", Rounded, ["u"], ["y"]), "0.01")}).with_values({"p.u": 0.049}, "test")
+    options = Options(at=["5 s"], length="2 s", residual=9.0, order=1)
+    (model,) = linearise(alone, ["u"], ["y"], options)
+    assert model.notes["sizes"][0] > 5.0 and model.notes["even"] < 0.5
+    with pytest.raises(InputError, match=r"are hidden: .* add more by --size"):
+        linearise(alone, ["u"], ["y"], replace(options, sizes={"u": 0.25}))
 
 
 BAD = {
