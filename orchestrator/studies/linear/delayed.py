@@ -150,7 +150,8 @@ class DelayedLoop:
 def _before(past: list[np.ndarray], samples: float) -> np.ndarray:
     """What was so many samples before the last one, between two of them on a straight line."""
     if samples < 0.0:
-        return past[-1] - samples * (past[-1] - past[-2])
+        ahead: np.ndarray = past[-1] - samples * (past[-1] - past[-2])
+        return ahead
     whole = int(samples)
     share = samples - whole
     found: np.ndarray = (1.0 - share) * past[-1 - whole] + share * past[-2 - whole]
