@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from compiled_once import libraries_compiled_once
 from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
+from long_tests import MARKERS, leave_evidence, mark_sampled
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
 from rovbrush.orchestrator.loop.compiled import compiled_run, is_compiled
@@ -34,6 +34,8 @@ FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py"))
 
 def pytest_configure(config: pytest.Config) -> None:
     """Tests begin alike wherever they are started, and leave nothing in the user's folders."""
+    for marker in MARKERS:
+        config.addinivalue_line("markers", marker)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # Python is started two thousand times
     sys.dont_write_bytecode = False
     signal.signal(signal.SIGINT, signal.default_int_handler)  # `nohup`, `make test &`: ignored, and that is inherited
@@ -55,8 +57,11 @@ def pytest_configure(config: pytest.Config) -> None:
         os.environ.pop(name, None)
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(tryfirst=True)  # before `-m` chooses
+def pytest_collection_modifyitems(items: list[pytest.Item], config: pytest.Config) -> None:
     """Long tests and what they share come first: at the end no worker waits for one of them."""
+    mark_sampled(items)
+    leave_evidence(items, config)
     top = Path(__file__).parent
     items.sort(key=lambda item: not any(item.path.is_relative_to(top / long) for long in LONG))
 
@@ -81,7 +86,7 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with all FMUs: the project's components and the fixtures."""
 
     def make(folder: Path) -> None:
-        with libraries_compiled_once(folder.parent / "libraries"), ThreadPoolExecutor(os.cpu_count()) as pool:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
             built: list[Future[Any]] = [] if is_compiled() else [pool.submit(compiled_run)]  # not by every worker
             built += [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
             built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
@@ -99,7 +104,7 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
         pytest.skip("no C compiler: native FMUs cannot be built")
 
     def make(folder: Path) -> None:
-        with libraries_compiled_once(folder.parent / "libraries"), ThreadPoolExecutor(os.cpu_count()) as pool:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(lambda name: build(HERE / name, folder, 0, platforms), COMPONENTS))
 
     return made_once(tmp_path_factory, "native_fmus", make) / "native"

@@ -134,6 +134,7 @@ def test_five_milliseconds_are_enough_for_the_vehicle(fmus: Path, hull_pass: Run
         assert change < 5e-3
 
 
+@pytest.mark.evidence
 def test_force_control_holds_the_force_where_the_thrusters_can(table: Table, measured: Measured) -> None:
     for name, columns in table.items():
         measured(
@@ -143,6 +144,7 @@ def test_force_control_holds_the_force_where_the_thrusters_can(table: Table, mea
         assert columns[FORCE]["saturated"] < 0.01
 
 
+@pytest.mark.evidence
 def test_force_is_held_without_a_force_sensor(table: Table, measured: Measured) -> None:
     for name, columns in table.items():
         share = columns[OBSERVED]["force_within"]
@@ -150,6 +152,7 @@ def test_force_is_held_without_a_force_sensor(table: Table, measured: Measured) 
         assert share >= 0.9 and columns[OBSERVED]["saturated"] < 0.01
 
 
+@pytest.mark.evidence
 def test_force_control_has_a_third_of_the_force_error_of_pid(table: Table, measured: Measured) -> None:
     for name, columns in table.items():
         ratio = columns[PID]["force_error"] / columns[FORCE]["force_error"]
@@ -157,6 +160,7 @@ def test_force_control_has_a_third_of_the_force_error_of_pid(table: Table, measu
         assert ratio >= 3.0
 
 
+@pytest.mark.evidence
 def test_feedforward_halves_position_and_attitude_error_of_pid(table: Table, measured: Measured) -> None:
     columns = table["fouling_patch"]
     for key in ("position_error", "attitude_error"):
@@ -165,10 +169,12 @@ def test_feedforward_halves_position_and_attitude_error_of_pid(table: Table, mea
         assert ratio >= 2.0
 
 
+@pytest.mark.evidence
 def test_every_strategy_balances_its_energy(table: Table) -> None:
     assert all(column["energy_balance"] < 1e-2 for columns in table.values() for column in columns.values())
 
 
+@pytest.mark.evidence
 def test_comparison_is_written_with_figures(table: Table, folder: Path) -> None:
     assert json.loads((folder / "strategies.json").read_text())["systems"] == table
     for name in table:

@@ -102,6 +102,7 @@ def test_observer_has_phase_and_delay_to_spare_too(fmus: Path, measured: Measure
     assert np.degrees(loop.phase_margin) >= 40.0 and loop.delay_margin >= 0.03
 
 
+@pytest.mark.evidence
 def test_all_sensors_may_be_30_ms_late(fmus: Path, tmp_path: Path, measured: Measured) -> None:
     found = delay_limit(varied(sensed(fmus, tmp_path, f"{BEGIN + LENGTH:g} s", {}), 2, 1.0), resolution=5e-3)
     measured("force control on the roller: delay of all sensors until which a kick decays [ms]", 1e3 * found, "> 30")
@@ -129,6 +130,7 @@ def test_one_sine_says_what_many_at_once_say(fmus: Path) -> None:
     assert abs(one.L[0] / many.L[near] - 1.0) < 0.05  # 3 degrees
 
 
+@pytest.mark.evidence
 def test_gain_that_the_open_loop_allows_is_where_the_answer_to_a_kick_stays(fmus: Path, measured: Measured) -> None:
     system = varied(roller(fmus), 2, 1.0)
     loop, _ = open_loop(system)

@@ -70,6 +70,7 @@ def test_the_frame_tells_each_tool_where_it_is(pair: Case) -> None:
     assert behind - ahead == pytest.approx(-0.32 * np.sin(turned), rel=1e-5, abs=1e-12)  # tilt_x is small
 
 
+@pytest.mark.evidence
 def test_what_the_thrusters_can_hold_rises_from_roller_to_pair(budgets: dict[str, Budget], measured: Measured) -> None:
     assert list(budgets) == list(TOOLS)
     for tool, one in budgets.items():

@@ -85,6 +85,7 @@ def test_the_resting_rod_spends_the_work_of_its_hub_on_friction() -> None:
     assert np.all(np.diff(x) > 0.05 * np.diff(phi) * RESTING.L)  # tips never stand still: friction has one direction
 
 
+@pytest.mark.evidence
 def test_mean_force_over_the_arc_is_that_of_the_resting_rod(measured: Measured) -> None:
     for delta in RANGE:
         F_x, F_z, T = 100.0 * errors(delta)

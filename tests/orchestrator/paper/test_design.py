@@ -47,6 +47,7 @@ def synthetic(error: list[float], contact: list[float]) -> Spread:
     return Spread(np.array(error), np.array(contact), {}, [Cause("a.b", 0.0, 1.0, 0.5)], [], "rovbrush sweep x")
 
 
+@pytest.mark.evidence
 def test_page_and_numbers_answer_the_task_with_error_bars(out: Path, asked: Task) -> None:
     found = json.loads((out / "design.json").read_text(encoding="utf-8"))
     assert found["task"]["force_N"] == asked.force == 20.0 and found["task"]["current_m_s"] == asked.current == 0.3
@@ -61,6 +62,7 @@ def test_page_and_numbers_answer_the_task_with_error_bars(out: Path, asked: Task
     ]  # fmt: skip
 
 
+@pytest.mark.evidence
 def test_margins_stand_for_the_brush_and_for_one_twice_as_stiff(out: Path) -> None:
     found = json.loads((out / "design.json").read_text(encoding="utf-8"))["margins"]
     assert [row[0] for row in found] == list(BRUSHES)
@@ -69,6 +71,7 @@ def test_margins_stand_for_the_brush_and_for_one_twice_as_stiff(out: Path) -> No
     assert [float(row[3]) for row in found] == [40.0, 20.0] and all(float(row[2]) > 0.0 for row in found)
 
 
+@pytest.mark.evidence
 def test_thrust_that_is_left_is_told_of_the_task_s_own_tool(out: Path) -> None:
     found = json.loads((out / "design.json").read_text(encoding="utf-8"))
     (row,) = found["budget"]["rows"]
@@ -77,6 +80,7 @@ def test_thrust_that_is_left_is_told_of_the_task_s_own_tool(out: Path) -> None:
     assert f"could hold {largest[-1]:.0f} N" in dict(found["short"])["How much thrust"]
 
 
+@pytest.mark.evidence
 def test_page_loads_nothing_from_elsewhere_and_has_every_section(out: Path) -> None:
     text = (out / "design.html").read_text(encoding="utf-8")
     links = re.findall(r'(?:src|href)="([^"]*)"', text)

@@ -22,7 +22,11 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 
-pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
+pytestmark = [
+    needs_gcc,
+    pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS"),
+    pytest.mark.sampled(4),
+]
 
 
 @pytest.fixture(scope="module")

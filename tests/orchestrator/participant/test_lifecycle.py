@@ -19,7 +19,7 @@ from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 TIMEOUT = 60.0  # s
 
 

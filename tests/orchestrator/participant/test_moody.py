@@ -25,7 +25,11 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
 from rovbrush.orchestrator.system.file.reader import load_system
 
-pytestmark = [needs_gcc, pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")]
+pytestmark = [
+    needs_gcc,
+    pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS"),
+    pytest.mark.sampled(4),
+]
 
 
 def plan(folder: Path, isolate: bool = True, timeout: str = "60 s", stop: str = "9 ms", **actions: str) -> Plan:

@@ -11,7 +11,7 @@ from helpers import plan_of
 from rovbrush.orchestrator.run.simulation import simulate
 from windows_build import clocked_for_windows, needs_wine
 
-pytestmark = needs_wine
+pytestmark = [needs_wine, pytest.mark.sampled(4)]
 
 
 @pytest.fixture(scope="module")

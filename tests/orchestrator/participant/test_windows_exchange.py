@@ -15,7 +15,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from windows_build import exchange_for_windows, needs_wine
 
-pytestmark = needs_wine
+pytestmark = [needs_wine, pytest.mark.sampled(4)]
 SYSTEMS = {
     "ball": """
 [components.ball]

@@ -20,7 +20,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
 from rovbrush.orchestrator.system.file.reader import load_system
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 WHOLE = "if (m->steps == 4) { m->x += h * m->u; return fmi2Discard; }"  # the fourth step, done to its end
 HALF = "if (m->steps == 4) { m->x += 0.5 * h * m->u; return fmi2Discard; }"
 ENDS = {"TERMINATED": "1"}

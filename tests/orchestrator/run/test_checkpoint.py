@@ -27,6 +27,8 @@ from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.schema.solving import Solver
 from test_session import ALGORITHMS, car
 
+pytestmark = pytest.mark.sampled(4)
+
 
 def resumed(plan: Plan, folder: Path, file: Path | None = None) -> Run:
     """The rest of a run from the checkpoint in a folder."""

@@ -23,7 +23,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from windows_build import clocked_for_windows, needs_wine
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 ALL = CASES | SCHEDULED
 
 

@@ -18,7 +18,7 @@ from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.request import Request
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 SYSTEM = """
 format = 2
 stop_time = "{stop}"

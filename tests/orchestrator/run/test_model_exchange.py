@@ -20,7 +20,7 @@ from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, wri
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.system.file.reader import load_system
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 RELAY = """
 format = 2
 stop_time = "4 s"

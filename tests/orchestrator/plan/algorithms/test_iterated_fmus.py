@@ -19,6 +19,8 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 
+pytestmark = pytest.mark.sampled(4)
+
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]
 BOND = {"name": "strut", "effort": "c.F", "flow": "w.v_c"}
 COUPLINGS: dict[str, dict[str, Any]] = {

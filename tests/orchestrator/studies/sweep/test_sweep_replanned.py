@@ -14,7 +14,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
 
-pytestmark = needs_gcc
+pytestmark = [needs_gcc, pytest.mark.sampled(4)]
 PUSHED = """
 format = 2
 stop_time = "2 s"

@@ -1,0 +1,25 @@
+"""Tests marked as evidence, and the cases of sampled ones that `make test` leaves out: file by file, by pytest."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+TESTS = Path(__file__).parent.parent
+MARKED = ("pytest.mark.evidence", "pytest.mark.sampled(")
+FILES = sorted(path for path in TESTS.rglob("test_*.py") if any(mark in path.read_text("utf-8") for mark in MARKED))
+
+NAME = "long_tests"
+CLAIM = "every test and every case that `make test` leaves out holds"
+COUNT = len(FILES)
+UNIT = "files of tests"
+LIMIT = 3600.0  # s
+SAMPLE = 0  # `make test` has the other cases of these tests
+FINITE = True
+
+
+def one(index: int, folder: Path) -> str:
+    command = [sys.executable, "-m", "pytest", "-m", "evidence", f"--basetemp={folder / 'tests'}", str(FILES[index])]
+    done = subprocess.run(command, cwd=TESTS.parent, capture_output=True, text=True, check=False)
+    return "" if done.returncode == 0 else "\n".join(done.stdout.splitlines()[-20:])
