@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from helpers import Measured
 from rovbrush.orchestrator.paper.margins.limits import decays, delay_limit, gain_limit, largest
-from rovbrush.orchestrator.paper.margins.open_loop import BEGIN, LENGTH, Loop, open_loop
+from rovbrush.orchestrator.paper.margins.open_loop import BEGIN, LENGTH, open_loop
 from rovbrush.orchestrator.paper.margins.table import varied
 from rovbrush.orchestrator.paper.strategies import force_on_hull
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.studies.linear.open_loop import Loop
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System

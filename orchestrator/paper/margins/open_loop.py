@@ -9,7 +9,6 @@ lags are all in it, and sines of many frequencies at once are as good as one aft
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from ...results.signals import Signal, Signals
 from ...results.tables import Run, require_complete
 from ...run.planned import planned
 from ...run.simulation import simulate
+from ...studies.linear.open_loop import Loop
 from ...system.inputs.series_file import with_inputs
 from ...system.model import System
 
@@ -24,47 +24,6 @@ AMPLITUDE = 0.25  # N, of each sine: a hundredth of the force on the hull, so th
 OMEGA = np.geomspace(1.0, 90.0, 30)  # rad/s
 ROWS = 1e-3  # s, distance of the rows of the added force
 BEGIN, LENGTH = 8.0, 12.0  # s, on the hull, under way
-
-
-@dataclass(frozen=True)
-class Loop:
-    """An open loop: frequencies [rad/s], rising, and its complex values there."""
-
-    omega: np.ndarray
-    L: np.ndarray
-
-    def crossovers(self) -> list[tuple[float, float]]:
-        """Where |L| is 1: frequency [rad/s] and the angle from -1 to L [rad], in -pi..pi; negative: L is behind -1."""
-        size, angle = np.log(np.abs(self.L)), np.unwrap(np.angle(-self.L))
-        found = []
-        for k in np.flatnonzero(np.sign(size[1:]) != np.sign(size[:-1])):
-            share = size[k] / (size[k] - size[k + 1])
-            omega = float(np.exp(np.log(self.omega[k]) + share * np.log(self.omega[k + 1] / self.omega[k])))
-            at = angle[k] + share * (angle[k + 1] - angle[k])
-            found.append((omega, float((at + np.pi) % (2.0 * np.pi) - np.pi)))
-        return found
-
-    @property
-    def phase_margin(self) -> float:
-        """The smallest angle [rad] between L and -1 where |L| is 1; pi if it is nowhere."""
-        return min((abs(angle) for _, angle in self.crossovers()), default=np.pi)
-
-    @property
-    def delay_margin(self) -> float:
-        """The shortest further delay [s] that brings L to -1; infinite if |L| is nowhere 1."""
-        return min(((angle % (2.0 * np.pi)) / omega for omega, angle in self.crossovers()), default=np.inf)
-
-    @property
-    def gain_margin(self) -> float:
-        """The smallest factor above 1 that brings L to -1; infinite if there is none among the frequencies."""
-        real, imag = self.L.real, self.L.imag
-        factors = []
-        for k in np.flatnonzero(np.sign(imag[1:]) != np.sign(imag[:-1])):
-            share = imag[k] / (imag[k] - imag[k + 1])
-            crossing = real[k] + share * (real[k + 1] - real[k])
-            if -1.0 < crossing < 0.0:
-                factors.append(-1.0 / crossing)
-        return float(min(factors, default=np.inf))
 
 
 def coefficients(signal: Signal, omega: np.ndarray, begin: float, length: float) -> np.ndarray:

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
+from ...studies.linear.open_loop import Loop
 from ...system.assemble import assemble
 from ...system.model import System
 from .limits import delay_limit, gain_limit, start_of
-from .open_loop import BEGIN, LENGTH, Loop, open_loop
+from .open_loop import BEGIN, LENGTH, open_loop
 
 STRATEGIES = {"force control": 2, "force, observed": 3}  # modes of the controller; position alone holds no force
 BRUSHES = {"shipped": 1.0, "twice as stiff": 4.0}
