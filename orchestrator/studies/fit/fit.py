@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +65,7 @@ class Fitted:
     notes: list[str]
     failed: list[str]  # why the estimates cannot be relied on
     paths: list[Path]
+    base: str = ""  # the parameter set that was asked for; the system's own, if none
 
     @property
     def values(self) -> Values:
@@ -107,10 +108,10 @@ def fit(
     if out is not None:
         prepare_folder(out)
     x = solve(problem, options.loss, progress)
-    found = judged(problem, x, options.loss, system, begin)
+    found = replace(judged(problem, x, options.loss, system, begin), base=options.changes.parameters)
     if out is None:
         return found
-    return Fitted(**{**found.__dict__, "paths": write_fit(found, out)})
+    return replace(found, paths=write_fit(found, out))
 
 
 def judged(problem: Problem, x: np.ndarray, loss: str, system: System, begin: float) -> Fitted:

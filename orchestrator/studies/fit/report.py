@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -58,7 +59,7 @@ def write_rows(found: Fitted, path: Path) -> None:
 def parameter_set(found: Fitted) -> str:
     """A parameter set as TOML, which `--parameters` takes."""
     data = ", ".join(experiment.name for experiment in found.experiments).replace('"', "'").replace("\\", "/")
-    lines = [f'description = "fitted to {data}"']
+    lines = [f'description = "fitted to {data}"', f"base = {json.dumps(found.base)}"]
     for component in dict.fromkeys(one.name.partition(".")[0] for one in found.estimates):
         lines += ["", f"[{component}]"]
         for one in found.estimates:

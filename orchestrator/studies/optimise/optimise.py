@@ -34,6 +34,7 @@ class Optimum:
     spaces: dict[str, object]
     best: Trial
     trials: tuple[Trial, ...]
+    base: str = ""  # the parameter set that was asked for; the system's own, if none
     paths: tuple[Path, ...] = ()
 
     @property
@@ -126,7 +127,7 @@ def optimise(
             raise
         finally:
             points.close()
-    found = Optimum(request, aim, axes, dict(spaces), trials.best(), tuple(trials.all))
+    found = Optimum(request, aim, axes, dict(spaces), trials.best(), tuple(trials.all), job.changes.parameters)
     return replace(found, paths=write_found(found, out))
 
 

@@ -55,7 +55,7 @@ def parameter_set(found: Optimum) -> str:
         tables.setdefault(component, []).append(f"{key} = {json.dumps(plain(value))}")
     word = "least" if found.aim.sign > 0 else "greatest"
     about = f"{word} {found.aim.figure} of {found.request.system.name}, found by rovbrush optimise"
-    lines = [f"description = {json.dumps(about)}"]
+    lines = [f"description = {json.dumps(about)}", f"base = {json.dumps(found.base)}"]
     for component, entries in tables.items():
         lines += ["", f"[{component}]", *entries]
     return "\n".join(lines) + "\n"

@@ -16,7 +16,9 @@ from ..values import checked_values
 from .shipped import SYSTEMS
 from .structure import Stated, is_structural
 
-DESCRIPTION = "description"  # of the set, in a line: the one key beside the tables
+DESCRIPTION = "description"  # of the set, in a line
+BASE = "base"  # the set below one that was found by a study: its values come over those of the system's own file
+BESIDE = (DESCRIPTION, BASE)  # keys beside the tables
 
 
 def parameter_set(file: TomlFile, chosen: str = "") -> TomlFile | None:
@@ -39,6 +41,16 @@ def parameter_set(file: TomlFile, chosen: str = "") -> TomlFile | None:
     raise InputError(f"--parameters: {message}") if chosen else file.fail(message, "parameters")
 
 
+def base_of(file: TomlFile, table: TomlFile | None) -> TomlFile | None:
+    """The set below another: of an empty name the one that the system names itself. Raises InputError."""
+    if table is None or BASE not in table.data:
+        return None
+    name = table.data[BASE]
+    if not isinstance(name, str):
+        raise table.fail(f"'{BASE}' must be the name of a set, or \"\" for that of the system", BASE)
+    return parameter_set(file, name)
+
+
 def shipped_sets() -> dict[str, str]:
     """What the sets that come with the package say of themselves, by name."""
     return {name: description_of(TomlFile(SYSTEMS / f"{name}.toml")) for name in _sets_in(SYSTEMS)}
@@ -52,7 +64,7 @@ def _sets_in(folder: Path) -> list[str]:
             data = TomlFile(path).data
         except InputError:
             continue
-        tables = {key: value for key, value in data.items() if key != DESCRIPTION}
+        tables = {key: value for key, value in data.items() if key not in BESIDE}
         if tables and all(isinstance(value, dict) for value in tables.values()) and "components" not in data:
             found.append(path.stem)
     return found
@@ -77,13 +89,31 @@ def stated(table: TomlFile | None) -> dict[str, list[Stated]]:
     }
 
 
-def with_parameter_set(system: System, table: TomlFile | None, origin: str) -> System:
-    """The values of a set come under those of the system's own file, which is called `origin`."""
+def with_parameter_set(system: System, table: TomlFile | None, origin: str, base: TomlFile | None = None) -> System:
+    """The values of a set come under those of the system's own file, which is called `origin`.
+
+    Those of one that has a base come over them, and the base under them.
+    """
     if table is None:
         return system
-    about = description_of(table)
+    about, values = description_of(table), _values(system, table)
+    own = {
+        f"{c.name}.{key}": value
+        for c in system.components.values()
+        for key, value in {**c.parameters, **c.inputs}.items()
+    }
+    if BASE in table.data:
+        below = system if base is None else system.with_values(_values(system, base), base.path.name)
+        placed = below.with_values(own, origin).with_values(values, table.path.name)
+    else:
+        placed = system.with_values(values, table.path.name).with_values(own, origin)
+    return replace(placed, parameter_set=ParameterSet(table.path.stem, about))
+
+
+def _values(system: System, table: TomlFile) -> dict[str, object]:
+    """What a set says of the components of a system, by full name. Raises InputError."""
     for heading, entries in table.data.items():  # a table for a component of another system is fine, a slip is not
-        if heading == DESCRIPTION:
+        if heading in BESIDE:
             continue
         close = difflib.get_close_matches(heading, system.components, n=1, cutoff=0.8)
         if not isinstance(entries, dict):
@@ -94,7 +124,7 @@ def with_parameter_set(system: System, table: TomlFile | None, origin: str) -> S
             checked_value(Value | list[Value], value, f"{heading}: {key}", table.at(key, heading))
             if heading in system.components and not is_structural(system.components[heading].fmu, key):
                 checked_values(system.components[heading], key, value, f"{table.name} {table.at(key, heading)}")
-    values = {
+    return {
         f"{c}.{key}": value
         for c, entries in table.data.items()
         if c in system.components
@@ -102,10 +132,3 @@ def with_parameter_set(system: System, table: TomlFile | None, origin: str) -> S
         if not set(system.components[c].fmu.expand(key)) & system.components[c].series.keys()
         and not is_structural(system.components[c].fmu, key)
     }
-    own = {
-        f"{c.name}.{key}": value
-        for c in system.components.values()
-        for key, value in {**c.parameters, **c.inputs}.items()
-    }
-    placed = system.with_values(values, table.path.name).with_values(own, origin)
-    return replace(placed, parameter_set=ParameterSet(table.path.stem, about))

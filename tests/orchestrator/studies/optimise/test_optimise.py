@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from helpers import rovbrush
 from rovbrush.orchestrator import InputError, RunError, load
 from rovbrush.orchestrator.studies.optimise.optimise import Optimum, optimise, require_feasible
 from rovbrush.orchestrator.studies.sweep.options import Options
@@ -43,6 +44,24 @@ def test_what_it_leaves_is_the_optimum(found: tuple[Optimum, Path], known: Path)
     assert {f"f.{name}": parameters[name] for name in ("x1", "x2")} == optimum.values
     assert model.run().summary["rosenbrock"] == optimum.best.figures["rosenbrock"]
     assert (folder / "optimise.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_system_runs_with_what_was_found_over_its_own_values_and_set(
+    known: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """x1 is stated in the system's file, x3 in the set that it names; both go into the figures of the optimum."""
+    known.with_name("mine.toml").write_text("[f]\nx3 = 0.7\n", encoding="utf-8")
+    text = known.read_text(encoding="utf-8").replace('period = "1 ms"', 'period = "1 ms"\nparameters = { x1 = 0.9 }')
+    path = known.with_name("based.toml")
+    path.write_text(f'parameters = "mine"\n{text}', encoding="utf-8")
+    some = {"generations": 1, "population": 5, "polishing": 0}
+    made = optimise(str(path), tmp_path / "out", Options(["f.x1=0.2:0.5"], workers=1), "disc", **some)  # type: ignore[arg-type]
+    words = ("run", path, "--parameters", tmp_path / "out/optimum.toml", "--out", tmp_path / "run")
+    assert rovbrush(monkeypatch, *words) == 0
+    summary = json.loads((tmp_path / "run/summary.json").read_text(encoding="utf-8"))
+    assert {name: summary[name] for name in made.best.figures} == dict(made.best.figures)
+    assert load(path).run().summary["ishigami"] != summary["ishigami"]
+    assert load(path, parameters=tmp_path / "out/optimum.toml").system.components["f"].parameters["x3"] == 0.7
 
 
 def test_the_points_are_the_same_for_any_number_of_workers_and_are_not_computed_again(
