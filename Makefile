@@ -58,7 +58,7 @@ lowest:
 
 $(VENV)/run.stamp: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[compile]"
 	touch $@
 
 $(VENV)/test.stamp: pyproject.toml

@@ -3,22 +3,39 @@
 from __future__ import annotations
 
 import platform
+import re
 from collections.abc import Mapping
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 
 PACKAGES = ("rovbrush", "numba", "llvmlite", "numpy")
 
 
 def versions() -> dict[str, str]:
     """Of the packages that compute, by name."""
-    return {name: version(name) for name in PACKAGES}
+    return {name: _version(name) for name in PACKAGES}
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"
 
 
 def environment() -> dict[str, str]:
     """The versions, the system, and the processor as the compiler knows it; another one may round otherwise."""
-    from llvmlite.binding import get_host_cpu_name
+    return {**versions(), "system": platform.system(), "processor": _processor()}
 
-    return {**versions(), "system": platform.system(), "processor": get_host_cpu_name()}
+
+def _processor() -> str:
+    try:
+        from llvmlite.binding import get_host_cpu_name
+    except ModuleNotFoundError:  # nothing compiles here: the name that the system has for it
+        known = Path("/proc/cpuinfo").read_text(encoding="utf-8") if platform.system() == "Linux" else ""
+        found = re.search(r"model name\s*:\s*(.+)", known)
+        return found[1] if found else platform.processor() or platform.machine()
+    return str(get_host_cpu_name())
 
 
 def changes(then: Mapping[str, str], now: Mapping[str, str]) -> str:

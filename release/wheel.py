@@ -8,6 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from . import loop
 from .sources import ROOT, build_native, copy
 
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
@@ -22,6 +23,7 @@ def main(folder: Path = ROOT / "dist") -> None:
         source = Path(temporary)
         copy(source)
         build_native(source / "fmus")
+        loop.build(source / "orchestrator" / "loop" / "machine" / "libraries")
         for kind in ("build_sdist", "build_wheel"):
             environment = {**os.environ, "SOURCE_DATE_EPOCH": EPOCH}
             command = [sys.executable, "-c", BUILD, kind, str(folder.resolve())]

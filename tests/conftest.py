@@ -5,6 +5,10 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+<<<<<<< HEAD
+=======
+import subprocess
+>>>>>>> e03b635 (The wheel holds the loop compiled, for Linux and Windows: a plain run needs neither Numba nor LLVM; arrays of the loop are looked at when they change)
 import sys
 import tempfile
 from collections.abc import Callable
@@ -18,7 +22,7 @@ from helpers import FIXTURES, Measured, build_fixture
 from long_tests import MARKERS, leave_evidence, mark_sampled
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
-from rovbrush.orchestrator.loop.compiled import compiled_run, is_compiled
+from rovbrush.orchestrator.loop.machine.compiled import compiled_loop, is_compiled
 from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
@@ -87,13 +91,27 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
     def make(folder: Path) -> None:
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            built: list[Future[Any]] = [] if is_compiled() else [pool.submit(compiled_run)]  # not by every worker
+            built: list[Future[Any]] = [] if is_compiled() else [pool.submit(compiled_loop)]  # not by every worker
             built += [pool.submit(build, HERE / name, folder) for name in COMPONENTS]
             built += [pool.submit(build_fixture, name, folder) for name in FIXTURE_NAMES]
             for task in built:
                 task.result()
 
     return made_once(tmp_path_factory, "fmus", make)
+
+
+@pytest.fixture(scope="session")
+def loop_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the loop's libraries as they are in a wheel, for ROVBRUSH_LOOP."""
+    platforms = tuple(name for name, p in PLATFORMS.items() if any(map(shutil.which, p.compilers)))
+    if "linux64" not in platforms:
+        pytest.skip("no C compiler: the loop's library cannot be linked")
+
+    def make(folder: Path) -> None:
+        command = [sys.executable, "-m", "release.loop", str(folder), *platforms]
+        subprocess.run(command, cwd=HERE.parent, check=True, capture_output=True)
+
+    return made_once(tmp_path_factory, "loop_library", make)
 
 
 @pytest.fixture(scope="session")

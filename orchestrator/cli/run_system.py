@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
+from ..loop.machine.compiled import is_compiled, require_loop
 from ..plan.explain import last_steps
 from ..plan.plan import Plan
 from ..results.energy import require_energy
@@ -34,6 +35,7 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     system = assemble_request(request)
     plan = planned(strictly(system) if strict else system, request.record_boundary)
     checkpoint_ticks(plan, request.checkpoint)
+    require_loop()
     folder, older = claim(out, plan.system.name, force)
     if plan.system.parameter_set:
         tell(f"parameters: {plan.system.parameter_set}")
@@ -89,12 +91,11 @@ def _run(
 
 def _first(plan: Plan) -> str:
     """What the first run of all has to do that others need not, and how long that takes."""
-    from ..integration.compiled import is_compiled as solver_is_compiled
-    from ..loop.compiled import is_compiled
-
     missing = [] if is_compiled() else ["the loop"]
-    if plan.exchange and not solver_is_compiled():
-        missing.append("the solver of model exchange")
+    if plan.exchange:
+        from ..integration.compiled import is_compiled as solver_is_compiled
+
+        missing += [] if solver_is_compiled() else ["the solver of model exchange"]
     return f"; the first run compiles {' and '.join(missing)}, half a minute each at most" if missing else ""
 
 

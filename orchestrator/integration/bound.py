@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..loop.compiled import numba_compiles
+from ..loop.machine.compiled import numba_compiles
 from .compiled import address_of
 
 _PASSED = {  # of C, behind the instance, and how it is passed on

@@ -10,10 +10,10 @@ import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import FunctionType
 from typing import Any
 
-from ..loop.compiled import loop_hash, numba_compiles
+from ..loop.lives import told_to_compiler
+from ..loop.machine.compiled import Kept, loop_hash, numba_compiles
 from . import connections, members, one_step, saved
 from . import step as steps
 from .events import rounds, shared
@@ -59,17 +59,7 @@ def is_compiled() -> bool:
     if not numba_compiles():
         return True
     digest = _hash(steps.__name__)
-    kept = [_named(FUNCTIONS[name][0], digest) for name in ("step", "step2")]  # by the version of the members
-    return any(any(Path(cache.cache_path).glob(f"*{named.__qualname__}*.nbi")) for named, cache in kept)
-
-
-def _named(function: Callable[..., int], digest: str) -> tuple[FunctionType, Any]:
-    """A function under the name by which it is kept, and where."""
-    from ..loop.compiled_files import CheckedCache
-
-    named = FunctionType(function.__code__, vars(sys.modules[function.__module__]))
-    named.__qualname__ = f"{function.__name__}_{digest}"
-    return named, CheckedCache(named)
+    return any(Kept(FUNCTIONS[name][0], digest).is_there for name in ("step", "step2"))  # by the members' version
 
 
 @cache
@@ -80,14 +70,9 @@ def _address(function: Callable[..., int], kinds: str, digest: str) -> tuple[int
         made = ctypes.CFUNCTYPE(ctypes.c_int, *(types[kind] for kind in kinds))(function)
         return ctypes.cast(made, ctypes.c_void_p).value or 0, made
     import numba
-    from numba.core.ccallback import CFunc
-    from numba.core.sigutils import normalize_signature
 
+    told_to_compiler()
     known = {"w": numba.int64, "d": numba.float64, "b": numba.uint8}
-    named, kept = _named(function, digest)
     signature = numba.int32(*(known[kind] for kind in kinds))
-    normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
-    compiled: Any = CFunc(named, normal, {}, {"error_model": "numpy", "forceinline": True})
-    compiled._cache = kept
-    compiled.compile()
+    compiled = Kept(function, digest, forceinline=True).compiled(signature)
     return int(compiled.address), compiled

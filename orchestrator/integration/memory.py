@@ -15,6 +15,8 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload, register_jitable
 
+from ..loop.machine import calls as calls  # the loop's functions at addresses, which the group's functions call too
+
 into_caller = register_jitable(forceinline=True)  # what is compiled as a part of its caller
 _INT64, _INT32, _DOUBLE = ir.IntType(64), ir.IntType(32), ir.DoubleType()
 

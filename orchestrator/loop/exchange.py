@@ -8,16 +8,16 @@ one source with two lives.
 from __future__ import annotations
 
 import numpy as np
-from numba.extending import register_jitable
 
 from ..fmu.types import BINARY, BOOLEAN, FLOAT, FLOAT32, NEGATED, TEXT
 from .cells import AT, BYTES, CODE, FIRST_SLOT, SIGNED, SIZE
+from .lives import compilable
 from .texts import ADDRESS, OFFSETS, length_of, number_of, number_of_bytes
 
 SIGN = -(1 << 63)  # the bit that is set in a negative double
 
 
-@register_jitable
+@compilable
 def whole_at(raw: np.ndarray, at: int, size: int, signed: int) -> int:
     """A whole number of `size` bytes, least significant first."""
     value = np.int64(0)
@@ -28,14 +28,14 @@ def whole_at(raw: np.ndarray, at: int, size: int, signed: int) -> int:
     return value  # type: ignore[return-value]
 
 
-@register_jitable
+@compilable
 def put_whole(raw: np.ndarray, at: int, size: int, value: int) -> None:
     """The lowest `size` bytes of a whole number, least significant first."""
     for k in range(size):
         raw[at + k] = (value >> (8 * k)) & 255
 
 
-@register_jitable
+@compilable
 def pack(
     blocks: np.ndarray, m: int, z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray, index: np.ndarray
 ) -> int:
@@ -63,7 +63,7 @@ def pack(
     return -1
 
 
-@register_jitable
+@compilable
 def unpack(
     blocks: np.ndarray, m: int, z: np.ndarray, whole: np.ndarray, raw: np.ndarray, raw32: np.ndarray,
     pool: np.ndarray, index: np.ndarray,

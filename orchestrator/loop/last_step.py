@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from numba.extending import register_jitable
+from .lives import compilable
 
 SMALLER = 1.0 - 2.0**-52  # takes at least one unit in the last place away
 
 
-@register_jitable
+@compilable
 def length_to(time: float, stop: float) -> float:
     """How long a step from `time` is [s] that ends at `stop` in doubles, where the exact length would end behind it."""
     length = stop - time

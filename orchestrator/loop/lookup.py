@@ -7,10 +7,11 @@ time are a jump: the second is in force from then on.
 from __future__ import annotations
 
 import numpy as np
-from numba.extending import register_jitable
+
+from .lives import compilable
 
 
-@register_jitable
+@compilable
 def row_at(table: np.ndarray, k: int, time: float) -> int:
     """The last row at or before a time; the first where there is none."""
     low, high = 0, int(table[k]) - 1
@@ -23,13 +24,13 @@ def row_at(table: np.ndarray, k: int, time: float) -> int:
     return low
 
 
-@register_jitable
+@compilable
 def held_at(table: np.ndarray, k: int, time: float) -> float:
     """The cell of the last row at or before a time, bit by bit."""
     return table[k + 1 + int(table[k]) + row_at(table, k, time)]  # type: ignore[no-any-return]
 
 
-@register_jitable
+@compilable
 def _on_line(table: np.ndarray, k: int, row: int, time: float) -> float:
     """The line from a row to the next one, at a time; behind the last row its value."""
     n = int(table[k])
@@ -39,13 +40,13 @@ def _on_line(table: np.ndarray, k: int, row: int, time: float) -> float:
     return table[v] + (table[v + 1] - table[v]) * ((time - table[t]) / (table[t + 1] - table[t]))  # type: ignore[no-any-return]
 
 
-@register_jitable
+@compilable
 def value_at(table: np.ndarray, k: int, time: float) -> float:
     """The value at a time."""
     return _on_line(table, k, row_at(table, k, time), time)
 
 
-@register_jitable
+@compilable
 def mean_over(table: np.ndarray, k: int, begin: float, end: float) -> float:
     """The mean from `begin` to `end`, exact for the lines: the value in the middle where no row lies between."""
     n = int(table[k])

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from math import cos, log, pi, sqrt
 
-from numba.extending import register_jitable
+from .lives import compilable
 
 WORD = 0xFFFFFFFF
 FACTOR_0, FACTOR_1 = 0xD2511F53, 0xCD9E8D57
@@ -20,20 +20,20 @@ ROUNDS = 10
 FINE = 1.0 / 9007199254740992.0  # 2^-53
 
 
-@register_jitable
+@compilable
 def high(a: int, b: int) -> int:
     """The upper 32 bits of the product of two 32-bit numbers, with no intermediate beyond 63 bits."""
     upper = a * (b >> 16)
     return (upper >> 16) + ((a * (b & 0xFFFF) + ((upper & 0xFFFF) << 16)) >> 32)
 
 
-@register_jitable
+@compilable
 def low(a: int, b: int) -> int:
     """The lower 32 bits of it."""
     return (a * (b & 0xFFFF) + (((a * (b >> 16)) & 0xFFFF) << 16)) & WORD
 
 
-@register_jitable
+@compilable
 def philox(c0: int, c1: int, c2: int, c3: int, k0: int, k1: int) -> tuple[int, int, int, int]:
     """Four random 32-bit words of a counter of four and a key of two."""
     for _ in range(ROUNDS):
@@ -43,7 +43,7 @@ def philox(c0: int, c1: int, c2: int, c3: int, k0: int, k1: int) -> tuple[int, i
     return c0, c1, c2, c3
 
 
-@register_jitable
+@compilable
 def gaussian(seed: int, stream: int, counter: int) -> float:
     """One draw of mean 0 and standard deviation 1; all three are 64-bit numbers, of either sign."""
     w0, w1, w2, w3 = philox(

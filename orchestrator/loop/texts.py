@@ -9,9 +9,9 @@ import ctypes
 from functools import cache
 
 import numpy as np
-from numba.extending import overload, register_jitable
 
 from .calls import byte_at
+from .lives import compilable, compilable_for
 
 BYTES, COUNT = 1 << 24, 1 << 16  # room for all different texts of a run
 MANY_BYTES, MANY = 1 << 30, 1 << 19  # of one that has Binary signals
@@ -20,7 +20,7 @@ FACTOR, BITS = 16777619, 0xFFFFFFFF  # of the hash: the bytes as digits of a num
 BLOCK = 1 << 16
 
 
-@register_jitable
+@compilable
 def number_of(address: int, pool: np.ndarray, index: np.ndarray) -> int:
     """The number of the zero-terminated text at an address (0: none there); -1 if there is no room for one more.
 
@@ -31,7 +31,7 @@ def number_of(address: int, pool: np.ndarray, index: np.ndarray) -> int:
     return number_of_bytes(address, length_at(address), pool, index)
 
 
-@register_jitable
+@compilable
 def number_of_bytes(address: int, length: int, pool: np.ndarray, index: np.ndarray) -> int:
     """The number of so many bytes at an address; -1 if there is no room for them, or if they are nowhere."""
     room = (len(index) - OFFSETS) // 3
@@ -56,7 +56,7 @@ def number_of_bytes(address: int, length: int, pool: np.ndarray, index: np.ndarr
     return int(number)
 
 
-@register_jitable
+@compilable
 def length_of(number: int, index: np.ndarray) -> int:
     """How many bytes a text has."""
     end = index[USED_BYTES] if number + 1 == index[USED_COUNT] else index[OFFSETS + number + 1]
@@ -96,47 +96,35 @@ def _powers() -> np.ndarray:
     return np.cumprod(np.array([1] + [FACTOR] * (BLOCK - 1), dtype=np.uint32), dtype=np.uint32)[::-1].astype(np.uint64)
 
 
-@overload(length_at)
+@compilable_for(length_at)
 def _length_at(address):  # type: ignore[no-untyped-def]
-    def compiled(address):  # type: ignore[no-untyped-def]
-        length = 0
-        while byte_at(address + length) != 0:
-            length += 1
-        return length
-
-    return compiled
+    length = 0
+    while byte_at(address + length) != 0:
+        length += 1
+    return length
 
 
-@overload(hash_at)
+@compilable_for(hash_at)
 def _hash_at(address, length):  # type: ignore[no-untyped-def]
-    def compiled(address, length):  # type: ignore[no-untyped-def]
-        hashed = 0
-        for k in range(length):
-            hashed = (hashed * FACTOR + byte_at(address + k)) & BITS
-        return hashed
-
-    return compiled
+    hashed = 0
+    for k in range(length):
+        hashed = (hashed * FACTOR + byte_at(address + k)) & BITS
+    return hashed
 
 
-@overload(is_at)
+@compilable_for(is_at)
 def _is_at(address, length, pool, offset):  # type: ignore[no-untyped-def]
-    def compiled(address, length, pool, offset):  # type: ignore[no-untyped-def]
-        k = 0
-        while k < length and pool[offset + k] == byte_at(address + k):
-            k += 1
-        return k == length and pool[offset + k] == 0
-
-    return compiled
+    k = 0
+    while k < length and pool[offset + k] == byte_at(address + k):
+        k += 1
+    return k == length and pool[offset + k] == 0
 
 
-@overload(copy_from)
+@compilable_for(copy_from)
 def _copy_from(address, length, pool, offset):  # type: ignore[no-untyped-def]
-    def compiled(address, length, pool, offset):  # type: ignore[no-untyped-def]
-        for k in range(length):
-            pool[offset + k] = byte_at(address + k)
-        pool[offset + length] = 0
-
-    return compiled
+    for k in range(length):
+        pool[offset + k] = byte_at(address + k)
+    pool[offset + length] = 0
 
 
 class Texts:

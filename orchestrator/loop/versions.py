@@ -7,9 +7,8 @@ Scalars only: an array as an argument would cost more than the call. One source 
 
 from __future__ import annotations
 
-from numba.extending import register_jitable
-
 from .calls import byte_at, do_step, do_step3, exchange2, exchange3, exchange_bytes
+from .lives import compilable
 
 REPORTS = 1 << 40  # from here on, where no status of an FMU can be: a C int
 EVENT, TERMINATE, EARLY = REPORTS, REPORTS + 1, REPORTS + 2  # what fmi3DoStep reports beside its status
@@ -21,13 +20,13 @@ def signatures(version: int) -> int:
     return max(version, 2)
 
 
-@register_jitable
+@compilable
 def good(status: int) -> bool:
     """Whether a status is OK (0) or Warning (1): anything else is none, the unknown too."""
     return (status | 1) == 1
 
 
-@register_jitable
+@compilable
 def exchange(fmi: int, function: int, instance: int, references: int, count: int, values: int, size: int) -> int:
     """Set or get `size` values at address `values`, of `count` variables at `references`; the status.
 
@@ -40,7 +39,7 @@ def exchange(fmi: int, function: int, instance: int, references: int, count: int
     return exchange3(function, instance, references, count, values, size)
 
 
-@register_jitable
+@compilable
 def step(fmi: int, function: int, instance: int, time: float, length: float, final: int, flags: int) -> int:
     """Step from `time` over `length` [s]; the status, or EVENT, TERMINATE, EARLY. `flags`: see calls.STEP_FLAGS."""
     if fmi == 2:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from ..extras import needed
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.mock import MockFmu
@@ -33,6 +34,7 @@ def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None 
 
         return windows_class(fmu, False)(fmu, name, logging, tolerance)
     if fmu.kind == MODEL_EXCHANGE:
+        needed("numba", f"component {name}, an FMU for Model Exchange,")
         from .model_exchange.instance import MEMBERS
 
         return MEMBERS[fmu.version](fmu, name, logging, tolerance)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import asdict
-
 from ..errors import FmuError
 from ..fmu.fmu import Fmu
 from ..loop.cells import THRESHOLD
@@ -12,10 +9,10 @@ from ..participant.base import Participant
 from ..participant.model_exchange.group import Group
 from ..participant.model_exchange.instance import Member
 from ..participant.model_exchange.links import Crossed, Link, LinkBlock
-from ..plan.exchange import apart, links_of, located, settings_of
+from ..plan.exchange import links_of, located, settings_of
 from ..plan.plan import Plan
-from ..plan.schedule.layout import Key
 from ..system.model import Connection
+from .exchange_apart import sampled
 from .memory.memory import Memory
 
 
@@ -42,7 +39,7 @@ def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory
     early = plan.system.components[names[0]].in_events  # otherwise events are handled inside its steps
     first = int(memory.z.ctypes.data)
     watched = [first + memory.z.itemsize * slot for slot in outside.values()]
-    rests = _sampled(plan, outside) and not early
+    rests = sampled(plan, outside) and not early
     group = Group(members, blocks, settings_of(plan.system), rests, watched, early, _crossings(plan, numbers, first))
     group.goes_back = plan.algorithm.saves_states
     for member in members:
@@ -60,21 +57,6 @@ def _crossings(plan: Plan, numbers: dict[str, int], first: int) -> list[Crossed]
             limit = first + 8 * (cell + THRESHOLD)
             found.append(Crossed(numbers[name], variable, limit, crossing.rising, f"{name}.{variable} crosses a value"))
     return found
-
-
-def alone(plan: Plan, instances: dict[str, Participant], group: Group | None) -> list[Participant]:
-    """Those that have a process, and so a group, of their own; they are told how they are integrated."""
-    found = [instances[name] for name in (*apart(plan.system), *(plan.exchange if group is None else ()))]
-    for instance in found:
-        sampled = _sampled(plan, [key for key in plan.layout.inputs if key[0] == instance.name])
-        instance.solve_by(asdict(settings_of(plan.system)), plan.algorithm.saves_states, sampled)
-    return found
-
-
-def _sampled(plan: Plan, inputs: Iterable[Key]) -> bool:
-    """Whether any of these inputs can be set in event mode only."""
-    components = plan.system.components
-    return any(components[name].fmu.variables[variable].variability != "continuous" for name, variable in inputs)
 
 
 def _link(plan: Plan, c: Connection, numbers: dict[str, int]) -> Link:

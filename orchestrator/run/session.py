@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..errors import InputError, RovbrushError, RunError
 from ..files import plain
 from ..loop import cells
-from ..loop.compiled import compiled_run
+from ..loop.machine.compiled import compiled_run
 from ..loop.run import run
 from ..participant.base import AskedToEndError, Participant
-from ..participant.model_exchange.group import Group
 from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
@@ -23,7 +22,7 @@ from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.events import Events
-from .exchange_models import alone, bring_together
+from .exchange_apart import alone
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -32,6 +31,9 @@ from .participants import Participants
 from .position import Position
 from .recording.observers import NEVER, Observer, Progress
 from .recording.recorder import Recorder
+
+if TYPE_CHECKING:
+    from ..participant.model_exchange.group import Group
 
 
 class Session:
@@ -73,9 +75,9 @@ class Session:
             self.instances = self.participants.by_name
             try:
                 self.memory = Memory(plan)
-                self.group = bring_together(plan, self.instances, self.memory) if plan.exchange else None
+                self.group = self._brought_together() if plan.exchange else None
                 self._solved: list[Group | Participant] = [*([self.group] if self.group else [])]
-                self._solved += alone(plan, self.instances, self.group)
+                self._solved += alone(plan, self.instances, self.group is not None)
                 self._started = initialize(plan, self.instances, self.memory)
                 self.participants.notes += self._started.notes
                 self.participants.look_around("in the initialization")
@@ -89,6 +91,12 @@ class Session:
             except BaseException:
                 self.participants.abandon()
                 raise
+
+    def _brought_together(self) -> Group | None:
+        """The group of the FMUs for Model Exchange; what integrates them is loaded where there are any."""
+        from .exchange_models import bring_together
+
+        return bring_together(self.plan, self.instances, self.memory)
 
     @property
     def time(self) -> float:

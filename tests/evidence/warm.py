@@ -84,7 +84,7 @@ def _serve(asking: socket.socket) -> None:
     for name in IMPORTED:
         with suppress(ImportError):
             importlib.import_module(name)
-    importlib.import_module("rovbrush.orchestrator.loop.compiled").compiled_run()
+    importlib.import_module("rovbrush.orchestrator.loop.machine.compiled").compiled_loop()
     while True:
         head, files, *_ = socket.recv_fds(asking, 4, 2)
         if not head:

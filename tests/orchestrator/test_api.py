@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from helpers import Part, plan_of, python, system_text
 from rovbrush.orchestrator import FmuError, InputError, Model, RovbrushError, RunError, load
-from rovbrush.orchestrator.loop.compiled import compiled_run
+from rovbrush.orchestrator.loop.machine.compiled import compiled_loop
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.run.simulation import simulate
 
@@ -63,9 +63,11 @@ def test_set_gives_another_model_with_the_same_plan(make: Make, tmp_path: Path, 
 
 def test_many_runs_share_one_compilation(make: Make) -> None:
     model = make(LOOP, WIRES, stop="20 ms")
+    functions = []
     for k in range(3):
         model.set("g.k", -1.0 - k).run()
-    assert len(compiled_run().signatures) == 1
+        functions.append(compiled_loop().address)
+    assert len(set(functions)) == 1 and compiled_loop.cache_info().currsize == 1
 
 
 def test_a_stop_an_input_a_period_and_a_replacement_can_be_given(make: Make, fmus: Path) -> None:

@@ -9,15 +9,17 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from typing import Annotated
 
 import typer
 
 from ..options import app
 
-NEEDED = ("rovbrush", "numpy", "numba", "llvmlite", "fmpy", "pythonfmu", "h5py", "pint", "msgspec", "lxml",
+NEEDED = ("rovbrush", "numpy", "fmpy", "pythonfmu", "h5py", "pint", "msgspec", "lxml",
           "matplotlib", "typer", "rich")  # fmt: skip
 EXTRAS = {
+    "numba": "Python FMUs, FMUs for Model Exchange, and a loop that is not shipped",
     "scipy": "studies, and loops at the start",
     "xarray": "results as datasets, and sweeps",
     "dask": "sweeps on a cluster",
@@ -47,7 +49,7 @@ def doctor(
     else:
         for heading, found, wrong in lines:
             print(f"{heading:<14} {found}{f'  <- {wrong}' if wrong else ''}")
-    if any(wrong for heading, _, wrong in lines if heading in (*NEEDED, "cache", "FMUs", "result files")):
+    if any(wrong for heading, _, wrong in lines if heading in (*NEEDED, "cache", "the loop", "FMUs", "result files")):
         raise typer.Exit(1)
 
 
@@ -104,14 +106,22 @@ def _windows() -> Iterator[Line]:
 def _folders() -> Iterator[Line]:
     from ...cache import cache_folder, entries, limit
     from ...fmu.files.places import fmu_folder, shipped_folder
-    from ...loop.compiled import is_compiled
+    from ...loop.machine.compiled import is_compiled, own_hash
+    from ...loop.machine.shipped import library, nothing_compiles
 
     folder, wrong = cache_folder(), ""
     size = sum(entry.size for entry in entries())
     if not os.access(folder, os.W_OK):
         wrong = "it cannot be written; ROVBRUSH_CACHE names another folder"
     yield "cache", f"{folder}, {size / 1e6:.1f} of {limit() / 1e6:.0f} MB", wrong
-    yield "the loop", "compiled" if is_compiled() else "not compiled yet; the first run does that in half a minute", ""
+    loop = "not compiled yet; the first run does that in half a minute"
+    if library(own_hash()):
+        loop = "compiled, as it came with the package"
+    elif find_spec("numba") is None:
+        loop = "not compiled, and nothing that compiles it is installed"
+    elif is_compiled():
+        loop = "compiled"
+    yield "the loop", loop, str(nothing_compiles()) if loop.startswith("not compiled, and") else ""
     place = fmu_folder()
     built = len(list(place.glob("*.fmu"))) if place.is_dir() else 0
     shipped, chosen = shipped_folder(), bool(os.environ.get("ROVBRUSH_FMUS"))

@@ -10,7 +10,8 @@ Both work with residuals relative to the size of each unknown, which takes their
 from __future__ import annotations
 
 import numpy as np
-from numba.extending import register_jitable
+
+from ..lives import compilable
 
 CONVERGED, AGAIN, FAILED = range(3)
 COUNT, COLUMN, RESIDUAL, WORST, FACTOR, STEP, HEAD = range(7)  # cells of `work`, and where its vectors begin
@@ -26,7 +27,7 @@ def workspace(unknowns: int, newton: bool) -> np.ndarray:
     return work
 
 
-@register_jitable
+@compilable
 def iterate(z: np.ndarray, u: int, g: int, n: int, settings: np.ndarray, k: int, work: np.ndarray) -> int:
     """Look at the pass that was just done and choose the unknowns of the next one.
 
@@ -68,14 +69,14 @@ def iterate(z: np.ndarray, u: int, g: int, n: int, settings: np.ndarray, k: int,
     return _newton_step(z, u, n, work)
 
 
-@register_jitable
+@compilable
 def _perturb(z: np.ndarray, u: int, column: int, settings: np.ndarray, k: int, work: np.ndarray) -> None:
     work[COLUMN] = column
     work[STEP] = ROOT_EPSILON * max(settings[k + SETTINGS + column], abs(z[u + column]))
     z[u + column] += work[STEP]
 
 
-@register_jitable
+@compilable
 def _next_column(z: np.ndarray, u: int, g: int, n: int, settings: np.ndarray, k: int, work: np.ndarray) -> int:
     """Take one column of the Jacobian of the residual from a pass with one unknown moved."""
     last, base, jacobian = HEAD, HEAD + n, HEAD + 2 * n
@@ -91,7 +92,7 @@ def _next_column(z: np.ndarray, u: int, g: int, n: int, settings: np.ndarray, k:
     return _newton_step(z, u, n, work)
 
 
-@register_jitable
+@compilable
 def _newton_step(z: np.ndarray, u: int, n: int, work: np.ndarray) -> int:
     """u = base - J^-1 r, by elimination with row pivoting on a copy of J; FAILED if it is singular."""
     last, base, jacobian = HEAD, HEAD + n, HEAD + 2 * n

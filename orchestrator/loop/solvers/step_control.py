@@ -14,15 +14,15 @@ from __future__ import annotations
 from math import sqrt
 
 import numpy as np
-from numba.extending import register_jitable
 
 from ..cells import MAXIMUM, MINIMUM, NOW, STEP_TICKS, STOP
+from ..lives import compilable
 
 SUM, BONDS, BEFORE = range(3)  # cells of `work`
 LEAST = 1e-10  # of eps: a bond at rest would lengthen the step without end
 
 
-@register_jitable
+@compilable
 def gauge(
     z: np.ndarray, effort: int, held_effort: int, flow: int, held_flow: int, h: float,
     settings: np.ndarray, k: int, work: np.ndarray,
@@ -35,7 +35,7 @@ def gauge(
     work[BONDS] += 1.0
 
 
-@register_jitable
+@compilable
 def control(clock: np.ndarray, settings: np.ndarray, k: int, work: np.ndarray) -> float:
     """Move the clock to the end of the step that was done and choose the next one, 0 at the stop; the indicator eps.
 
@@ -51,7 +51,7 @@ def control(clock: np.ndarray, settings: np.ndarray, k: int, work: np.ndarray) -
     return eps
 
 
-@register_jitable
+@compilable
 def fitted(clock: np.ndarray, length: int, even: int) -> int:
     """The next step [ticks], a multiple of `even`: between its limits, never beyond the largest one, and so that no
     small rest is left before the stop: that is taken along, or shared between the two last steps."""

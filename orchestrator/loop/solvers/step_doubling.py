@@ -11,9 +11,9 @@ The error is of second order in the step; that of an output which depends at onc
 from __future__ import annotations
 
 import numpy as np
-from numba.extending import register_jitable
 
 from ..cells import MINIMUM, NOW, OFFSET, STEP_TICKS
+from ..lives import compilable
 from .step_control import fitted
 
 ACCEPTED, REJECTED, FAILED = range(3)
@@ -22,7 +22,7 @@ TOLERANCE, SAFETY, SHRINK, GROW, ORDER, NOMINALS = range(6)  # of the settings, 
 EVEN = 2  # ticks: a step has a middle
 
 
-@register_jitable
+@compilable
 def estimate(z: np.ndarray, p: int, n: int, clock: np.ndarray, settings: np.ndarray, k: int, work: np.ndarray) -> int:
     """Judge n signals, z[p : p + n] after the whole step, z[p + n : p + 2 n] after its halves, and choose a step.
 

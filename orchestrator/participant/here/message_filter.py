@@ -9,11 +9,16 @@ environment; one that gives back something else shares the first row.
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import threading
 from functools import cache
 from typing import Any
 
 import numpy as np
+
+from ...extras import needed
+from ...loop.machine import shipped
+from ...loop.machine.compiled import own_hash
 
 # Columns of the table: environment, how many messages may still pass, how many did not, the lowest status that passes.
 ENVIRONMENT, ALLOWANCE, COUNTED, LOWEST, COLUMNS = range(5)
@@ -28,10 +33,16 @@ _lock = threading.Lock()
 # Of all versions: FMI 1.0 and 2.0 give environment, name, status, category, format and what it takes; FMI 3.0 has no
 # name and one text. `status` is an int.
 _TEXT = """
-define void @log{version}({parameters}) {{
+@{name}_table = global i64 {table}
+@{name}_size = global i64 {size}
+@{name}_target = global i64 {target}
+
+define void @{name}({parameters}) {{
 entry:
-  %table = inttoptr i64 {table} to ptr
-  %sizes = inttoptr i64 {size} to ptr
+  %at_table = load i64, ptr @{name}_table
+  %at_size = load i64, ptr @{name}_size
+  %table = inttoptr i64 %at_table to ptr
+  %sizes = inttoptr i64 %at_size to ptr
   %size = load i64, ptr %sizes
   %told = ptrtoint ptr %environment to i64
   br label %look
@@ -73,7 +84,8 @@ out:
 pass:
   %less = sub i64 %allowance, 1
   store i64 %less, ptr %allowances
-  %target = inttoptr i64 {target} to ptr
+  %behind = load i64, ptr @{name}_target
+  %target = inttoptr i64 %behind to ptr
   musttail call void ({types}) %target({arguments})
   ret void
 }}
@@ -85,25 +97,50 @@ _PARAMETERS = {
 _made: list[Any] = []  # the machine code lives as long as the process
 
 
+def machine_text(version: int, **values: int) -> str:
+    """The logger of an FMI version as text for LLVM; `values` of its table, size and target, set later if not here."""
+    parameters = _PARAMETERS[version]
+    return _TEXT.format(
+        name=_name(version), parameters=", ".join(parameters), types=", ".join(p.split()[0] for p in parameters),
+        arguments=", ".join(parameters), columns=COLUMNS, lowest=LOWEST, allowance=ALLOWANCE, counted=COUNTED,
+        **{"table": 0, "size": 0, "target": 0, **values},
+    )  # fmt: skip
+
+
+def _name(version: int) -> str:
+    """With a hash of the text: a library that came with other sources has no function of this name."""
+    return f"log{version}_{hashlib.sha256(_TEXT.encode()).hexdigest()[:8]}"
+
+
 @cache
 def filtered(version: int, target: int) -> int:
     """The address of a logger of an FMI version that passes what is wanted on to another one at `target`."""
-    import llvmlite.binding as llvm
+    values = {"table": _table.ctypes.data, "size": _size.ctypes.data, "target": target}
+    return _shipped(version, values) or _compiled(version, values)
 
-    parameters = _PARAMETERS[version]
-    text = _TEXT.format(
-        version=version, parameters=", ".join(parameters), types=", ".join(p.split()[0] for p in parameters),
-        arguments=", ".join(parameters), table=_table.ctypes.data, size=_size.ctypes.data, columns=COLUMNS,
-        lowest=LOWEST, allowance=ALLOWANCE, counted=COUNTED, target=target,
-    )  # fmt: skip
+
+def _shipped(version: int, values: dict[str, int]) -> int:
+    """The one of the library that came with the package, for one target in a process; 0 where there is none."""
+    library, name = shipped.library(own_hash()), _name(version)
+    if library is None or not library.has(name):
+        return 0
+    if library.number(f"{name}_target").value not in (0, values["target"]):
+        return 0
+    for key, value in values.items():
+        library.number(f"{name}_{key}").value = value
+    return library.address_of(name)
+
+
+def _compiled(version: int, values: dict[str, int]) -> int:
+    llvm = needed("llvmlite.binding", "a second logger of FMUs")
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
-    module = llvm.parse_assembly(text)
+    module = llvm.parse_assembly(machine_text(version, **values))
     module.verify()
     engine = llvm.create_mcjit_compiler(module, llvm.Target.from_default_triple().create_target_machine(opt=2))
     engine.finalize_object()
     _made.append(engine)
-    return int(engine.get_function_address(f"log{version}"))
+    return int(engine.get_function_address(_name(version)))
 
 
 class Row:

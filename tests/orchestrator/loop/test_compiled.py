@@ -7,37 +7,38 @@ from pathlib import Path
 
 import pytest
 from helpers import plan_of, python
-from rovbrush.orchestrator.loop import run
-from rovbrush.orchestrator.loop.compiled import compiled_run, loop_files, loop_hash
+from rovbrush.orchestrator.loop.machine.compiled import ENTRY, compiled_loop, loop_files, loop_hash, own_hash
 
-HERE = Path(run.__file__)
+HERE = ENTRY
 FILES = loop_files(HERE)
 
 
 def test_the_loop_is_made_of_these_files() -> None:
     own = (
-        "run cells exchange calls texts operations iteration step_control step_doubling lookup versions last_step noise"
+        "run cells exchange calls texts operations iteration step_control step_doubling lookup versions last_step "
+        "noise lives entry frame"
     )
     assert {path.stem for path in FILES} == {*own.split(), "types"}
+    assert {path.parent.name for path in FILES if path.stem == "calls"} == {"loop", "machine"}
 
 
-@pytest.mark.parametrize("changed", [path.name for path in FILES])
+@pytest.mark.parametrize("changed", [f"{path.parent.name}/{path.name}" for path in FILES])
 def test_a_change_in_any_of_them_gives_another_name_in_the_cache(changed: str, tmp_path: Path) -> None:
-    package = HERE.parent.parent
+    package = HERE.parent.parent.parent
     copied = [tmp_path / path.relative_to(package) for path in FILES]
     for path, copy in zip(FILES, copied, strict=True):
-        copy.parent.mkdir(exist_ok=True)
+        copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, copy)
     top = tmp_path / HERE.relative_to(package)
     assert loop_hash(top) == loop_hash(HERE)
-    with next(copy for copy in copied if copy.name == changed).open("a", encoding="utf-8") as file:
+    with next(copy for copy in copied if str(copy).endswith(changed)).open("a", encoding="utf-8") as file:
         file.write("# changed\n")
     assert loop_hash(top) != loop_hash(HERE)
 
 
 def test_numba_keeps_the_compiled_loop_under_that_name() -> None:
-    stats = compiled_run().stats
-    kept = [path.name for path in Path(stats.cache_path).glob(f"run.run_{loop_hash(HERE)}-*")]
+    folder = Path(compiled_loop()._cache.cache_path)
+    kept = [path.name for path in folder.glob(f"entry.entry_{own_hash()}-*")]
     assert {name.rsplit(".", 1)[1] for name in kept} == {"nbi", "nbc"}
 
 
@@ -71,7 +72,7 @@ DOUBLE = """
 import sys
 sys.path.insert(0, sys.argv[1])
 import numba, kept
-from rovbrush.orchestrator.loop.compiled_files import CheckedCache
+from rovbrush.orchestrator.loop.machine.kept import CheckedCache
 double = numba.njit(kept.double)
 double._cache = CheckedCache(kept.double)
 print(double(2.0), sum(double.stats.cache_hits.values()))

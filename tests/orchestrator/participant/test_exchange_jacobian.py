@@ -18,7 +18,7 @@ from rovbrush.orchestrator.integration.compiled import FUNCTIONS, address_of
 from rovbrush.orchestrator.integration.memory import call, call_whole, number
 from rovbrush.orchestrator.integration.stiff.libraries import is_there
 from rovbrush.orchestrator.integration.stiff.sundials import address
-from rovbrush.orchestrator.loop.compiled import loop_files
+from rovbrush.orchestrator.loop.machine.compiled import loop_files
 from rovbrush.orchestrator.participant.model_exchange.group import Group
 from rovbrush.orchestrator.participant.model_exchange.links import Link, LinkBlock
 from rovbrush.orchestrator.plan.explain import explain

@@ -38,6 +38,8 @@ def call_all(table: np.ndarray, steps: int, step: float) -> int:
 def _compiled() -> Any:
     import numba
 
+    from ....loop.machine import calls as calls
+
     return numba.njit(call_all)
 
 

@@ -1,0 +1,136 @@
+"""The loop as machine code, and the name under which Numba keeps what it compiles.
+
+Numba's cache on disk looks at the date of one file; other files may change behind its back. So the name of what is
+compiled holds a hash of all of them: code compiled from other text is never taken.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import subprocess
+import sys
+from collections.abc import Callable
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from .. import run as loop
+from . import shipped
+from .frame import Loop
+
+ENTRY = Path(__file__).with_name("entry.py")  # what the loop is compiled from
+IN_CHILD = False  # set in the process that compiles for another
+COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHILD = True; compiled.compiled_loop()"
+OPTIONS = {"error_model": "numpy"}
+
+
+def loop_files(top: Path) -> list[Path]:
+    """A file and all files of the package from which it or they import, in alphabetical order."""
+    found: set[Path] = set()
+    waiting = [top]
+    while waiting:
+        path = waiting.pop()
+        if path not in found:
+            found.add(path)
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.ImportFrom) and node.level:
+                    folder = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+                    names = [folder.with_suffix(".py"), *(folder / f"{alias.name}.py" for alias in node.names)]
+                    waiting += [file for file in names if file.is_file()]
+    return sorted(found)
+
+
+def loop_hash(top: Path) -> str:
+    """A hash of the texts of `loop_files`."""
+    texts = [path.read_bytes() for path in loop_files(top)]
+    return hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
+
+
+@cache
+def own_hash() -> str:
+    """That of the loop."""
+    return loop_hash(ENTRY)
+
+
+class Kept:
+    """A function that Numba compiles to one of C, and keeps under a name that holds a hash of its sources."""
+
+    def __init__(self, function: Callable[..., int], digest: str, **options: Any) -> None:
+        from .kept import CheckedCache
+
+        self._named = FunctionType(function.__code__, vars(sys.modules[function.__module__]))
+        self._named.__qualname__ = f"{function.__name__}_{digest}"
+        self._files, self._options = CheckedCache(self._named), OPTIONS | options
+
+    @property
+    def is_there(self) -> bool:
+        """Whether it was compiled before."""
+        return any(Path(self._files.cache_path).glob(f"*{self._named.__qualname__}*.nbi"))
+
+    def compiled(self, signature: Any) -> Any:
+        """Numba's object: its `address` is that of the function as long as the object lives."""
+        from numba.core.ccallback import CFunc
+        from numba.core.sigutils import normalize_signature
+
+        normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
+        made: Any = CFunc(self._named, normal, {}, self._options)
+        made._cache = self._files
+        made.compile()
+        return made
+
+
+@cache
+def _kept_loop() -> Kept:
+    from .entry import entry
+
+    return Kept(entry, own_hash())
+
+
+def is_compiled() -> bool:
+    """Whether the loop need not be compiled: it came with the package, it was before, or it is not to be."""
+    return bool(shipped.library(own_hash())) or not numba_compiles() or _kept_loop().is_there
+
+
+def numba_compiles() -> bool:
+    """Whether the environment lets Numba compile; with NUMBA_DISABLE_JIT everything is plain Python."""
+    import numba
+
+    return not numba.config.DISABLE_JIT  # type: ignore[attr-defined]
+
+
+def require_loop() -> None:
+    """Raises InputError where there is neither a library nor what compiles the loop."""
+    if not shipped.library(own_hash()) and find_spec("numba") is None:
+        raise shipped.nothing_compiles()
+
+
+@cache
+def compiled_loop() -> Any:
+    """`entry.entry` under Numba. It holds no address of a system, so one compilation serves all of them.
+
+    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it.
+    """
+    from .entry import SIGNATURE
+
+    if not IN_CHILD and not _kept_loop().is_there:
+        # Should it fail, this process compiles for itself, and says what is wrong.
+        subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
+    return _kept_loop().compiled(SIGNATURE)
+
+
+def compiled_run() -> Callable[..., int]:
+    """`run.run` as machine code, for one session: from the library that came with the package, or else by Numba.
+
+    Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the interpreter. Raises InputError where
+    there is neither.
+    """
+    if library := shipped.library(own_hash()):
+        return Loop(library.address, library)
+    require_loop()
+    if not numba_compiles():
+        return loop.run
+    made = compiled_loop()
+    return Loop(made.address, made)
