@@ -5,10 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
-<<<<<<< HEAD
-=======
 import subprocess
->>>>>>> e03b635 (The wheel holds the loop compiled, for Linux and Windows: a plain run needs neither Numba nor LLVM; arrays of the loop are looked at when they change)
 import sys
 import tempfile
 from collections.abc import Callable

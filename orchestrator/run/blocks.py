@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
 from ..loop import cells
+from ..loop.machine.frame import with_arrays
 from ..participant.base import Participant
 from ..plan.plan import Plan
 from ..processes import seconds_since_start
@@ -62,10 +62,11 @@ class Blocks:
 
     def _prepare(self, operations: np.ndarray, recorded: tuple[np.ndarray, ...]) -> Callable[..., int]:
         """The loop with its arrays, which stay the same from step to step."""
-        return partial(
-            self.function, operations, self.plan.coefficients, self.components, self.blocks, self.memory.z,
+        arrays = (
+            operations, self.plan.coefficients, self.components, self.blocks, self.memory.z,
             *self.typed, *recorded, self.control, *self.space.arrays,
         )  # fmt: skip
+        return with_arrays(self.function, arrays)
 
     def run_rows(self, rows: np.ndarray, cycle: int) -> int:
         """Do some operations at once, as of a cycle, whatever the loop is waiting for; the code that it ends with."""

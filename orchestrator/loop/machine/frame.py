@@ -1,12 +1,14 @@
 """The loop as a function of C: it takes the place of a table of arrays, and five whole numbers.
 
 Numba would look at each of the arrays in every call, which costs more than a step of a small system; here they are
-looked at when they change.
+looked at once.
 """
 
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -28,26 +30,31 @@ _PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, *(ctypes.c_int64,) * (1 + WHOLE_N
 
 
 class Loop:
-    """`run.run` by the address of its machine code; each session has one. `owner` lives as long."""
+    """`run.run` by the address of its machine code. `owner` lives as long."""
 
     def __init__(self, address: int, owner: Any = None) -> None:
         self._function, self._owner = _PROTOTYPE(address), owner
-        self._frame = np.zeros((len(ARRAYS), WORDS), dtype=np.int64)
-        self._at = int(self._frame.ctypes.data)
-        self._arrays: list[np.ndarray | None] = [None] * len(ARRAYS)
 
     def __call__(self, *arguments: Any) -> int:
         """What `run.run` returns for the same arguments. Raises TypeError for an array of another kind."""
-        known = self._arrays
-        for k in range(len(ARRAYS)):
-            if arguments[k] is not known[k]:
-                self._place(k, arguments[k])
-        return int(self._function(self._at, *arguments[len(ARRAYS) :]))
+        return int(self.with_arrays(*arguments[: len(ARRAYS)])(*arguments[len(ARRAYS) :]))
 
-    def _place(self, k: int, array: np.ndarray) -> None:
-        kind = ARRAYS[k]
-        rows, columns = array.shape if kind == TABLE else (*array.shape, 1)
-        if array.dtype != _DTYPES[kind] or not array.flags.c_contiguous:
-            raise TypeError(f"argument {k} of the loop: {kind} wanted, not {array.dtype} {array.strides}")
-        self._frame[k] = array.ctypes.data, rows, columns
-        self._arrays[k] = array
+    def with_arrays(self, *arrays: np.ndarray) -> Callable[..., int]:
+        """The loop with its arrays, to be called with the whole numbers. Raises TypeError for one of another kind."""
+        frame = np.zeros((len(ARRAYS), WORDS), dtype=np.int64)
+        for k, (kind, array) in enumerate(zip(ARRAYS, arrays, strict=True)):
+            if (
+                array.dtype != _DTYPES[kind]
+                or array.ndim != (2 if kind == TABLE else 1)
+                or not array.flags.c_contiguous
+            ):
+                raise TypeError(f"argument {k} of the loop: {kind} wanted, not {array.dtype} {array.strides}")
+            frame[k, 0], frame[k, 1 : 1 + array.ndim] = array.ctypes.data, array.shape
+        function: Any = partial(self._function, int(frame.ctypes.data))
+        function.alive = self, frame, arrays
+        return function  # type: ignore[no-any-return]
+
+
+def with_arrays(function: Callable[..., int], arrays: tuple[np.ndarray, ...]) -> Callable[..., int]:
+    """`run.run` in any of its lives with its arrays, to be called with the whole numbers."""
+    return function.with_arrays(*arrays) if isinstance(function, Loop) else partial(function, *arrays)
