@@ -39,8 +39,18 @@ ParameterFile = Annotated[
     dict[str, Values],
     Meta(
         description="A table `[COMPONENT]` of values for each component, and `description`, a text: what `parameters` "
-        "in a system file names. Tables for components that the system does not have are left out.",
-        extra_json_schema={"properties": {"description": {"type": "string", "description": "of the set, in a line"}}},
+        "in a system file names. Tables for components that the system does not have are left out. Values of the "
+        "system's own file come over those of a set; a set with `base`, a text, comes over them: what a study found, "
+        'such as `fitted.toml`. `base` names the set below both, as `parameters` does; `""` is that of the system.',
+        extra_json_schema={
+            "properties": {
+                "description": {"type": "string", "description": "of the set, in a line"},
+                "base": {
+                    "type": "string",
+                    "description": "the set below one whose values come over those of the system's own file",
+                },
+            }
+        },
     ),
 ]
 UnitFile = Annotated[

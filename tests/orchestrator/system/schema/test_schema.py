@@ -47,6 +47,12 @@ def test_the_schema_accepts_every_shipped_sweep(path: Path) -> None:
     validator("sweep").validate(tomllib.loads(path.read_text(encoding="utf-8")))
 
 
+def test_the_schema_knows_the_base_of_a_parameter_set() -> None:
+    validator("parameter").validate({"base": "", "motor": {"R": 0.1}})
+    with pytest.raises(jsonschema.ValidationError):
+        validator("parameter").validate({"base": 3, "motor": {"R": 0.1}})
+
+
 def test_the_schema_accepts_a_mapping_and_refuses_a_misspelt_table() -> None:
     validator("mapping").validate(tomllib.loads(MAPPING))
     with pytest.raises(jsonschema.ValidationError):
