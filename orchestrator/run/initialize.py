@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 
@@ -118,19 +119,28 @@ class Propagation:
         Raises FmuError if an FMU does not allow it, before there is any step.
         """
         plan = self.plan
-        for block in plan.instants.blocks(frozenset(plan.system.components) - set(plan.early)):
-            name = block.connections[0].target[0]
-            try:
+        blocks = plan.instants.blocks(frozenset(plan.system.components) - set(plan.early))
+        for block in blocks:
+            with self._advised(block.connections[0].target[0]):
                 if block.loop:
                     self._solve(block.label, list(block.connections))
                 else:
                     self._set(block.connections[0], self._received(block.connections[0]))
-                self.read({c.target[0] for c in block.connections})
-            except CallError as error:
-                raise FmuError(
-                    f"{error}; outputs answer at once to {plan.instants.reasons()[name]}, so they are read again where "
-                    f'these are set; if the FMU forbids that, write direct = "off" under [components.{name}]'
-                ) from error
+        for name in dict.fromkeys(c.target[0] for block in blocks for c in block.connections):
+            with self._advised(name):
+                self.read({name})
+
+    @contextmanager
+    def _advised(self, name: str) -> Iterator[None]:
+        """What to do where a component does not allow to be asked again."""
+        try:
+            yield
+        except CallError as error:
+            reasons = self.plan.instants.reasons()[name]
+            raise FmuError(
+                f"{error}; outputs answer at once to {reasons}, so they are read again where "
+                f'these are set; if the FMU forbids that, write direct = "off" under [components.{name}]'
+            ) from error
 
     def read(self, names: Collection[str]) -> None:
         for key, slot in self.plan.layout.outputs.items():
