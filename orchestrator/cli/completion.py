@@ -1,4 +1,4 @@
-"""What the tab key finds in a shell: systems, sweeps, components, what can be set, what can be recorded.
+"""What the tab key finds in a shell: systems, sweeps, components, what can be set, recorded or drawn.
 
 It reads files by itself, quickly and without complaint: what a run needs is not loaded, and where
 something is wrong there is nothing to offer. Shells evaluate what they are told, so that only plain names are.
@@ -159,11 +159,23 @@ def _recorded(ctx: typer.Context) -> Iterator[tuple[str, str]]:
         yield name, said
 
 
+def _drawn(ctx: typer.Context) -> Iterator[tuple[str, str]]:
+    """What is in the results folder that is typed already, the first of several: signals, or a sweep's figures."""
+    from ..results.names import names_in
+
+    given = ctx.params.get("folder") or ctx.params.get("folders") or ctx.args
+    folder = Path(given[0] if isinstance(given, list | tuple) else given)
+    found = list(names_in(next(path for path in (folder / "result.nc", folder / "sweep.nc") if path.is_file())))
+    for owner in dict.fromkeys(name.partition(".")[0] for name, _ in found if "." in name):
+        yield f"{owner}.*", f"all signals of {owner}"
+    yield from found
+
+
 def _assigned(ctx: typer.Context) -> Iterator[tuple[str, str]]:
     for name, said in _components(ctx):
         yield f"{name}=", said
 
 
 systems, sweeps, copies, sets = map(_offered, (_systems, _sweeps, _copies, _sets))
-settable, varied, recorded = map(_offered, (_settable, _varied, _recorded))
+settable, varied, recorded, drawn = map(_offered, (_settable, _varied, _recorded, _drawn))
 components, assigned = map(_offered, (_components, _assigned))

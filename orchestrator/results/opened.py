@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError
 from ..extras import needed
 from ..files import reason
-from .files.netcdf import DATASETS, EVENTS, OWN_NAME
+from .files.hdf5 import EVENTS, OWN_NAME
+from .files.netcdf import DATASETS
 from .files.writing import ROWS, SUMMARY, UNITS
 from .result import Result
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ...errors import InputError, nearest
+from .. import completion
 from ..console import print_table, tell, wrote
 from ..options import app
 
@@ -23,7 +24,11 @@ def plot(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="The results folder of a run or a sweep.")],
     signals: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[SIGNAL]...", help="Names or patterns, motor.*; by default what is connected."),
+        typer.Argument(
+            metavar="[SIGNAL]...",
+            help="Names or patterns, motor.*; by default what is connected.",
+            autocompletion=completion.drawn,
+        ),
     ] = None,
     begin: Annotated[str, typer.Option("--from", metavar="TIME", help='From when: "2 s".')] = "",
     end: Annotated[str, typer.Option("--to", metavar="TIME", help='Until when: "3 s".')] = "",
@@ -71,7 +76,12 @@ def compare(
     folders: Annotated[list[Path], typer.Argument(metavar="DIR1 DIR2 [DIR]...", help="Results folders of runs.")],
     signals: Annotated[
         list[str],
-        typer.Option("--signal", metavar="SIGNAL", help="Names or patterns, motor.*; by default what is connected."),
+        typer.Option(
+            "--signal",
+            metavar="SIGNAL",
+            help="Names or patterns, motor.*; by default what is connected.",
+            autocompletion=completion.drawn,
+        ),
     ] = [],  # noqa: B006
     labels: Annotated[
         list[str], typer.Option("--label", metavar="TEXT", help="What a run is called: one for each, in their order.")

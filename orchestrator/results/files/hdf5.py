@@ -15,6 +15,8 @@ import h5py  # type: ignore[import-untyped]
 import numpy as np
 from h5py import h5a, h5d, h5ds, h5p, h5r, h5s, h5t
 
+OWN_NAME = "recorded_name"  # an attribute: what a variable is called whose name netCDF forbids
+EVENTS = "events"  # the group of what happened in a run
 COMPACT = 8192  # bytes of values that lie in the variable's own header
 LONGEST = 60_000  # bytes of a text that an attribute holds itself
 IN_HEADER = 32  # attributes of a variable that lie in its header

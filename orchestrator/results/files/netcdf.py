@@ -19,14 +19,13 @@ from ...extras import needed
 from ...plan.plan import Plan
 from ..signals import Signals, typed
 from ..tables import EventRow, Run
+from .hdf5 import EVENTS, OWN_NAME
 from .rows_file import RowsFile
 
 if TYPE_CHECKING:
     import xarray
 
 DATASETS = "a result as datasets"
-OWN_NAME = "recorded_name"
-EVENTS = "events"  # the group of what happened
 PIECE = 10_000  # rows of events that are written at once
 
 

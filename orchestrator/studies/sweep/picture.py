@@ -14,7 +14,7 @@ import numpy as np
 
 from ...errors import InputError, RovbrushError, RunError, nearest
 from ...files import reason, write_file
-from ...results.files.netcdf import OWN_NAME
+from ...results.files.hdf5 import OWN_NAME
 from ...results.pictures.canvas import caption
 from ...results.pictures.charts import Axis, Figures, heat_maps, lines, scatter_matrix
 from ...results.pictures.tornado import tornado

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...files import write_file
-from ...results.files.netcdf import OWN_NAME, stored_names
+from ...results.files.hdf5 import OWN_NAME
+from ...results.files.netcdf import stored_names
 from .design import Design
 
 if TYPE_CHECKING:

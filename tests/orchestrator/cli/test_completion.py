@@ -8,6 +8,7 @@ import sys
 import zipfile
 from pathlib import Path
 
+import h5py  # type: ignore[import-untyped]
 import pytest
 
 CALL = "import sys; sys.argv = ['rovbrush']; from rovbrush.orchestrator.cli.main import program; program()"
@@ -78,6 +79,18 @@ def test_signals_and_components_of_the_system_are_found(place: Path) -> None:
     assert completed("rovbrush run mine.toml --replace ", place) == ["a=", "b="]
 
 
+def test_signals_of_a_results_folder_are_found(place: Path) -> None:
+    (place / "run").mkdir()
+    with h5py.File(place / "run" / "result.nc", "w") as file:
+        for group, names in (("every_1_ms", ("time", "a.y", "a.$(id)")), ("every_2_ms", ("time", "b.y"))):
+            for name in names:
+                file[f"{group}/{name}"] = [0.0]
+        file["events/what"] = [0.0]
+    assert completed("rovbrush plot run ", place) == ["a.*", "b.*", "a.y", "b.y"]
+    assert completed("rovbrush plot run a.y b", place) == ["b.*", "b.y"]
+    assert completed("rovbrush compare run run --signal a", place) == ["a.*", "a.y"]
+
+
 def test_names_of_strangers_are_not_offered_where_a_shell_would_run_them(place: Path) -> None:
     """zsh evaluates what it is told."""
     for shell in ("bash", "zsh", "fish"):
@@ -94,6 +107,8 @@ def test_names_of_strangers_are_not_offered_where_a_shell_would_run_them(place: 
         "rovbrush run nosuch --record ",
         "rovbrush run bare.toml --set ",
         "rovbrush run --set ",
+        "rovbrush plot nowhere ",
+        "rovbrush plot . ",
     ],
 )
 def test_where_something_is_wrong_nothing_is_offered_and_nothing_said(line: str, place: Path) -> None:

@@ -10,6 +10,7 @@ from helpers import Part, plan_of
 from rovbrush.orchestrator.cli.commands.look import compare as compare_command
 from rovbrush.orchestrator.cli.commands.look import plot
 from rovbrush.orchestrator.errors import InputError
+from rovbrush.orchestrator.results.names import names_in
 from rovbrush.orchestrator.results.pictures.comparison import compare, difference
 from rovbrush.orchestrator.results.pictures.rows import rows
 from rovbrush.orchestrator.results.pictures.shown import shown
@@ -70,6 +71,12 @@ def test_what_cannot_be_drawn_is_one_error(folder: Path, asked: dict[str, object
     keywords = {**asked, **({"out": folder / "a" / str(asked["out"])} if "out" in asked else {})}
     with pytest.raises(InputError, match=said):
         plot(folder / "a", **keywords)  # type: ignore[arg-type]
+
+
+def test_the_names_in_a_file_are_those_of_the_result_that_is_opened(folder: Path) -> None:
+    opened = {str(name) for table in Result.open(folder / "a").datasets.values() for name in table.data_vars}
+    found = dict(names_in(folder / "a" / "result.nc"))
+    assert set(found) == opened and found["w.y"] == "signal 1"  # description and unit
 
 
 def test_a_folder_without_results_is_an_error(tmp_path: Path) -> None:
