@@ -128,11 +128,11 @@ class Result:
         Without names what is connected. Ripples too fast to be seen are bands with their mean, on the right is a closer
         look; angles in degrees, short lengths in millimetres. Raises InputError for an unknown name, or an empty span.
         """
-        from .pictures.overview import picture
+        from .pictures.overview import choose, picture
         from .pictures.traces import traces
 
         found = traces(self)
-        return picture(found, found.chosen(signals), begin, end, constants=bool(signals))
+        return picture(found, choose(found, signals, begin, end))
 
     @property
     def comparison(self) -> list[dict[str, Any]]:

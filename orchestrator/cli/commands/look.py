@@ -43,7 +43,7 @@ def plot(
     from ...clock import instant
     from ...files import write_file
     from ...results.opened import open_result
-    from ...results.pictures.overview import picture
+    from ...results.pictures.overview import choose, picture
     from ...results.pictures.page import require_plotly, signals_page
     from ...results.pictures.traces import traces
     from ...studies.sweep.picture import SWEEP, draw_sweep
@@ -60,14 +60,17 @@ def plot(
     if first is not None and last is not None and last <= first:
         raise InputError(f"--to {end} is not after --from {begin}")
     found = traces(open_result(folder))
-    names = found.chosen(signals or ())
+    choice = choose(found, signals or (), first, last, page=path.suffix == ".html")
     if path.suffix == ".html":
-        page = signals_page(found, names, first, last)
+        page = signals_page(found, choice)
         write_file(path, lambda new: new.write_text(page, encoding="utf-8"))
     else:
-        write_file(path, picture(found, names, first, last, constants=bool(signals)).savefig)
+        write_file(path, picture(found, choice).savefig)
     if found.failure:
         tell(f"the run ended early: {found.failure}")
+    if choice.left_out:
+        drawn, every = len(choice.rows), len(choice.rows) + len(choice.left_out)
+        tell(f"drawn: the first {drawn} of {every} rows; what is in the others by name, such as {choice.others[0]}")
     wrote([path], path.parent)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
@@ -21,37 +22,68 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 10  # rows that a picture made without asking has
-ASKED = 60  # rows that one can have which was asked for
+ASKED = 60  # rows that one can have for which signals were named, and a page
 WORDS = 400  # characters below a picture
 
 
-def overview(found: Traces) -> Figure:
-    """The connected signals of a run, of one without connections all that is recorded; what does not move is told."""
-    return picture(found, found.usual(), most=MOST, constants=False)
+@dataclass(frozen=True)
+class Choice:
+    """What is drawn of a run."""
+
+    rows: Sequence[Row]
+    left_out: Sequence[Row]  # for which there is no room
+    still: Sequence[Signal]  # that stay constant, and are told below
+
+    @property
+    def others(self) -> list[str]:
+        """The signals for which there is no room."""
+        return [signal.name for row in self.left_out for signal in row.signals]
+
+    def words(self, found: Traces) -> list[str]:
+        """What the picture does not show, and how the run ended."""
+        lines = [f"ended early: {found.failure}"] if found.failure else []
+        if self.still:
+            lines.append("constant: " + ", ".join(f"{s.name} = {_value(s)}" for s in self.still))
+        if self.left_out:
+            lines.append(f"not drawn (rovbrush plot DIR NAME...): {', '.join(self.others)}")
+        return [shorten(line, WORDS, placeholder=" ...") for line in [*lines, found.caption] if line]
 
 
-def picture(
+def choose(
     found: Traces,
-    names: Sequence[str],
+    patterns: Sequence[str] = (),
     begin: float | None = None,
     end: float | None = None,
-    most: int = ASKED,
-    constants: bool = True,
-) -> Figure:
-    """These signals between two instants [s], `most` rows of them; those that stay constant if `constants`.
+    page: bool = False,
+) -> Choice:
+    """What signals such as `motor.*` show between two instants [s]; without any, what is looked at first and moves,
+    as far as there is room in a picture, or in a `page`.
 
-    Raises InputError if nothing lies between the instants.
+    Raises InputError for an unknown signal, or if nothing lies between the instants.
     """
+    names = found.chosen(patterns)
     signals = [cut(found[name], begin, end) for name in names]
     if names and not any(len(s.time) for s in signals):
         raise InputError(f"{found.title}: nothing was recorded {span_text(begin, end)}")
     signals = [s for s in signals if len(s.time)]
-    moving = [s for s in signals if constants or not is_constant(s)]
-    all_rows = rows(moving or signals)
-    shown_rows, left_out = all_rows[:most], [s.name for row in all_rows[most:] for s in row.signals]
-    closer = zoom([s for row in shown_rows for s in row.signals], [t for t, _ in found.events])
-    figure, axes = columns_figure(found.title, len(shown_rows), 1 if closer is None else 2)
-    for row, (whole, *near) in zip(shown_rows, axes, strict=True):
+    still = [] if patterns else [s for s in signals if is_constant(s)]
+    if len(still) == len(signals):  # then they are all that there is to see
+        still = []
+    told = {s.name for s in still}
+    every, most = rows(s for s in signals if s.name not in told), ASKED if patterns or page else MOST
+    return Choice(every[:most], every[most:], still)
+
+
+def overview(found: Traces) -> Figure:
+    """The connected signals of a run, of one without connections all that is recorded; what does not move is told."""
+    return picture(found, choose(found))
+
+
+def picture(found: Traces, choice: Choice) -> Figure:
+    """The rows that were chosen, with a closer look beside them."""
+    closer = zoom([s for row in choice.rows for s in row.signals], [t for t, _ in found.events])
+    figure, axes = columns_figure(found.title, len(choice.rows), 1 if closer is None else 2)
+    for row, (whole, *near) in zip(choice.rows, axes, strict=True):
         draw_row(whole, row)
         for axis in near:
             assert closer is not None
@@ -60,8 +92,7 @@ def picture(
     for when, _ in found.events[:MOST]:
         for row_axes in axes:
             row_axes[0].axvline(when, color="black", linewidth=0.5, alpha=0.5)
-    still = [s for s in signals if s not in moving] if moving else []
-    caption(figure, words(found, still, left_out))
+    caption(figure, choice.words(found))
     return figure
 
 
@@ -84,16 +115,6 @@ def beside(signal: Signal, begin: float, end: float | None) -> tuple[float, floa
     first = max(int(np.searchsorted(signal.time, begin, side="right")) - 1, 0)
     then = last if end is None else min(int(np.searchsorted(signal.time, end)), last)
     return float(signal.time[first]), float(signal.time[then])
-
-
-def words(found: Traces, still: Sequence[Signal], left_out: Sequence[str]) -> list[str]:
-    """What the picture does not show, and how the run ended."""
-    lines = [f"ended early: {found.failure}"] if found.failure else []
-    if still:
-        lines.append("constant: " + ", ".join(f"{s.name} = {_value(s)}" for s in still))
-    if left_out:
-        lines.append(f"not drawn (rovbrush plot DIR NAME...): {', '.join(left_out)}")
-    return [shorten(line, WORDS, placeholder=" ...") for line in [*lines, found.caption] if line]
 
 
 def _value(signal: Signal) -> str:

@@ -17,9 +17,7 @@ from ...markup import element, safe
 from ..signals import Signal
 from .bands import COLUMNS, READABLE, band, ripple
 from .comparison import MOST, Comparison, remarks
-from .figures import cut
-from .overview import span_text, words
-from .rows import is_constant, rows
+from .overview import Choice
 from .shown import Shown, shown
 from .traces import Traces
 
@@ -60,15 +58,12 @@ class Panel:
     first: int = 0  # colour
 
 
-def signals_page(found: Traces, names: Sequence[str], begin: float | None = None, end: float | None = None) -> str:
-    """The page of a result: these signals. Raises InputError without plotly, or for nothing between the instants."""
-    signals = [s for s in (cut(found[name], begin, end) for name in names) if len(s.time)]
-    if not signals:
-        raise InputError(f"{found.title}: nothing was recorded {span_text(begin, end)}")
-    moving = [s for s in signals if not is_constant(s)] or signals
-    panels = [Panel(r.label, r.signals, [s.name for s in r.signals], r.read) for r in rows(moving)]
-    still = [s for s in signals if s not in moving]
-    below = [element("p", safe(line)) for line in words(found, still, ())]
+def signals_page(found: Traces, choice: Choice) -> str:
+    """The page of a result: the rows that were chosen. Raises InputError without plotly, or where there are none."""
+    if not choice.rows:
+        raise InputError(f"{found.title}: nothing was recorded")
+    panels = [Panel(r.label, r.signals, [s.name for s in r.signals], r.read) for r in choice.rows]
+    below = [element("p", safe(line)) for line in choice.words(found)]
     return html(found.title, [plot_html(panels), *below])
 
 

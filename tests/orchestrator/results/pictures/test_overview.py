@@ -12,8 +12,10 @@ from rovbrush.orchestrator.cli.commands.look import plot
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.results.names import names_in
 from rovbrush.orchestrator.results.pictures.comparison import compare, difference
+from rovbrush.orchestrator.results.pictures.overview import choose
 from rovbrush.orchestrator.results.pictures.rows import rows
 from rovbrush.orchestrator.results.pictures.shown import shown
+from rovbrush.orchestrator.results.pictures.traces import traces
 from rovbrush.orchestrator.results.pictures.zoom import zoom
 from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.results.signals import Signal
@@ -77,6 +79,20 @@ def test_the_names_in_a_file_are_those_of_the_result_that_is_opened(folder: Path
     opened = {str(name) for table in Result.open(folder / "a").datasets.values() for name in table.data_vars}
     found = dict(names_in(folder / "a" / "result.nc"))
     assert set(found) == opened and found["w.y"] == "signal 1"  # description and unit
+
+
+def test_of_a_big_run_a_picture_shows_ten_rows_and_says_so(
+    tmp_path: Path, fmus: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parts: dict[str, Part] = {f"w{k}": ("wave", "1 ms", {"c1": 1.0}) for k in range(6)}  # two rows each
+    Result(simulate(plan_of(tmp_path, fmus, parts, stop="0.01 s"))).save(tmp_path / "big")
+    found = traces(Result.open(tmp_path / "big"))
+    assert len(choose(found).rows) == 10 and choose(found).others == ["w5.y", "w5.Y"]
+    assert not choose(found, ["*"]).left_out and not choose(found, page=True).left_out
+    plot(tmp_path / "big")
+    assert "drawn: the first 10 of 12 rows; what is in the others by name, such as w5.y" in capsys.readouterr().out
+    plot(tmp_path / "big", ["w5.y"])
+    assert "drawn:" not in capsys.readouterr().out
 
 
 def test_a_folder_without_results_is_an_error(tmp_path: Path) -> None:
