@@ -16,7 +16,7 @@ from rovbrush.orchestrator.studies.linear.linearise import linearise
 from rovbrush.orchestrator.studies.linear.margins import margins, verified
 from rovbrush.orchestrator.studies.linear.options import Options
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.model import System
+from rovbrush.orchestrator.system.model import Connection, System
 from scipy.linalg import expm
 
 START = Options(at=["0 s"])
@@ -29,22 +29,58 @@ def poles(model_of: System, inputs: Sequence[str], outputs: Sequence[str], optio
     return np.sort_complex(np.array([pole.z for pole in model.poles]))
 
 
-def test_motor_with_a_plant_has_the_eigenvalues_of_its_equations(fmus: Path, measured: Measured) -> None:
-    """Eqs. 16 and 17, voltage and torque held over 0.5 ms; its integration errs by 4e-7 of the electrical pole."""
-    system = assemble(str(fmus / "dc_motor.fmu"), {"V_in": 12.0}, "5 s", None, step="0.5 ms")
-    (model,) = linearise(
-        system, ["V_in", "T_brush"], ["i", "omega_b"], Options(at=["2 s"], length="0.5 s", sizes=SIZES)
-    )
+STEP = 0.5e-3  # s
+
+
+def motor_alone(fmus: Path) -> tuple[System, np.ndarray, np.ndarray, float]:
+    """The motor at 12 V, its A of Eqs. 16 and 17 for (i, omega_m), what a torque on the brush does, and the gear."""
+    system = assemble(str(fmus / "dc_motor.fmu"), {"V_in": 12.0}, "5 s", None, step=f"{STEP} s")
     fmu = system.components["dc_motor"].fmu
     p = {name: float(fmu.start(name)) for name in ("R", "L_a", "K_e", "K_t", "B_m", "J_m", "J_b", "gear_stages")}
     ratio = float(fmu.start("gear_ratio_per_stage")) ** p["gear_stages"]
     J = p["J_m"] + p["J_b"] / ratio**2
     A = np.array([[-p["R"] / p["L_a"], -p["K_e"] / p["L_a"]], [p["K_t"] / J, -p["B_m"] / J]])
-    wanted = np.sort_complex(np.linalg.eigvals(expm(A * 0.5e-3)))
+    return system, A, np.array([0.0, 1.0 / (ratio * J)]), ratio
+
+
+def held(A: np.ndarray, B: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The map of a step with the input held."""
+    n = len(A)
+    whole = expm(STEP * np.block([[A, B[:, None]], [np.zeros((1, n + 1))]]))
+    return whole[:n, :n], whole[:n, n]
+
+
+def test_the_motor_has_the_eigenvalues_of_its_equations(fmus: Path, measured: Measured) -> None:
+    """Eqs. 16 and 17, voltage and torque held over 0.5 ms; its integration errs by 4e-7 of the electrical pole."""
+    system, A, B, _ = motor_alone(fmus)
+    (model,) = linearise(
+        system, ["V_in", "T_brush"], ["i", "omega_b"], Options(at=["2 s"], length="0.5 s", sizes=SIZES)
+    )
+    wanted = np.sort_complex(np.linalg.eigvals(held(A, B)[0]))
     found = np.sort_complex(np.array([pole.z for pole in model.poles]))
     error = float(np.max(np.abs(found / wanted - 1.0)))
     measured("linear model of the motor: eigenvalues against Eqs. 16 and 17, relative", error, "1e-6")
     assert model.order == 2 and error < 1e-6
+
+
+def test_the_motor_under_a_plant_has_the_eigenvalues_of_both(fmus: Path, measured: Measured) -> None:
+    """A brake that follows the speed with a lag of 50 ms, T' = -20 T - 30 omega_b: what the speed of this step says is
+    in its own step (Gauss-Seidel)."""
+    alone, A, B, ratio = motor_alone(fmus)
+    both = system({"p": (plant([[-20.0]], [-30.0], [1.0]), f"{STEP}")}, [], "5")
+    motor = replace(alone.components["dc_motor"], name="motor")
+    wires = (Connection(("motor", "omega_b"), ("p", "u")), Connection(("p", "y"), ("motor", "T_brush")))
+    both = replace(both, components={"motor": motor, **both.components}, order=("motor", "p"), connections=wires)
+    options = Options(at=["2 s"], length="0.5 s", sizes={"motor.V_in": 1.0})
+    (model,) = linearise(both, ["motor.V_in"], ["motor.i", "motor.omega_b", "p.y"], options)
+    Ad, Bd = held(A, B)
+    ap, bp = held(np.array([[-20.0]]), np.array([-30.0]))
+    speed = np.array([0.0, 1.0 / ratio])
+    whole = np.block([[Ad, Bd[:, None]], [bp[0] * speed @ Ad, ap + bp[0] * speed @ Bd]])
+    wanted, found = (np.sort_complex(z) for z in (np.linalg.eigvals(whole), np.array([pole.z for pole in model.poles])))
+    error = float(np.max(np.abs(found / wanted - 1.0)))
+    measured("linear model of motor and analytic plant: eigenvalues, relative", error, "1e-6")
+    assert model.order == 3 and error < 1e-6
 
 
 def test_sampled_double_integrator_has_a_double_pole_at_one() -> None:
