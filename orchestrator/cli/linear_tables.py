@@ -50,6 +50,11 @@ def print_response(model: Linear) -> None:
         f"  pulses of {sizes}, from {notes['starts']} instants{period}, {notes['samples']} samples; the model leaves "
         f"{notes['error']:.2g} of the responses, of which {notes['even']:.2g} is the same for both signs of a pulse"
     )
+    for name, step in notes["faster"].items():
+        tell(
+            f"  warning: {name} is taken every {1e3 * step:.6g} ms, and the model sees it every {1e3 * model.dt:.6g} ms, "
+            f"the time in which the schedule repeats: what goes on above {0.5 / model.dt:.4g} Hz is not in it"
+        )
     values = notes["singular_values"]
     order = notes["order"]
     near = [f"{v / values[0]:.2g}" for v in values[max(order - 2, 0) : order + 2]] if values else []

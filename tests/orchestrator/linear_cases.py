@@ -72,6 +72,36 @@ class Late(Model):
         self.values, self.line = dict(state["values"]), list(state["line"])
 
 
+class Turning(Model):
+    """x' = u - x, read by something that turns 40 steps a turn: y = (1 + cos(theta) / 2) x."""
+
+    STEPS = 40
+
+    def __init__(self, starts: Mapping[str, float]) -> None:
+        super().__init__(starts)
+        self.x, self.count = 0.0, 0
+
+    def step(self, time: float, length: float) -> int | None:
+        left = float(np.exp(-length))
+        self.x, self.count = left * self.x + (1.0 - left) * self.values["u"], self.count + 1
+        return None
+
+    def get(self, names: Iterable[str]) -> list[float]:
+        theta = 2.0 * np.pi * self.count / self.STEPS
+        known = {"y": (1.0 + 0.5 * float(np.cos(theta))) * self.x, "theta": theta}
+        return [known[name] if name in known else self.values[name] for name in names]
+
+    def save(self) -> dict[str, Any]:
+        return {"values": dict(self.values), "x": self.x, "count": self.count}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        self.values, self.x, self.count = dict(state["values"]), state["x"], state["count"]
+
+
+def turning() -> MockFmu:
+    return mock_fmu("turning", Turning, ["u"], ["y", "theta"])
+
+
 class Gain(Model):
     """y = k u + w."""
 

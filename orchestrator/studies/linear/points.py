@@ -94,10 +94,16 @@ def points(
                 each.release()
             notes = {
                 "residual": steady[0].value, "residual_of": steady[0].signal, "starts": len(kept),
-                "period": float(period * one),
+                "period": float(period * one), "faster": _faster(system, channels, probe.dt),
             }  # fmt: skip
             found.append(Point(clock.time(tick), probe.dt, pulses, notes))
     return found
+
+
+def _faster(system: System, channels: Sequence[Channel], dt: float) -> dict[str, float]:
+    """Channels that are taken more often [s] than a sample: what answers to them within it is not in the model."""
+    periods = {channel.name: float(system.components[channel.key[0]].period) for channel in channels}
+    return {name: period for name, period in periods.items() if period < dt * (1.0 - 1e-9)}
 
 
 def _clean(probe: Probe, free: Sequence[bool], sizes: Sequence[float], pulses: Callable[..., Pulses]) -> Pulses:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import Measured
-from linear_cases import Plant, gain, loop, plant, system
+from linear_cases import Plant, gain, loop, plant, system, turning
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.mock import mock_fmu
 from rovbrush.orchestrator.studies.linear.linearise import linearise
@@ -100,6 +100,27 @@ def test_two_rates_are_one_map_over_the_slower() -> None:
     both = replace(both, connections=tuple(replace(c, transfer="hold") for c in both.connections))
     a = np.exp(-10.0 * T)
     assert np.allclose(poles(both, ["g.w"], ["p.y"]), a - 3.0 * (1.0 - a), atol=1e-9)
+
+
+def test_a_periodic_point_is_averaged_over_its_turns() -> None:
+    """What a turn does to the response is as often more as less: the mean is that of the plant that does not turn."""
+    alone = system({"p": (turning(), "0.01")}, stop="60")
+    options = replace(START, period_of="p.theta", starts=40, length="2 s")
+    (model,) = linearise(alone, ["u"], ["y"], options)
+    left = np.exp(-T)
+    assert model.notes["starts"] == 40 and np.isclose(model.notes["period"], 40 * T)
+    assert model.order == 1 and np.allclose([pole.z for pole in model.poles], left, atol=1e-9)
+    assert np.allclose(model.C @ model.B, 1.0 - left, atol=1e-9)
+    (once,) = linearise(alone, ["u"], ["y"], replace(options, period_of="", starts=1))
+    assert once.order > 1  # from one instant the turning is in the response
+
+
+def test_a_loop_that_is_faster_than_the_samples_is_told() -> None:
+    """A fast loop beside a slow component: the schedule repeats, and is sampled, every 10 ms."""
+    parts = {"p": (plant([[-10.0]], [10.0], [1.0]), "0.002"), "g": (gain(-3.0), "0.002"), "s": (gain(1.0), "0.01")}
+    both = system(parts, ["p.y -> g.u", "g.y -> p.u", "p.y -> s.u"])
+    (model,) = linearise(both, ["p.y -> g.u", "p.y -> s.u"], ["s.y"], replace(START, length="1 s"))
+    assert model.dt == T and model.notes["faster"] == {"p.y -> g.u": 0.002}
 
 
 def test_unstable_and_lightly_damped_plants_have_their_poles() -> None:
