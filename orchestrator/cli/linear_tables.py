@@ -52,7 +52,7 @@ def print_response(model: Linear) -> None:
     )
     for name, step in notes["faster"].items():
         tell(
-            f"  warning: {name} is taken every {1e3 * step:.6g} ms, and the model sees it every {1e3 * model.dt:.6g} ms "
+            f"  warning: {name} is taken every {1e3 * step:.6g} ms, the model sees it every {1e3 * model.dt:.6g} ms "
             f"(in which the schedule repeats): what goes on above {0.5 / model.dt:.4g} Hz is not in it"
         )
     values = notes["singular_values"]
