@@ -139,9 +139,10 @@ def test_sensors_are_told_one_by_one_with_the_file_that_has_them(fmus: Path) -> 
     assert len(rows) == 8 and all(row[-1] == "station_keeping.toml" for row in rows.values())
 
 
-def test_without_points_there_are_no_error_bars_and_without_sensors_the_page_says_so(asked: Task) -> None:
+def test_without_points_there_are_no_error_bars_and_without_sensors_no_rows_of_them(asked: Task, fmus: Path) -> None:
     assert all(row[3:] == ("", "") for row in answers(asked, None))
-    assert not asked.component("rov_sensors") and sensors(asked) == []
+    without = Task(sweep_file(SWEEP), Lab(fmus).case("nominal", stop="0.1 s"))
+    assert asked.component("rov_sensors") and not without.component("rov_sensors") and sensors(without) == []
 
 
 def test_the_command_writes_the_page_or_says_what_is_missing(
