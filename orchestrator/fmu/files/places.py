@@ -89,8 +89,7 @@ def origin(path: Path, description: ModelDescription) -> str:
     made = made_by(description)
     if not made:
         return "file"
-    interface = description.coSimulation
-    kind = "Python" if interface is not None and interface.needsExecutionTool else "native"
+    kind = "Python" if "pythonfmu" in (description.generationTool or "") else "native"
     if is_shipped(path):
         return f"shipped {kind} of rovbrush {made}"
     return f"built, {kind}" + ("" if made == version("rovbrush") else f", by rovbrush {made}")

@@ -115,3 +115,8 @@ def test_summary_manifest_and_doctor_name_which_ran(
     assert rovbrush(monkeypatch, "doctor") == 0
     said_ = capsys.readouterr().out
     assert f"2 native of rovbrush {OWN}, in {installed}" in said_ and "1 built, in" in said_
+
+
+def test_python_and_native_fmus_are_told_apart(fmus: Path, native: Path) -> None:
+    found = [Fmu.open(folder / "dc_motor.fmu").origin for folder in (fmus, native / "fmi2")]
+    assert found == ["built, Python", "built, native"]
