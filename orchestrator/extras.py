@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, requires
+from importlib.util import find_spec
 from typing import Any
 
 from .errors import InputError
@@ -18,6 +19,13 @@ def needed(module: str, what: str) -> Any:
         return import_module(module)
     except ModuleNotFoundError as error:
         raise InputError(f"{what} needs {how_to_install(error) or error}") from None
+
+
+def require(module: str, what: str) -> None:
+    """Raise InputError, as `needed`, where a module is not installed; nothing is loaded."""
+    if find_spec(module) is None:
+        error = ModuleNotFoundError(f"No module named '{module}'", name=module)
+        raise InputError(f"{what} needs {how_to_install(error) or error}")
 
 
 def how_to_install(error: ModuleNotFoundError) -> str:

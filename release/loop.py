@@ -17,7 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from rovbrush.components.native.compile import PLATFORMS, compile_library
-from rovbrush.orchestrator.loop.machine.shipped import ENTRY, FAILED, file_name
+from rovbrush.orchestrator.loop.cells import GAVE_UP
+from rovbrush.orchestrator.loop.machine.shipped import ENTRY, file_name
 
 TRIPLES = {"linux64": "x86_64-unknown-linux-gnu", "win64": "x86_64-w64-windows-gnu"}
 LAYOUT = "e-m:{mangling}-p270:32:32-p271:32:32-p272:64:64-i64:64-i128:128-f80:128-n8:16:32:64-S128"
@@ -28,11 +29,11 @@ ENTRY_TEXT = f"""
 define i64 @{ENTRY}(i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f) {{
   %result = alloca i64
   %raised = alloca ptr
-  store i64 {FAILED}, ptr %result
+  store i64 {GAVE_UP}, ptr %result
   %status = call i32 @LOOP(ptr %result, ptr %raised, i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f)
   %value = load i64, ptr %result
   %good = icmp eq i32 %status, 0
-  %answer = select i1 %good, i64 %value, i64 {FAILED}
+  %answer = select i1 %good, i64 %value, i64 {GAVE_UP}
   ret i64 %answer
 }}
 """

@@ -9,6 +9,7 @@ from pathlib import Path
 from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
 from ..loop.machine.compiled import is_compiled, require_loop
+from ..participant.opening import require_compiler
 from ..plan.explain import last_steps
 from ..plan.plan import Plan
 from ..results.energy import require_energy
@@ -36,6 +37,8 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     plan = planned(strictly(system) if strict else system, request.record_boundary)
     checkpoint_ticks(plan, request.checkpoint)
     require_loop()
+    for component in plan.system.components.values():
+        require_compiler(component.fmu, component.name)
     folder, older = claim(out, plan.system.name, force)
     if plan.system.parameter_set:
         tell(f"parameters: {plan.system.parameter_set}")

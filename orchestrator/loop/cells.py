@@ -4,6 +4,7 @@ from __future__ import annotations
 
 # What `run` returns.
 DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED = range(8)
+GAVE_UP = -1  # machine code, where Python would raise: no plan should bring that about
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised [ticks from the start]; an instant behind which a component does not want to go

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from ..extras import needed
+from ..extras import require
+from ..fmu.files.places import is_python
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.mock import MockFmu
@@ -29,12 +30,12 @@ KINDS: dict[int, type[LoadedInstance]] = {1: Fmi1Instance, 2: Fmi2Instance, 3: F
 
 def load(fmu: Fmu, name: str, logging: Logging = "all", tolerance: float | None = None) -> LoadedInstance:
     """An instance in this process, or under wine where its library is for Windows. Raises FmuError if it refuses."""
+    require_compiler(fmu, name)
     if fmu.own.windows:
         from .windows.opening import windows_class
 
         return windows_class(fmu, False)(fmu, name, logging, tolerance)
     if fmu.kind == MODEL_EXCHANGE:
-        needed("numba", f"component {name}, an FMU for Model Exchange,")
         from .model_exchange.instance import MEMBERS
 
         return MEMBERS[fmu.version](fmu, name, logging, tolerance)
@@ -61,6 +62,14 @@ def why_not_here(component: Component) -> str:
     return why_alone(fmu.own) if used_before(fmu.own) else ""
 
 
+def require_compiler(fmu: Fmu, name: str) -> None:
+    """Raise InputError where an FMU is compiled for here, and what does that is not installed."""
+    if fmu.kind == MODEL_EXCHANGE:
+        require("numba", f"component {name}, an FMU for Model Exchange,")
+    elif is_python(fmu.description):
+        require("numba", f"component {name}, a Python FMU of `rovbrush build`,")
+
+
 class Starting:
     """Instances of components, one after the other; processes that take long to start are all started before.
 
@@ -81,6 +90,7 @@ class Starting:
 
     def start(self, component: Component) -> Participant:
         """The instance of a component. Raises FmuError if it refuses."""
+        require_compiler(component.fmu, component.name)
         process = self._waiting.pop(component.name, None)
         if process is None:
             return start(component)
@@ -103,6 +113,7 @@ class Starting:
 def start(component: Component) -> Participant:
     """The instance of a component, in a process of its own where the system says so, or where it must not meet what
     was in this one before."""
+    require_compiler(component.fmu, component.name)
     wanted = component.logging, component.tolerance
     if component.fmu.own.windows:
         return Starting([component]).start(component)

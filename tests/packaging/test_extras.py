@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from importlib.metadata import packages_distributions
 from pathlib import Path
 
 import pytest
+from exchange_build import exchange
 from helpers import python
 from native_build import feedthrough2, needs_gcc
 from rovbrush.orchestrator.errors import InputError
@@ -46,6 +48,21 @@ def test_where_no_loop_is_shipped_and_nothing_compiles_it_that_is_said(tmp_path:
     (tmp_path / "case.toml").write_text(SYSTEM)
     status, said = without_extras("run", tmp_path / "case.toml", "--out", tmp_path / "out")
     assert status == 2 and "python -m pip install 'rovbrush[compile]'" in said and not (tmp_path / "out").exists(), said
+
+
+@needs_gcc
+@pytest.mark.parametrize("isolated", ["", 'isolation = "process"\n'])
+@pytest.mark.parametrize(
+    ("kind", "said"), [("lag", "an FMU for Model Exchange,"), ("dc_motor", "a Python FMU of `rovbrush build`,")]
+)
+def test_fmus_that_are_compiled_for_here_say_what_that_needs(
+    kind: str, said: str, isolated: str, tmp_path: Path, fmus: Path, loop_library: Path
+) -> None:
+    path = exchange(tmp_path, kind) if kind == "lag" else shutil.copy(fmus / f"{kind}.fmu", tmp_path)
+    text = f'format = 2\nstop_time = "4 ms"\n[components.a]\nfmu = "{Path(path).name}"\nperiod = "1 ms"\n{isolated}'
+    (tmp_path / "case.toml").write_text(text)
+    status, words = without_extras("run", tmp_path / "case.toml", "--out", tmp_path / "out", loop=loop_library)
+    assert status == 2 and f"component a, {said} needs numba: python -m pip install 'rovbrush[compile]'" in words, words
 
 
 def test_what_needs_an_extra_says_which(tmp_path: Path) -> None:

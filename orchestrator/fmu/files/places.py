@@ -89,10 +89,15 @@ def origin(path: Path, description: ModelDescription) -> str:
     made = made_by(description)
     if not made:
         return "file"
-    kind = "Python" if "pythonfmu" in (description.generationTool or "") else "native"
+    kind = "Python" if is_python(description) else "native"
     if is_shipped(path):
         return f"shipped {kind} of rovbrush {made}"
     return f"built, {kind}" + ("" if made == version("rovbrush") else f", by rovbrush {made}")
+
+
+def is_python(description: ModelDescription) -> bool:
+    """Whether `rovbrush build` made it with pythonfmu."""
+    return bool(made_by(description)) and "pythonfmu" in description.generationTool
 
 
 def made_by(description: ModelDescription) -> str:

@@ -12,9 +12,10 @@ from numba.extending import intrinsic, register_jitable
 from ..lives import told_to_compiler
 from ..run import run
 from . import calls as calls  # what FMI functions are in machine code
-from .frame import WHOLE_NUMBERS, WORDS
+from .frame import ARRAYS, WHOLE_NUMBERS, WORDS
 
 told_to_compiler()
+ARGUMENTS = len(ARRAYS)
 _run = register_jitable(run)
 SIGNATURE = types.int64(*(types.int64,) * (1 + WHOLE_NUMBERS))
 
@@ -64,7 +65,7 @@ def _bytes_at(frame, k):
 
 def entry(address, first_cycle, cycles, cycle_ticks, numerator, denominator):
     """The kinds stand in `frame.ARRAYS`, in the same order."""
-    f = carray(_words(address), (WORDS * 21,))
+    f = carray(_words(address), (WORDS * ARGUMENTS,))
     return run(
         _table(f, 0), _numbers(f, 1), _table(f, 2), _table(f, 3),
         _numbers(f, 4), _cells(f, 5), _bytes_at(f, 6), _floats_at(f, 7), _bytes_at(f, 8), _cells(f, 9),

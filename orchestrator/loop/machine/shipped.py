@@ -18,7 +18,6 @@ from ...errors import InputError
 
 FOLDER = Path(__file__).with_name("libraries")
 ENTRY = "rovbrush_loop"  # the name of the function
-FAILED = -1  # what it gives where Python would raise, which no plan does
 ENDS = {"linux64": ".so", "win64": ".dll"}
 
 

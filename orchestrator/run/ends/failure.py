@@ -47,6 +47,8 @@ def failure_of(
         return end, f"interrupted by the user at t = {end:.9g} s"
     if code == cells.NOT_CONVERGED and row[0] != SOLVE:
         return end, plan.algorithm.failure(plan, space.loop, at)
+    if code == cells.GAVE_UP:
+        return end, f"the compiled loop gave up behind t = {end:.9g} s, which it never should: please report that"
     instant = clock.time(begin + int(row[1])) if row[0] == SOLVE else at
     return end, failed_at(plan, instances, code, control, z, row, f"t = {instant:.9g} s")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -60,8 +61,8 @@ def make_experiment(
         if match.column not in columns:
             measured(system, match, columns, recipe.data, (0.0, 0.0), tell)  # which says so
     if not recipe.stop:
-        system = _ending_with(system, [float(columns[m.column].rows[-1][1]) for m in matches if columns[m.column].rows],
-                              recipe.data)  # fmt: skip
+        times = [time for m in matches for _, time, _ in columns[m.column].rows if isfinite(time)]
+        system = _ending_with(system, max(times, default=0.0), recipe.data)
     span = float(system.start), float(system.stop)
     seen = tuple(measured(system, match, columns, recipe.data, span, tell) for match in matches)
     inputs = driven_by(system, columns, matches, recipe.data)
@@ -76,9 +77,8 @@ def make_experiment(
     return Experiment(recipe.data.name, plan, seen)
 
 
-def _ending_with(system: System, ends: Sequence[float], path: Path) -> System:
+def _ending_with(system: System, last: float, path: Path) -> System:
     """The run to the last time of the data."""
-    last = max(ends, default=0.0)
     if last <= float(system.start):
         raise InputError(
             f"--data {path.name}: the data end at {last:g} s, where the run begins ({seconds_text(system.start)}); "

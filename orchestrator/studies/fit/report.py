@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +11,7 @@ import numpy as np
 
 from ...files import write_file, write_json
 from ...results.pictures.canvas import legend_above, new_figure
+from ..parameter_file import set_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,7 +23,7 @@ def write_fit(found: Fitted, folder: Path) -> list[Path]:
     """The files of a fit: numbers first. Raises RunError if the disk refuses."""
     paths = [write_file(folder / "fit.json", lambda path: write_json(path, content(found)))]
     paths.append(write_file(folder / "fit.csv", lambda path: write_rows(found, path)))
-    text = parameter_set(found)
+    text = parameter_set(found, folder)
     paths.append(write_file(folder / "fitted.toml", lambda path: path.write_text(text, encoding="utf-8")))
     picture = draw(found)
     paths.append(write_file(folder / "fit.png", lambda path: picture.savefig(path, format="png")))
@@ -56,18 +56,11 @@ def write_rows(found: Fitted, path: Path) -> None:
                     writer.writerow([experiment.name, one.name, one.unit, *map(repr, row)])
 
 
-def parameter_set(found: Fitted) -> str:
-    """A parameter set as TOML, which `--parameters` takes."""
-    data = ", ".join(experiment.name for experiment in found.experiments).replace('"', "'").replace("\\", "/")
-    lines = [f'description = "fitted to {data}"', f"base = {json.dumps(found.base)}"]
-    for component in dict.fromkeys(one.name.partition(".")[0] for one in found.estimates):
-        lines += ["", f"[{component}]"]
-        for one in found.estimates:
-            owner, _, variable = one.name.partition(".")
-            if owner == component:
-                key = variable if variable.replace("_", "a").isalnum() and variable.isascii() else f'"{variable}"'
-                lines.append(f"{key} = {one.value!r}  # [{one.unit}] standard error {one.error:.2g}")
-    return "\n".join(lines) + "\n"
+def parameter_set(found: Fitted, folder: Path) -> str:
+    """The estimates as a parameter set that stands in a folder."""
+    data = ", ".join(experiment.name for experiment in found.experiments)
+    values = {one.name: (one.value, f"[{one.unit}] standard error {one.error:.2g}") for one in found.estimates}
+    return set_text(f"fitted to {data}", found.base, values, folder)
 
 
 def draw(found: Fitted) -> Figure:

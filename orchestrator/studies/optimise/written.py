@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...files import plain, write_file, write_json
 from ...results.pictures.canvas import legend_above, new_figure
+from ..parameter_file import set_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,7 +22,7 @@ def write_found(found: Optimum, out: Path) -> tuple[Path, ...]:
     """The files, numbers first; a parameter set where the constraints hold. Raises RunError if the disk refuses."""
     paths = [write_file(out / "optimise.json", lambda path: write_json(path, as_json(found)))]
     if found.best.violation == 0.0:
-        paths.append(write_file(out / SET, lambda path: path.write_text(parameter_set(found), encoding="utf-8")))
+        paths.append(write_file(out / SET, lambda path: path.write_text(parameter_set(found, out), encoding="utf-8")))
     if any(not trial.error for trial in found.trials):
         figure = convergence(found)
         paths.append(write_file(out / "optimise.png", lambda path: figure.savefig(path, format="png")))
@@ -46,19 +46,11 @@ def as_json(found: Optimum) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def parameter_set(found: Optimum) -> str:
-    """A parameter set with the optimum, as `--parameters` takes it."""
-    tables: dict[str, list[str]] = {}
-    for name, value in found.values.items():
-        component, _, variable = name.partition(".")
-        key = variable if variable.replace("_", "").isalnum() and variable.isascii() else json.dumps(variable)
-        tables.setdefault(component, []).append(f"{key} = {json.dumps(plain(value))}")
+def parameter_set(found: Optimum, folder: Path) -> str:
+    """The optimum as a parameter set that stands in a folder."""
     word = "least" if found.aim.sign > 0 else "greatest"
     about = f"{word} {found.aim.figure} of {found.request.system.name}, found by rovbrush optimise"
-    lines = [f"description = {json.dumps(about)}", f"base = {json.dumps(found.base)}"]
-    for component, entries in tables.items():
-        lines += ["", f"[{component}]", *entries]
-    return "\n".join(lines) + "\n"
+    return set_text(about, found.base, {name: (plain(value), "") for name, value in found.values.items()}, folder)
 
 
 def convergence(found: Optimum) -> Figure:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,14 +42,35 @@ def parameter_set(file: TomlFile, chosen: str = "") -> TomlFile | None:
     raise InputError(f"--parameters: {message}") if chosen else file.fail(message, "parameters")
 
 
-def base_of(file: TomlFile, table: TomlFile | None) -> TomlFile | None:
-    """The set below another: of an empty name the one that the system names itself. Raises InputError."""
-    if table is None or BASE not in table.data:
+def sets_of(file: TomlFile, chosen: str = "") -> list[TomlFile]:
+    """The set that is taken, the one that it names as its base, the base of that...: what counts first comes first.
+
+    Raises InputError where one is missing, or is below itself.
+    """
+    found: list[TomlFile] = []
+    table = parameter_set(file, chosen)
+    while table is not None:
+        if any(table.path.samefile(other.path) for other in found):
+            if not found[-1].data[BASE]:  # the system's own is above already
+                break
+            raise found[-1].fail(f"'{BASE}' leads back to {table.path.name}", BASE)
+        found.append(table)
+        table = _base_of(file, table)
+    return found
+
+
+def _base_of(file: TomlFile, table: TomlFile) -> TomlFile | None:
+    """The set below another: of an empty name the one that the system names itself, of a path from the set's folder."""
+    if BASE not in table.data:
         return None
     name = table.data[BASE]
     if not isinstance(name, str):
         raise table.fail(f"'{BASE}' must be the name of a set, or \"\" for that of the system", BASE)
-    return parameter_set(file, name)
+    beside = table.path.parent / name
+    try:
+        return parameter_set(file, str(beside) if name and beside.is_file() else name)
+    except InputError as error:
+        raise table.fail(str(error), BASE) from None
 
 
 def shipped_sets() -> dict[str, str]:
@@ -78,36 +100,41 @@ def description_of(table: TomlFile) -> str:
     return text
 
 
-def stated(table: TomlFile | None) -> dict[str, list[Stated]]:
-    """What a set states, by component; see `with_parameter_set` for what is refused."""
-    if table is None:
-        return {}
-    return {
-        heading: [(key, value, f"{table.name} {table.at(key, heading)}") for key, value in entries.items()]
-        for heading, entries in table.data.items()
-        if isinstance(entries, dict)
-    }
+def stated(sets: Sequence[TomlFile], component: str, over: bool) -> list[Stated]:
+    """What sets state of a component, what counts last: those that come over the system's own values, or under them.
+
+    See `with_parameter_sets` for what is refused.
+    """
+    return [
+        (key, value, f"{table.name} {table.at(key, component)}")
+        for table in reversed(sets)
+        if (BASE in table.data) is over and isinstance(entries := table.data.get(component), dict)
+        for key, value in entries.items()
+    ]
 
 
-def with_parameter_set(system: System, table: TomlFile | None, origin: str, base: TomlFile | None = None) -> System:
+def with_parameter_sets(system: System, sets: Sequence[TomlFile], origin: str) -> System:
     """The values of a set come under those of the system's own file, which is called `origin`.
 
-    Those of one that has a base come over them, and the base under them.
+    Those of one that has a base come over them, and over those of its base; see `sets_of` for the order.
     """
-    if table is None:
+    if not sets:
         return system
-    about, values = description_of(table), _values(system, table)
+    about = description_of(sets[0])
+    values = {table.path: _values(system, table) for table in sets}
     own = {
         f"{c.name}.{key}": value
         for c in system.components.values()
         for key, value in {**c.parameters, **c.inputs}.items()
     }
-    if BASE in table.data:
-        below = system if base is None else system.with_values(_values(system, base), base.path.name)
-        placed = below.with_values(own, origin).with_values(values, table.path.name)
-    else:
-        placed = system.with_values(values, table.path.name).with_values(own, origin)
-    return replace(placed, parameter_set=ParameterSet(table.path.stem, about))
+    under, over = ([table for table in reversed(sets) if (BASE in table.data) is above] for above in (False, True))
+    placed = system
+    for table in under:
+        placed = placed.with_values(values[table.path], table.path.name)
+    placed = placed.with_values(own, origin)
+    for table in over:
+        placed = placed.with_values(values[table.path], table.path.name)
+    return replace(placed, parameter_set=ParameterSet(sets[0].path.stem, about))
 
 
 def _values(system: System, table: TomlFile) -> dict[str, object]:

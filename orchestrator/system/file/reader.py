@@ -26,7 +26,7 @@ from .components import component_of
 from .connections import check_drivers, connections_of
 from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
-from .parameter_sets import base_of, parameter_set, stated, with_parameter_set
+from .parameter_sets import sets_of, stated, with_parameter_sets
 from .recorded import recorded_names
 from .shipped import SYSTEMS, shipped_systems
 from .structure import given_for, with_resized_starts
@@ -55,13 +55,15 @@ def load_system(
     table = checked(SystemTable, {key: value for key, value in file.data.items() if key in KEYS}, "", file)
     if not table.components:
         raise InputError(f"{file.path.name}: 'components' is missing")
-    chosen = parameter_set(file, parameters)
-    base = base_of(file, chosen)
-    sets, count = (stated(base), stated(chosen)), len(table.components)
-    under = {key: [one for entries in sets for one in entries.get(key, ())] for key in table.components}
-    later = {key: given_for(key, count, values or {}, "--set") for key in table.components}
+    sets, count = sets_of(file, parameters), len(table.components)
+    later = {
+        key: [*stated(sets, key, over=True), *given_for(key, count, values or {}, "--set")] for key in table.components
+    }
     entries = {key: file.entry(dict, key, file.data["components"], "components") for key in table.components}
-    components = {key: component_of(file, key, entry, fmus, under[key], later[key]) for key, entry in entries.items()}
+    components = {
+        key: component_of(file, key, entry, fmus, stated(sets, key, over=False), later[key])
+        for key, entry in entries.items()
+    }
     if table.order and sorted(table.order) != sorted(components):
         raise file.fail(f"order must name every component once: {', '.join(components)}", "order")
     connections = tuple(c for entry in table.connections for c in connections_of(file, components, entry))
@@ -82,7 +84,7 @@ def load_system(
         record=record, reporting=_reporting(file), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
-    system = with_parameter_set(system, chosen, file.path.name, base)
+    system = with_parameter_sets(system, sets, file.path.name)
     system = require_values(system, file.fail) if complete else system
     resized = {
         key: with_resized_starts(c, later[key], file.path.name) for key, c in system.components.items() if c.fmu.resized

@@ -9,15 +9,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers import python
+from helpers import plan_of, python
 from native_build import feedthrough2, feedthrough3, needs_gcc
 from rovbrush.orchestrator.fmu.files.windows import wine
 from rovbrush.orchestrator.loop import run
-from rovbrush.orchestrator.loop.cells import ENDS_AT, EVENT_AT, NEVER
+from rovbrush.orchestrator.loop.cells import ENDS_AT, EVENT_AT, GAVE_UP, NEVER
 from rovbrush.orchestrator.loop.machine.compiled import compiled_run, own_hash
 from rovbrush.orchestrator.loop.machine.frame import ARRAYS, CELLS, FLOATS, NUMBERS, TABLE, Loop
 from rovbrush.orchestrator.loop.machine.shipped import Library, file_name
 from rovbrush.orchestrator.loop.operations import COPY, LINEAR, MEAN, MIX, QUADRATIC, SAMPLE
+from rovbrush.orchestrator.run import session
+from rovbrush.orchestrator.run.simulation import simulate
 from windows_build import needs_wine
 
 RUN = """
@@ -101,6 +103,14 @@ def test_the_operations_on_numbers_have_one_result_in_all_lives(loop_library: Pa
         ends.append((function(*given, *numbers), given[4].tobytes(), given[14].tobytes()))
     before = arrays()[0][4].tobytes()
     assert ends[0][0] == 0 and ends[0][1] != before and ends[0] == ends[1] == ends[2]
+
+
+def test_machine_code_that_gives_up_ends_the_run_with_words(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = plan_of(tmp_path, fmus, {"a": ("integrator", "10 ms", {"=u": 0.3})}, stop="100 ms")
+    monkeypatch.setattr(session, "compiled_run", lambda: lambda *_: GAVE_UP)
+    assert "the compiled loop gave up" in simulate(plan).failure
 
 
 def test_an_array_of_another_kind_is_refused(loop_library: Path) -> None:

@@ -124,5 +124,38 @@ def test_sweeps_checkpoints_and_the_api_take_the_same_set(
     assert load(system, fmus=fmus, parameters="hard").system.components["g"].parameters["k"] == 7.0
 
 
+def test_a_set_with_a_base_comes_over_the_system_and_a_base_may_have_one_too(
+    system: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """What a study found from what a study found: both come over the system's own value, the later one on top."""
+    text = system.read_text().replace('period = "1 ms"', 'period = "1 ms"\nparameters = { k = 2.0 }', 1)
+    system.write_text(f'parameters = "soft"\n{text}')
+    (tmp_path / "first").mkdir()
+    (tmp_path / "second").mkdir()
+    (tmp_path / "first" / "found.toml").write_text('base = ""\n[g]\nk = 3.0\noffset = 1.0\n')
+    second = tmp_path / "second" / "found.toml"
+    second.write_text('base = "../first/found.toml"\n[g]\noffset = 5.0\n')
+    for folder in (tmp_path, tmp_path.parent):  # a base is looked for from where its set stands
+        monkeypatch.chdir(folder)
+        taken = assemble(str(system), {}, fmus=fmus, changes=changes_of((), (), (), parameters=str(second)))
+        parameters = taken.components["g"].parameters
+        assert (parameters["k"], parameters["offset"]) == (3.0, 5.0)
+    assert gain_of(system, fmus) == 2.0
+    system.write_text(f'parameters = "first/found.toml"\n{text}')  # which has nothing below it but the system
+    assert gain_of(system, fmus) == 3.0
+
+
+def test_a_base_that_is_missing_or_leads_back_is_one_error_that_names_the_set(
+    system: Path, fmus: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "one.toml").write_text('base = "two"\n[g]\nk = 1.0\n')
+    (tmp_path / "two.toml").write_text('base = "one"\n[g]\nk = 2.0\n')
+    (tmp_path / "lost.toml").write_text('base = "nowhere"\n[g]\nk = 2.0\n')
+    with pytest.raises(InputError, match=r"'base' leads back to one.toml.*two.toml"):
+        gain_of(system, fmus, "one")
+    with pytest.raises(InputError, match=r"no parameter set 'nowhere'.*lost.toml"):
+        gain_of(system, fmus, "lost")
+
+
 def test_shipped_sets_say_what_they_are() -> None:
     assert all(shipped_sets().values()) and "paper" in shipped_sets()

@@ -208,6 +208,7 @@ def test_a_parameter_without_effect_is_named(log: Write, fitted: Callable[..., F
         (lambda c: {**c, "motor.i": ["nan"] * len(c["time"])}, "0 rows of column 'motor.i'"),
         (lambda c: {"t": c["time"], "motor.i": c["motor.i"]}, "there is no column 'time'"),
         (lambda c: {**c, "time": [*np.roll(c["time"][:-1], 3).tolist(), 1.0]}, "do not rise"),
+        (lambda c: {**c, "time": c["time"][::-1]}, "do not rise"),
         (lambda c: {**c, "time": c["time"] - 5.0}, "the data end at -4 s, where the run begins"),
         (lambda c: {"time": c["time"], "motor.i [kg]": c["motor.i"], "motor.omega_b": c["motor.omega_b"]}, "kg"),
         (lambda c: {**c, "motor.V_in": ["?"] * len(c["time"])}, "V_in = '\\?' is not a number"),
