@@ -48,6 +48,8 @@ def plot(
     from ...results.pictures.traces import traces
     from ...studies.sweep.picture import SWEEP, draw_sweep
 
+    if not folder.exists():
+        open_result(folder)  # which says so
     path = _target(folder, out)
     if (folder / SWEEP).is_file() and not (folder / "result.nc").is_file():
         if path.suffix == ".html" or begin or end:

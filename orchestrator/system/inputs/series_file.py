@@ -42,7 +42,8 @@ def columns_of(path: Path, label: str) -> dict[str, Column]:
     names = [name for name, _ in heads]
     if "time" not in names:
         raise InputError(
-            f"{label}: {path.name}: there is no column 'time' among {', '.join(filter(None, names)) or 'none'}"
+            f"{label}: {path.name}: there is no column 'time' among {', '.join(filter(None, names)) or 'none'}; "
+            "the first line has the headings, such as time,u [V]"
         )
     for name in names:
         if names.count(name) > 1:
