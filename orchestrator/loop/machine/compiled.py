@@ -96,6 +96,8 @@ def is_compiled() -> bool:
 
 def numba_compiles() -> bool:
     """Whether the environment lets Numba compile; with NUMBA_DISABLE_JIT everything is plain Python."""
+    if shipped.switched_off():
+        return False
     import numba
 
     return not numba.config.DISABLE_JIT  # type: ignore[attr-defined]
@@ -103,7 +105,7 @@ def numba_compiles() -> bool:
 
 def require_loop() -> None:
     """Raises InputError where there is neither a library nor what compiles the loop."""
-    if not shipped.library(own_hash()) and find_spec("numba") is None:
+    if not shipped.library(own_hash()) and find_spec("numba") is None and not shipped.switched_off():
         raise shipped.nothing_compiles()
 
 
@@ -127,6 +129,8 @@ def compiled_run() -> Callable[..., int]:
     Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the interpreter. Raises InputError where
     there is neither.
     """
+    if shipped.switched_off():
+        return loop.run
     if library := shipped.library(own_hash()):
         return Loop(library.address, library)
     require_loop()

@@ -48,6 +48,11 @@ def target() -> str:
     return {"linux": "linux64", "win32": "win64"}.get(sys.platform, "")
 
 
+def switched_off() -> bool:
+    """Whether all is to be plain Python: Numba's switch for debugging holds for what it has compiled before, too."""
+    return os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0")
+
+
 def file_name(digest: str, of: str) -> str:
     """Of the library for a system, below `libraries`."""
     return f"{of}/loop_{digest}{ENDS[of]}"

@@ -78,6 +78,19 @@ def test_a_run_needs_no_compiler_and_has_the_same_bits(
     assert len(bits) > 100 and compiled.stdout.split() == [bits, "True"], compiled.stderr
 
 
+def test_with_numba_switched_off_the_library_is_not_taken_either(loop_library: Path) -> None:
+    code = (
+        "import sys; sys.modules |= dict.fromkeys(['numba', 'llvmlite'])\n"
+        "from rovbrush.orchestrator.loop.machine.compiled import compiled_run, require_loop\n"
+        "from rovbrush.orchestrator.participant.here.message_filter import filtered\n"
+        "require_loop(); print(compiled_run()); assert filtered(2, 1)"
+    )
+    given = {"ROVBRUSH_LOOP": str(loop_library)}
+    assert "frame.Loop object" in python(code, **given).stdout
+    off = python(code, NUMBA_DISABLE_JIT="1", **given)
+    assert off.returncode == 0 and off.stdout.startswith("<function run "), off.stderr
+
+
 def arrays() -> tuple[list[np.ndarray], tuple[int, ...]]:
     """Arguments of `run.run` for operations on numbers only, with a table of a signal; none of an FMU."""
     rng = np.random.default_rng(7)
