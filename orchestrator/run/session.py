@@ -22,7 +22,7 @@ from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.events import Events
-from .exchange_apart import alone
+from .exchange.apart import alone
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -94,7 +94,7 @@ class Session:
 
     def _brought_together(self) -> Group | None:
         """The group of the FMUs for Model Exchange; what integrates them is loaded where there are any."""
-        from .exchange_models import bring_together
+        from .exchange.together import bring_together
 
         return bring_together(self.plan, self.instances, self.memory)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import asdict
 
-from ..participant.base import Participant
-from ..plan.exchange import apart, settings_of
-from ..plan.plan import Plan
-from ..plan.schedule.layout import Key
+from ...participant.base import Participant
+from ...plan.exchange import apart, settings_of
+from ...plan.plan import Plan
+from ...plan.schedule.layout import Key
 
 
 def alone(plan: Plan, instances: dict[str, Participant], together: bool) -> list[Participant]:

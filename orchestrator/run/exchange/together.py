@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from ..errors import FmuError
-from ..fmu.fmu import Fmu
-from ..loop.cells import THRESHOLD
-from ..participant.base import Participant
-from ..participant.model_exchange.group import Group
-from ..participant.model_exchange.instance import Member
-from ..participant.model_exchange.links import Crossed, Link, LinkBlock
-from ..plan.exchange import links_of, located, settings_of
-from ..plan.plan import Plan
-from ..system.model import Connection
-from .exchange_apart import sampled
-from .memory.memory import Memory
+from ...errors import FmuError
+from ...fmu.fmu import Fmu
+from ...loop.cells import THRESHOLD
+from ...participant.base import Participant
+from ...participant.model_exchange.group import Group
+from ...participant.model_exchange.instance import Member
+from ...participant.model_exchange.links import Crossed, Link, LinkBlock
+from ...plan.exchange import links_of, located, settings_of
+from ...plan.plan import Plan
+from ...system.model import Connection
+from ..memory.memory import Memory
+from .apart import sampled
 
 
 def bring_together(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Group | None:
