@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from numba import njit
+from rovbrush.orchestrator.loop.machine import entry
 from rovbrush.orchestrator.loop.noise import gaussian, philox
+
+entry.told_to_compiler()  # of what is compiled here beside the loop
 
 ONES, PI = (0xFFFFFFFF,) * 6, (0x243F6A88, 0x85A308D3, 0x13198A2E, 0x03707344, 0xA4093822, 0x299F31D0)
 KNOWN = [  # the known answers of Random123 for philox4x32-10

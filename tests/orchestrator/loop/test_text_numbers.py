@@ -11,7 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rovbrush.orchestrator.loop import texts
+from rovbrush.orchestrator.loop.machine import entry
 from rovbrush.orchestrator.loop.texts import ADDRESS, Texts, hash_at, number_of
+
+entry.told_to_compiler()  # of what is compiled here beside the loop
 
 TEXT = st.text(st.characters(exclude_characters="\0", exclude_categories=["Cs"]), max_size=40)
 
