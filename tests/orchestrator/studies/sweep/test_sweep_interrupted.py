@@ -22,8 +22,6 @@ from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.studies.sweep.workers import LocalWorkers
 from sweep_cases import begun, lines, plain_case, running
 
-pytestmark = pytest.mark.sampled(4)
-
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks at processes")
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
