@@ -1,4 +1,4 @@
-"""`make wheel`: the native FMUs, then the wheel that carries them and the source distribution, into dist/."""
+"""`make wheel`: the native FMUs and the documentation, then the wheel that carries them and the source distribution."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from . import loop
+from . import documentation, loop
 from .sources import ROOT, build_native, copy
 
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
@@ -24,6 +24,7 @@ def main(folder: Path = ROOT / "dist") -> None:
         copy(source)
         build_native(source / "fmus")
         loop.build(source / "orchestrator" / "loop" / "machine" / "libraries")
+        documentation.build(source / "build" / "docs")
         for kind in ("build_sdist", "build_wheel"):
             environment = {**os.environ, "SOURCE_DATE_EPOCH": EPOCH}
             command = [sys.executable, "-c", BUILD, kind, str(folder.resolve())]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from ..api import Model, load
 from ..clock import duration
 from ..errors import InputError, RovbrushError, RunError
 from ..plan.plan import Plan
+from ..results.result import Result
 from ..run.snapshot import Snapshot, unkept
 from ..run.stepping import Stepping
 from .expression import Expression
@@ -39,7 +40,8 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
     the default. `episode` [s]: a multiple of that, at which it is truncated. `terminated`, `truncated`: expressions
     that end it before. `randomise`: ranges by name (`"0.05:0.2"`, `"1:10:log"`, a list), drawn anew at every reset by
     the environment's generator: inputs and tunable parameters are set in the restored state, others have the system
-    initialized anew. `values`: as of `rovbrush.load`.
+    initialized anew. `values`: as of `rovbrush.load`. `record`: whether the rows of an episode are kept for `result`,
+    as the system file says, or names and patterns of what is (`["motor.*"]`); a step takes longer then.
 
     A reset restores the states of the FMUs at the start; where one cannot save its state, or fixed parameters are
     drawn, it initializes the system anew, which takes longer and is said in `info["reset"]`. Raises InputError for
@@ -63,11 +65,14 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
         render_mode: str | None = None,
         values: Mapping[str, object] | None = None,
         fmus: str | Path | None = None,
+        record: bool | Sequence[str] = False,
     ) -> None:
         model = system if isinstance(system, Model) else load(system, values=values, fmus=fmus)
         start = model.system.start
         model = model.over("", float(start + duration(episode, "episode")))
-        self.model = Model(replace(model.system, record=()))
+        self.recorded = bool(record)
+        kept = model.system.record if record is True else _patterns(record)
+        self.model = Model(replace(model.system, record=kept))
         plan = self.model.plan
         self._by, self._steps = _times(self.model, period, episode)
         if render_mode not in (None, *self.metadata["render_modes"]):
@@ -184,11 +189,31 @@ class Environment(gymnasium.Env[np.ndarray, np.ndarray]):
 
         return picture(self.observations, self._trace)
 
+    def result(self) -> Result:
+        """The rows of the episode until now, as those of a run; what was taken stays as it is when the next one begins.
+
+        Raises InputError where nothing is recorded, RunError before the first reset.
+        """
+        if not self.recorded:
+            raise InputError("nothing of an episode is recorded; make the environment with record=True")
+        if self._session is None:
+            raise RunError("the environment has not begun: call reset() first")
+        return self._session.result()
+
     def close(self) -> None:
         """Give the FMUs back."""
         session, self._session, self._start, self._wires = self._session, None, None, None
         if session is not None:
             session.__exit__(None, None, None)
+
+
+def _patterns(record: bool | Sequence[str]) -> tuple[str, ...]:
+    """Of what is recorded where the caller says it. Raises InputError."""
+    if record is False:
+        return ()
+    if isinstance(record, (str, bool)) or not all(isinstance(name, str) for name in record):
+        raise InputError(f'record = {record!r}: True, or a list of names and patterns such as ["motor.*"]')
+    return tuple(record)
 
 
 def _box(signals: list[Signal]) -> gymnasium.spaces.Box:

@@ -22,6 +22,12 @@ from rovbrush.components.declare.model_description import VERSION
 SHIPPED = ("orchestrator", "components", "setup.py", "pyproject.toml", "README.md", "LICENSE", "MANIFEST.in")
 WITH_FMUS = ("README.md", "verify.c", "recordings")  # of fmus/, what a wheel has whether FMUs were built or not
 BUILT = {"fmus/native/fmi2/ours.fmu": VERSION, "fmus/native/fmi3/older.fmu": "0.0.1"}  # as `rovbrush build --native`
+PAGES = {  # as `make docs`, with what only Sphinx needs
+    "build/docs/index.html": "<html></html>",
+    "build/docs/_static/documentation_options.js": f"VERSION: '{VERSION}',",
+    "build/docs/_static/theme.css.map": "{}",
+    "build/docs/.doctrees/index.doctree": "",
+}
 LEFT_OUT = {"orchestrator/README.md"}  # for readers of the repository
 OFFLINE = ("--no-index", "--no-deps", "--no-build-isolation", "--quiet", "--disable-pip-version-check")
 
@@ -51,6 +57,9 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         with zipfile.ZipFile(folder / path, "w") as archive:
             archive.writestr("modelDescription.xml", f'<fmiModelDescription generationTool="rovbrush {made_by}"/>')
+    for path, text in PAGES.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
     return folder
 
 
@@ -119,6 +128,22 @@ def test_a_folder_gives_the_fmus_that_this_version_built_there(installed: Path, 
         return  # of an editable install they stay where they are
     found = {path.name for path in package.rglob("*.fmu")}
     assert found == ({"ours.fmu"} if "folder" in str(installed) else set())
+
+
+def test_the_documentation_that_was_built_comes_along(installed: Path, source: Path, tmp_path: Path) -> None:
+    """The pages alone, from a folder; of an editable install they stay where they are; else it is said that there are
+    none."""
+    command = [installed / "rovbrush", "docs", "--path"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    if "wheel" in str(installed):  # of a source distribution, which has none
+        assert done.returncode == 2 and "`make docs`" in done.stderr
+        return
+    page = Path(done.stdout.strip())
+    assert page.name == "index.html" and page.is_file() and done.returncode == 0
+    if page.is_relative_to(source):
+        return
+    files = {path.relative_to(page.parent).as_posix() for path in page.parent.rglob("*") if path.is_file()}
+    assert files == {"index.html", "_static/documentation_options.js"}
 
 
 def test_without_fmus_it_says_how_to_build_them(installed: Path, tmp_path: Path) -> None:

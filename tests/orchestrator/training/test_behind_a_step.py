@@ -50,6 +50,76 @@ def test_two_processes_give_the_bits_of_two_single_environments(system: Path) ->
         assert [np.asarray(part[k]).tobytes() for part in together] == [np.asarray(part).tobytes() for part in alone]
 
 
+@pytest.mark.parametrize("processes", [True, False])
+def test_many_are_made_of_one_system(system: Path, processes: bool) -> None:
+    """In processes and one after the other: the bits of a single one."""
+    before = multiprocessing.active_children()
+    vector = rovbrush.gym.make_vec(system, 2, KEYS["actions"], KEYS["observations"], "c1.y", episode="10 ms",
+                                   processes=processes)  # fmt: skip
+    assert len([p for p in multiprocessing.active_children() if p not in before]) == 2 * processes
+    seen, _ = vector.reset(seed=1)
+    assert seen.shape == (2, 1)
+    given = actions(2)
+    found = np.array([vector.step(each)[1] for each in given])
+    vector.close()
+    env = made(system, reward="c1.y")
+    env.reset(seed=1)
+    assert found[:, 1].tolist() == [env.step(each[1])[1] for each in given]
+    env.close()
+
+
+def test_what_is_wrong_in_many_is_said_before_a_process_starts(system: Path) -> None:
+    before = multiprocessing.active_children()
+    wanted = (KEYS["actions"], KEYS["observations"])
+    with pytest.raises(InputError, match="no component 'c7'"):
+        rovbrush.gym.make_vec(system, 2, *wanted, "c7.y", episode="10 ms")
+    with pytest.raises(InputError, match="0 environments; it takes a whole number of at least 1"):
+        rovbrush.gym.make_vec(system, 0, *wanted, "c1.y", episode="10 ms")
+    assert multiprocessing.active_children() == before
+
+
+def test_recorded_episodes_are_results_and_the_steps_give_the_same_bits(system: Path) -> None:
+    """A result has the rows of its episode, and keeps them when the next one begins."""
+    env, quick = made(system, record=True), made(system)
+    taken = []
+    for seed in (1, 2):
+        env.reset(seed=seed)
+        quick.reset(seed=seed)
+        seen = [env.step(given[0])[0].item() for given in actions(1)]
+        assert seen == [quick.step(given[0])[0].item() for given in actions(1)]
+        taken.append((seen, env.result()))
+    for seen, result in taken:
+        assert result["c1.y"].values[1:].tolist() == seen and result.run.failure == ""
+    env.close()
+    quick.close()
+
+
+def test_an_episode_is_recorded_as_asked_until_its_failure(tmp_path: Path) -> None:
+    moody(tmp_path / "moody.fmu", ON_STEP="if (t > 0.0025) return fmi2Error")
+    path = tmp_path / "fails.toml"
+    path.write_text('format = 2\nstop_time = "1 s"\n[components.m]\nfmu = "moody.fmu"\nperiod = "1 ms"\n')
+    env = Environment(path, {"m.u": (-1.0, 1.0)}, {"m.x": (-1.0, 1.0)}, "m.x", episode="10 ms", record=["m.x"])
+    with pytest.raises(RunError, match=r"call reset\(\) first"):
+        env.result()
+    env.reset(seed=1)
+    with pytest.raises(RunError, match="component m"):
+        for _ in range(5):
+            env.step(np.array([1.0]))
+    result = env.result()
+    assert len(result["m.x"].values) == 4 and "component m" in result.run.failure
+    env.close()
+
+
+def test_where_nothing_is_recorded_a_result_says_how(system: Path) -> None:
+    env = made(system)
+    env.reset(seed=1)
+    with pytest.raises(InputError, match="make the environment with record=True"):
+        env.result()
+    env.close()
+    with pytest.raises(InputError, match="record = 'c1': True, or a list"):
+        made(system, record="c1")
+
+
 def test_the_failure_of_a_worker_is_one_error_and_leaves_no_process(system: Path) -> None:
     before = multiprocessing.active_children()
     vector = AsyncVectorEnv([lambda: made(system)] * 2)
