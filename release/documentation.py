@@ -11,8 +11,8 @@ from pathlib import Path
 from .sources import ROOT
 
 LEFT_OUT = shutil.ignore_patterns("*.map", ".*")  # for those who mend the theme's scripts; Sphinx's own notes
-# Their scripts and styles are in the pages; those of Bootstrap and Font Awesome bring their licences along, and STIX Two
-# states its own (SIL OFL) within the file, as that licence allows.
+# Their scripts and styles are in the pages; those of Bootstrap and Font Awesome bring their licences along, and the
+# font STIX Two states its own (SIL OFL) within the file, as that licence allows.
 IN_THE_PAGES = ("pydata-sphinx-theme", "Sphinx", "sphinx-copybutton", "sphinx-design", "myst-nb", "Pygments")
 
 
