@@ -17,6 +17,7 @@ from .packet import ServoPacket
 SETTLING = 3  # frames: the firmware begins with 1200 Hz and has followed the time stamps two state lines later
 REORDERED = 16  # frames by which a packet may come late; a count of 0 further back is a new beginning
 REPEAT_AFTER = 0.5  # s of wall time: sooner, the network has doubled a packet; later, the autopilot asks again
+JUMP = 1000  # frames: no lock-step loses so many at once; such a packet is chance
 TURN = 2**32
 
 
@@ -61,11 +62,17 @@ class Frames:
         self.sender: Hashable = None
         self.last = -1  # count of the last frame, -1 before the first
         self.since_start = 0  # frames since the autopilot was started or first heard
+        self.last_garbage = ""  # why the last packet that was none was none
         self._told = -1.0  # s, when the state line was sent that the last frame waits for
 
     def told(self, now: float) -> None:
         """The state line was sent, at the wall time `now` [s]."""
         self._told = now
+
+    def garbage(self, why: str) -> None:
+        """Count a packet that is none; `why` as the tail of a sentence."""
+        self.counts.garbage += 1
+        self.last_garbage = why
 
     def judge(self, packet: ServoPacket, sender: Hashable, now: float) -> Verdict:
         """What a packet is that arrived at the wall time `now` [s]. Raises RunError where its rate is not ours."""
@@ -84,6 +91,9 @@ class Frames:
             return Verdict.DROPPED
         if ahead == 0:
             return self._again(now)
+        if ahead > JUMP:
+            self.garbage(f"frame {packet.frame_count} behind frame {self.last}")
+            return Verdict.DROPPED
         self.counts.lost += ahead - 1
         return self._next(packet)
 

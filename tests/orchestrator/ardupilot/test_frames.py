@@ -64,6 +64,13 @@ def test_a_gap_in_the_counter_is_counted_as_lost_frames() -> None:
     assert frames.counts.lost == 3
 
 
+def test_a_count_far_ahead_is_chance_and_is_dropped() -> None:
+    frames = at_frame(5)
+    assert frames.judge(packet(5 + 2000), "a", 0.0) is Verdict.DROPPED
+    assert frames.counts.garbage == 1 and frames.last_garbage == "frame 2005 behind frame 5"
+    assert frames.judge(packet(6), "a", 0.0) is Verdict.NEW
+
+
 def test_a_count_of_0_from_another_sender_is_a_restart() -> None:
     frames = at_frame(5)
     assert frames.judge(packet(0, rate=1200), "b", 0.0) is Verdict.NEW
