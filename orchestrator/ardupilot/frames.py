@@ -7,9 +7,9 @@ Counters begin at 0 when it is started; sources as in packet.py, and SIM_JSON.cp
 
 from __future__ import annotations
 
-from collections.abc import Hashable
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 from ..errors import RunError
 from .packet import ServoPacket
@@ -59,7 +59,7 @@ class Frames:
     def __init__(self, rate: int, repeat_after: float = REPEAT_AFTER) -> None:
         self.rate, self.repeat_after = rate, repeat_after
         self.counts = Counts()
-        self.sender: Hashable = None
+        self.sender: Any = None  # its address
         self.last = -1  # count of the last frame, -1 before the first
         self.since_start = 0  # frames since the autopilot was started or first heard
         self.last_garbage = ""  # why the last packet that was none was none
@@ -74,7 +74,7 @@ class Frames:
         self.counts.garbage += 1
         self.last_garbage = why
 
-    def judge(self, packet: ServoPacket, sender: Hashable, now: float) -> Verdict:
+    def judge(self, packet: ServoPacket, sender: Any, now: float) -> Verdict:
         """What a packet is that arrived at the wall time `now` [s]. Raises RunError where its rate is not ours."""
         if self.last < 0:
             return self._begin(packet, sender)
@@ -97,7 +97,7 @@ class Frames:
         self.counts.lost += ahead - 1
         return self._next(packet)
 
-    def _begin(self, packet: ServoPacket, sender: Hashable) -> Verdict:
+    def _begin(self, packet: ServoPacket, sender: Any) -> Verdict:
         self.sender, self.since_start = sender, 0
         return self._next(packet)
 

@@ -1,10 +1,11 @@
-"""The socket to an autopilot: it listens at a UDP port, answers whom the lock-step is with, and never waits for ever."""
+"""The socket to an autopilot: it listens at a UDP port, answers whom the lock-step is with, and always ends a wait."""
 
 from __future__ import annotations
 
 import socket
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from ipaddress import ip_address
 
 from ...ardupilot.frames import REPEAT_AFTER, Frames, Verdict
@@ -56,10 +57,8 @@ class Link:
     def _tell(self) -> float:
         """Send the state line, and give the time [s] of that."""
         now = time.monotonic()
-        try:
-            self._socket.sendto(self._line, self.frames.sender)  # type: ignore[arg-type]
-        except OSError:  # a network that is down for a moment: the autopilot asks again
-            return now
+        with suppress(OSError):  # a network that is down for a moment: the autopilot asks again
+            self._socket.sendto(self._line, self.frames.sender)
         self.frames.told(now)
         return now
 
@@ -109,7 +108,7 @@ class Link:
                 f"no autopilot was heard at {where} for {self.timeout:g} s{also}; start one, for example "
                 f"`sim_vehicle.py -v ArduSub -f vectored_6dof --model JSON:{self.host}`, or give it a longer timeout"
             )
-        sender = "{}:{}".format(*self.frames.sender)  # type: ignore[misc]
+        sender = "{}:{}".format(*self.frames.sender)
         return (
             f"the autopilot at {sender} stopped answering: nothing came to {where} for {self.timeout:g} s "
             f"after its frame {self.frames.last} ({counts.text()}){also}"
