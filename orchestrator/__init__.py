@@ -15,13 +15,17 @@ if TYPE_CHECKING:
     from .errors import FmuError, InputError, RovbrushError, RunError
     from .results.pictures.comparison import compare
     from .results.result import Result
+    from .run.pacing.pace import Pace
     from .run.stepping import Stepping
 
-__all__ = ["FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Stepping", "compare", "load"]
+__all__ = [
+    "FmuError", "InputError", "Model", "Pace", "Result", "RovbrushError", "RunError", "Stepping", "compare", "load",
+]  # fmt: skip
 _PLACES = {
     "load": "api",
     "compare": "results.pictures.comparison",
     "Model": "api",
+    "Pace": "run.pacing.pace",
     "Result": "results.result",
     "Stepping": "run.stepping",
 }

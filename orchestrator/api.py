@@ -25,6 +25,7 @@ from .plan.diagram.file import write_diagram
 from .plan.explain import explain
 from .plan.plan import Plan
 from .results.result import Result
+from .run.pacing.pace import Pace
 from .run.planned import planned
 from .run.recording.observers import Every
 from .run.stepping import Stepping, Time
@@ -156,6 +157,7 @@ class Model:
         every: Time | None = None,
         signals: Iterable[str] = ("*",),
         progress: Callable[[float], None] | bool = True,
+        pace: Pace | None = None,
     ) -> Result:
         """Run from start to stop. Raises RunError if it ends before; its `result` is what was computed until then.
 
@@ -163,14 +165,17 @@ class Model:
         `signals` (names of outputs, or patterns such as `motor.*`) by name, at the start and then `every` so often (a
         multiple of the time in which the schedule repeats, which is the default); what it raises ends the run.
         `progress` is called now and then with the time reached [s]; in a notebook a run that takes long shows a bar,
-        unless it is False.
+        unless it is False. `pace`: in real time, see `Pace`; `result.summary()["real_time"]` tells how late it was.
         """
         model = self.over(start, stop)
         model = model.with_inputs(inputs) if inputs is not None else model
         if observe is None and every is not None:
             raise InputError("every = ... says how often to call an observer; give one with observe = ...")
         begin, end = float(model.system.start), float(model.system.stop)
-        with Stepping(model.plan) as session, bar_unless(progress, model.system.name, begin, end) as report:
+        with (
+            Stepping(model._in_time(pace), pace=pace) as session,
+            bar_unless(progress, model.system.name, begin, end) as report,
+        ):
             if observe is None:
                 session.finish(report)
             else:
@@ -178,9 +183,14 @@ class Model:
             result = session.result()
         return result.require_good()
 
-    def start(self, *, start: Time = "", stop: Time = "") -> Stepping:
-        """Load and initialize the FMUs, to be stepped by hand; use it in a `with` block."""
-        return Stepping(self.over(start, stop).plan)
+    def start(self, *, start: Time = "", stop: Time = "", pace: Pace | None = None) -> Stepping:
+        """Load and initialize the FMUs, to be stepped by hand; use it in a `with` block. `pace`: in real time."""
+        model = self.over(start, stop)
+        return Stepping(model._in_time(pace), pace=pace)
+
+    def _in_time(self, pace: Pace | None) -> Plan:
+        """The plan, with deadlines where it is to keep pace."""
+        return self.plan if pace is None else planned(self.system, deadlines=pace.every)
 
     def explain(self) -> str:
         """What `rovbrush plan` prints."""

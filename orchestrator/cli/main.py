@@ -89,9 +89,19 @@ def command_of(arguments: Sequence[str]) -> str:
     return next((word for word in arguments if not word.startswith("-")), "")
 
 
+def with_factor(arguments: list[str]) -> list[str]:
+    """`--real-time` stands for `--real-time 1` where no number follows."""
+    found: list[str] = []
+    for k, word in enumerate(arguments):
+        following = arguments[k + 1] if k + 1 < len(arguments) else ""
+        alone = word == "--real-time" and not following[:1].isdigit() and not following.startswith(".")
+        found.append(f"{word}=1" if alone else word)
+    return found
+
+
 def main() -> NoReturn:
     """Entry point: every error that a user can meet becomes one message on stderr and an exit code."""
-    arguments = [a for a in sys.argv[1:] if a not in ("--debug", "--compile")]
+    arguments = with_factor([a for a in sys.argv[1:] if a not in ("--debug", "--compile")])
     debug = "--debug" in sys.argv[1:]
     if "--compile" in sys.argv[1:]:
         os.environ[COMPILE] = "1"  # for processes that are started here, too

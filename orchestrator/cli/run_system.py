@@ -20,6 +20,7 @@ from ..results.files.writing import ROWS, More
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
 from ..run.checkpoint.checkpoint import Checkpoint, read_checkpoint
 from ..run.checkpoint.fingerprint import require_unchanged
+from ..run.pacing.asked import pace_of
 from ..run.planned import planned
 from ..run.recording.recorder import IN_MEMORY
 from ..system.assemble import assemble_request, strictly
@@ -34,7 +35,8 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     `strict`: only if all FMUs keep to the standard, else FmuError.
     """
     system = assemble_request(request)
-    plan = planned(strictly(system) if strict else system, request.record_boundary)
+    pace = pace_of(request)
+    plan = planned(strictly(system) if strict else system, request.record_boundary, pace.every if pace else None)
     checkpoint_ticks(plan, request.checkpoint)
     require_loop()
     for component in plan.system.components.values():
@@ -64,7 +66,8 @@ def resume_system(folder: Path, asked: Request, check: bool, force: bool = False
     except ValueError:
         raise InputError(f"{checkpoint.folder} was not written by `rovbrush run`; go on as it was begun") from None
     request = replace(request, fmus=asked.fmus or request.fmus, checkpoint=asked.checkpoint or request.checkpoint)
-    plan = planned(assemble_request(request), request.record_boundary)
+    pace = pace_of(request)
+    plan = planned(assemble_request(request), request.record_boundary, pace.every if pace else None)
     require_unchanged(checkpoint.unchanged, plan, force)
     checkpoint_ticks(plan, request.checkpoint)
     out, older = claim(folder, plan.system.name, force, "--resume")
@@ -87,7 +90,7 @@ def _run(
         def report(time: float) -> None:
             bar(time - origin)
 
-        finished = carry_out(plan, out, request, older, begin, force, report, more)
+        finished = carry_out(plan, out, request, older, begin, force, report, more, pace_of(request))
     show(finished)
     require_good(finished, check)
 
@@ -114,6 +117,8 @@ def show(finished: Finished) -> None:
     wrote(written.paths, written.folder)
     if run.ended:
         tell(f"ended: {run.ended}")
+    for line in run.lateness.words() if run.lateness else ():
+        tell(line)
     for note in run.notes:
         tell(note if note.startswith("warning: ") else f"note: {note}")
     for line in written.summary.get("left_range", ()):

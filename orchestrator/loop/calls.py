@@ -11,6 +11,7 @@ from functools import cache
 from typing import Any
 
 STEP_FLAGS = 16  # bytes that a step of FMI 3.0 writes
+MONOTONIC, ABSOLUTE = 1, 1  # CLOCK_MONOTONIC and TIMER_ABSTIME of Linux
 EVENT_NEEDED, TERMINATES, EARLY_RETURN, LAST_TIME = 0, 1, 2, 8  # where: three flags, and the last time that it reached
 
 
@@ -77,6 +78,26 @@ def do_step3(function: int, component: int, time: float, step: float, final: int
     ends = (int(flags), int(flags) + 1, int(flags) + 2, int(flags) + 8)
     ctypes.memset(int(flags), 0, 3)
     return int(_do_step3(int(function))(int(component), time, step, bool(final), *ends))
+
+
+@cache
+def _read_clock(address: int) -> Any:
+    return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_void_p)(address)
+
+
+@cache
+def _sleep_until(address: int) -> Any:
+    return ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(address)
+
+
+def read_clock(function: int, at: int) -> int:
+    """clock_gettime of POSIX: seconds and nanoseconds of a clock that nobody sets, to an address; 0 if all is well."""
+    return int(_read_clock(int(function))(MONOTONIC, int(at)))
+
+
+def sleep_until(function: int, at: int) -> int:
+    """clock_nanosleep of POSIX, to the time of that clock at an address; not 0 where a signal came before it."""
+    return int(_sleep_until(int(function))(MONOTONIC, ABSOLUTE, int(at), None))
 
 
 @cache

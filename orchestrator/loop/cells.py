@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 # What `run` returns.
-DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED = range(8)
+DONE, INTERRUPTED, BAD_STATUS, NOT_FINITE, NOT_CONVERGED, ENDED, UNFIT, PAUSED, WAITING, LATE = range(10)
 GAVE_UP = -1  # machine code, where Python would raise: no plan should bring that about
 
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
@@ -14,6 +14,21 @@ GAVE_UP = -1  # machine code, where Python would raise: no plan should bring tha
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START = range(9)
 EVENT_AT, MOMENTS, CONTROL_CELLS = range(9, 12)
 NEVER = 1 << 62  # ticks
+
+# Cells of `control` behind those, where a run keeps pace with the clock on the wall; see `pacing.py`. Addresses of two
+# functions; the time of the wall [ns] that belongs to a tick; nanoseconds per tick as a quotient; what to do about a
+# deadline that is missed; the tick and the lateness [ns] of the worst one and who needed the most time before it; the
+# time of the last mark; who needed the most since the last deadline, and how much; where the clock is read to (two
+# cells); deadlines so far, those that were missed, the sum of lateness [ns]; its histogram; and behind it for every
+# component, and for all else, how many missed deadlines it needed the most time before.
+(
+    READ_CLOCK, SLEEP, ORIGIN, ORIGIN_TICK, NANOSECONDS, PER_TICKS, POLICY, WORST, WORST_TICK, WORST_COMPONENT,
+    MARKED, SLOWEST, SLOWEST_TIME, SECONDS, PARTS, DEADLINES, MISSED, LATENESS,
+) = range(CONTROL_CELLS, CONTROL_CELLS + 18)  # fmt: skip
+HISTOGRAM = LATENESS + 1
+BINS = 20  # up to 1, 2, 5, 10 ... us, the last one is open
+CAUSES = HISTOGRAM + BINS
+WARN, STOP_LATE, SKIP = range(3)  # of POLICY
 
 # Cells of a fault in the vector of signals: what it does now, the factor and what is added, or in the same cell what
 # stands for the signal; the standard deviation of noise and its seed (a whole number).

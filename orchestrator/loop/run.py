@@ -96,6 +96,7 @@ from .operations import (
     MIX,
     MOVE,
     NUMBER,
+    PACE,
     PAUSE,
     PUSH,
     QUADRATIC,
@@ -115,6 +116,7 @@ from .operations import (
     WORK,
     WORK_ON,
 )  # fmt: skip
+from .pacing import WENT_ON, keep_pace, mark
 from .solvers.iteration import AGAIN, CONVERGED, iterate
 from .solvers.step_control import control as choose_step
 from .solvers.step_control import gauge
@@ -134,13 +136,13 @@ def run(
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
-    NOT_CONVERGED, UNFIT or PAUSED.
+    NOT_CONVERGED, UNFIT, PAUSED, WAITING or LATE.
 
     operations (m, 8), see operations.COLUMNS; components (n, 11) and their blocks (k, 10), addresses and counts, see
     cells.py; z: all signals; whole: the same cells as whole numbers; raw, raw32: values as FMUs
     want them, bytes and floats of the same memory; pool, index: the texts, see texts.py;
     groups (g, 3): first of its slots, columns, first cell in `buffer`; rows (g): rows recorded so far;
-    control (12): see cells.STOP_REQUEST...;
+    control (12, more where the run keeps pace): see cells.STOP_REQUEST...;
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
     loops that are solved at an instant, and the moments of events (cells.MOMENTS); states (n): FMU states; state_calls
@@ -379,6 +381,14 @@ def run(
                     z[b + CROSSED] += 1.0
                     control[EVENT_AT] = -NEVER
                 z[b + SIDE] = side
+            elif code == PACE:
+                if c >= 0:
+                    mark(control, c)
+                else:
+                    verdict = keep_pace(control, cycle * cycle_ticks + clock[NOW] + clock[OFFSET] + a)
+                    if verdict != WENT_ON:
+                        control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                        return verdict
         if cycle_ticks == 0 and clock[NOW] >= min(clock[UNTIL], control[ENDS_AT]):
             return DONE
     return DONE

@@ -40,6 +40,7 @@ class Design:
     start: tuple[Block, ...]  # the order in which values propagate at time 0
     events: Events | None  # what there is of events; None where there can be none
     instants: Instants  # which held inputs are given the value of their instant
+    deadlines: int  # ticks from one instant at which the run waits for the clock on the wall to the next; 0: never
 
     def into(self, name: str) -> list[Connection]:
         """The connections into a component by which the loop forms inputs; none between FMUs for Model Exchange."""

@@ -11,6 +11,7 @@ from ..system.inputs.series import check_series
 from ..system.model import System
 from .algorithms.registry import algorithm_of
 from .capabilities import check_capabilities, check_last_step
+from .deadlines import deadlines_of
 from .design import Design
 from .exchange import check_solver, continuous, with_one_period
 from .happening.clocks import with_event_mode
@@ -62,8 +63,8 @@ class Plan(Design):
         return {name: rest for name, rest in rests.items() if rest}
 
 
-def make_plan(system: System) -> Plan:
-    """Plan a system.
+def make_plan(system: System, deadlines: str | None = None) -> Plan:
+    """Plan a system; `deadlines`: one that keeps pace with the clock on the wall, see `deadlines_of`.
 
     Raises InputError where periods, stop, transfers, settings or what FMUs can do does not fit."""
     system = with_one_period(with_processes(system))
@@ -97,7 +98,7 @@ def make_plan(system: System) -> Plan:
     instants = Instants(system, choices, (*samplers, *leaders), layout.outputs)
     design = Design(
         system, algorithm, clock, order, reason, choices, samplers, leaders, rereads, layout, bonds, groups, start,
-        events, instants,
+        events, instants, deadlines_of(system, clock, algorithm, deadlines),
     )  # fmt: skip
     schedule = algorithm.schedule(design)
     cycle = schedule.build(clock.hyperperiod)

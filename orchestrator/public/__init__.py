@@ -11,8 +11,8 @@ from importlib import import_module
 from typing import Any
 
 __all__ = [
-    "FmuError", "InputError", "Model", "Result", "RovbrushError", "RunError", "Session", "__version__", "compare",
-    "load",
+    "FmuError", "InputError", "Model", "Pace", "Result", "RovbrushError", "RunError", "Session", "__version__",
+    "compare", "load",
 ]  # fmt: skip
 
 

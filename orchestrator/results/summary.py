@@ -66,6 +66,8 @@ def summarize(run: Run) -> dict[str, Any]:
         "simulated_s": run.simulated, "wall_s": run.wall,
         "real_time_factor": run.simulated / run.wall if run.wall else 0.0,
     }  # fmt: skip
+    if run.lateness:
+        result["real_time"] = run.lateness.content()
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory(), "fmus": which_fmus(run.plan.system)}
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from ..errors import RunError
 from ..loop.texts import Texts
 from ..plan.plan import Plan
+from .lateness import Lateness
 
 
 class Stored(Protocol):
@@ -69,6 +70,7 @@ class Run:
     messages: list[str] = field(default_factory=list)  # what FMUs logged
     ended: str = ""  # who asked to end the run before its stop, and when
     events: Sequence[EventRow] = ()  # what happened, of a system with events
+    lateness: Lateness | None = None  # of a run that kept pace with the clock on the wall
 
     @property
     def simulated(self) -> float:

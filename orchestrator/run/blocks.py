@@ -14,11 +14,13 @@ from ..plan.plan import Plan
 from ..processes import seconds_since_start
 from .memory.algorithm_state import AlgorithmState
 from .memory.memory import Memory
+from .pacing.pacer import Pacer
 from .position import Position
 from .recording.recorder import Recorder
 
 NO_ROWS = (np.zeros(0, dtype=np.int64), np.zeros((0, 3), dtype=np.int64), np.zeros(1), np.zeros(1, dtype=np.int64))
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
+PACED = 1 / 35  # s, in a run that keeps pace: somebody watches
 
 
 class Blocks:
@@ -35,6 +37,7 @@ class Blocks:
         self._prepared: tuple[object, object, Callable[..., int]] = (None, None, function)
         self.began = 0.0  # s from the start of the process to the end of the first block
         self._size, self._looked = 1, 0.0
+        self.pacer: Pacer | None = None  # of a run that keeps pace
 
     def size(self, at: Position, cycles: int, recorder: Recorder) -> int:
         """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
@@ -50,6 +53,10 @@ class Blocks:
         if self._prepared[0] is not operations or self._prepared[1] is not arrays:
             self._prepared = operations, arrays, self._prepare(operations, arrays)
         self.control[cells.RESUME_AT] = at.operation
+        block = BLOCK
+        if self.pacer:
+            block = PACED
+            self.pacer.enter(self.tick_at(at))
         begin = time.perf_counter()
         code = self._prepared[2](at.cycle, size, *self._clock)
         spent = time.perf_counter() - begin
@@ -57,8 +64,15 @@ class Blocks:
         due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
         self._looked = begin if due else self._looked
         self.began = self.began or seconds_since_start()
-        self._size = min(2 * self._size, int(size * BLOCK / max(spent, 1e-6))) or 1
+        self._size = min(2 * self._size, int(size * block / max(spent, 1e-6))) or 1
         return code, due
+
+    def tick_at(self, at: Position) -> int:
+        """The instant [ticks from the start] of the operation with which the run goes on."""
+        if self.plan.adaptive:
+            return int(self.space.clock[cells.NOW])
+        begin = at.cycle * self.plan.cycle_ticks
+        return begin + int(self.plan.operations(at.cycle)[at.operation, 1]) if at.operation else begin
 
     def _prepare(self, operations: np.ndarray, recorded: tuple[np.ndarray, ...]) -> Callable[..., int]:
         """The loop with its arrays, which stay the same from step to step."""

@@ -23,6 +23,8 @@ from ..system.request import Request
 from .checkpoint.checkpoint import Checkpoint, unserializable, write_checkpoint
 from .checkpoint.files import found_in
 from .ends.interrupt import ENDING, StopRequests
+from .pacing.pace import Pace
+from .pacing.scheduling import scheduled
 from .recording.observers import Every, Progress
 from .session import Session
 
@@ -70,22 +72,24 @@ def carry_out(
     force: bool = False,
     progress: Callable[[float], object] | None = None,
     more: Sequence[More] = (),
+    pace: Pace | None = None,
 ) -> Finished:
     """Run a plan, or go on with it from `begin`, and write everything into `out`, see `claim`.
 
     `older`: files that are removed when time 0 is reached. `request` is kept with checkpoints. `progress` is called
-    now and then with the time reached [s]. `more`: products beside the usual ones. Ctrl-C, SIGTERM and SIGHUP end the
-    run in good order. Raises FmuError or InputError where time 0 cannot be reached, RunError if nowhere is room for
-    the rows; every other failure is in what is returned.
+    now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. Ctrl-C,
+    SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where time 0 cannot be reached, RunError
+    if nowhere is room for the rows; every other failure is in what is returned.
     """
     file = out / f".result.{os.getpid()}.tmp.nc"
     stop = StopRequests(ENDING)
     try:
-        with stop.heard(), Session(plan, file=file, stop_requests=stop) as session:
+        with stop.heard(), Session(plan, file=file, stop_requests=stop, pace=pace) as session:
             if begin:
                 begin.restore(session, force)
             remove(out, older)
-            _advance(session, out, request, progress)
+            with scheduled(pace):
+                _advance(session, out, request, progress)
             resume = _resume(session, out, request)
             run = session.run()
             written = write_rows(run, out)

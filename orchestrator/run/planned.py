@@ -10,10 +10,10 @@ from ..results.requested import check_reporting
 from ..system.model import System
 
 
-def planned(system: System, boundaries: Collection[str] = ()) -> Plan:
+def planned(system: System, boundaries: Collection[str] = (), deadlines: str | None = None) -> Plan:
     """The plan of a system, its figures of merit and figures checked, and the components of which recordings are
-    wanted. Raises InputError."""
-    plan = make_plan(system)
+    wanted. `deadlines`: of a run in real time, see `deadlines_of`. Raises InputError."""
+    plan = make_plan(system, deadlines)
     if boundaries and plan.adaptive:
         raise InputError(
             f"--record-boundary needs steps of one length; with algorithm '{system.algorithm}' they vary "

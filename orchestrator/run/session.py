@@ -27,6 +27,8 @@ from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
 from .memory.memory import Memory
+from .pacing.pace import Pace
+from .pacing.pacer import Pacer, room_for
 from .participants import Participants
 from .position import Position
 from .recording.observers import NEVER, Observer, Progress
@@ -48,19 +50,28 @@ class Session:
     `interpreted` executes the plan in plain Python, bitwise equal and slow. A failing FMU, a value that is not finite
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
-    `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. Raises
+    `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. `pace`:
+    how it keeps pace with the clock on the wall, of a plan that has deadlines. Raises
     FmuError or InputError if the start cannot be reached.
     """
 
     def __init__(
-        self, plan: Plan, interpreted: bool = False, file: Path | None = None, stop_requests: StopRequests | None = None
+        self,
+        plan: Plan,
+        interpreted: bool = False,
+        file: Path | None = None,
+        stop_requests: StopRequests | None = None,
+        pace: Pace | None = None,
     ) -> None:
         self.plan = plan
         self.failure = ""
         self.ended = ""  # who asked to end the run before its stop, and when; that is no failure
         self._over = False
         self.stop_requests = stop_requests or StopRequests()
+        if pace:
+            self.stop_requests.make_room(room_for(plan))
         self.control = self.stop_requests.control
+        self.pacer = Pacer(plan, pace, self.control) if pace else None
         self.control[cells.PROMISED], self.control[cells.START] = plan.clock.stop, plan.clock.start
         self.observers: list[Observer] = []
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
@@ -69,7 +80,7 @@ class Session:
         self.ended_badly = ""  # how components fell down while they were terminated and freed
         self._interrupted = False
         self._closed = False
-        function = run if interpreted else compiled_run()
+        function = run if interpreted else compiled_run(waits=pace is not None)
         with self.stop_requests.heard():
             self.participants = Participants(plan.system)
             self.instances = self.participants.by_name
@@ -86,6 +97,7 @@ class Session:
                 self.events = Events(plan, self.memory, self.control, self.space, file)
                 self._access = Access(plan, self.memory, self.instances)
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
+                self._blocks.pacer = self.pacer
                 self.events.begin(self.instances, self._blocks)
                 self.recorder = Recorder(plan, self.memory, file)
             except BaseException:
@@ -157,7 +169,7 @@ class Session:
             return
         begin = self.at.cycle
         code, due = self._blocks.run(self.at, size, self.recorder)
-        while code != cells.DONE and self._handled(code):
+        while code != cells.DONE and (self._waited(code) or self._handled(code)):
             if self.over:
                 return
             size -= self.at.cycle - begin
@@ -186,6 +198,14 @@ class Session:
             tick = self.tick
             self.at.time = clock.time(tick)
             self._over = clock.start + tick >= self.events.ends_at
+
+    def _waited(self, code: int) -> bool:
+        """Whether the loop stopped to wait for a deadline that is not so near; it is near now."""
+        if code != cells.WAITING or self.pacer is None:
+            return False
+        self.at.cycle, self.at.operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
+        self.pacer.wait(self._blocks.tick_at(self.at))
+        return True
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
@@ -312,6 +332,7 @@ class Session:
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated,
             notes, self.participants.messages(), self.ended, self.events.rows,
+            self.pacer.lateness() if self.pacer else None,
         )  # fmt: skip
 
     def close(self) -> None:

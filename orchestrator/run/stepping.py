@@ -16,6 +16,7 @@ from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.file.recorded import matches
 from .memory.ports import reader_of, writer_of
+from .pacing.pace import Pace
 from .session import Session
 from .snapshot import Snapshot, go_back, take_snapshot
 
@@ -23,8 +24,8 @@ Time = str | float | Fraction
 
 
 PUBLIC = (
-    "ended", "failure", "finish", "get", "names", "period", "plan", "restore", "result", "set", "snapshot", "step",
-    "stop", "time",
+    "ended", "failure", "finish", "get", "names", "pacer", "period", "plan", "restore", "result", "set", "snapshot",
+    "step", "stop", "time",
 )  # fmt: skip
 
 
@@ -44,11 +45,13 @@ class Stepping(Session):
     A step is `period` [s] long, that in which the schedule repeats, the last one maybe shorter; with ECCO it is a macro
     step. What is set counts
     from the step that comes next; outputs are those of the end of the last one. A name costs more the first time than
-    later. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are those of a run: RunError, FmuError.
+    later. With `pace` each step ends no earlier than the clock on the wall, which began with the first of them; `pacer`
+    tells how late it was. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are those of a
+    run: RunError, FmuError.
     """
 
-    def __init__(self, plan: Plan, interpreted: bool = False) -> None:
-        super().__init__(plan, interpreted)
+    def __init__(self, plan: Plan, interpreted: bool = False, pace: Pace | None = None) -> None:
+        super().__init__(plan, interpreted, pace=pace)
         if self.stop_requests.asked:  # while the FMUs were initialized
             Session.close(self)
             raise KeyboardInterrupt

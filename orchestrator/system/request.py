@@ -33,6 +33,11 @@ class Request:
     allow_outside: tuple[str, ...] = ()  # folders from which an SSP may take files
     start: str = ""
     parameters: str = ""
+    real_time: str = ""  # factor, of a run that keeps pace with the clock on the wall
+    realtime_policy: str = ""
+    deadlines: str = ""
+    fifo: str = ""
+    cores: str = ""
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""

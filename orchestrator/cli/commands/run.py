@@ -172,6 +172,31 @@ def run(
             "--resume", metavar="DIR", help="Go on with the run whose results folder this is, from its checkpoint."
         ),
     ] = None,
+    real_time: Annotated[
+        str,
+        typer.Option(
+            "--real-time",
+            metavar="[FACTOR]",
+            help="Keep pace with the clock on the wall, or with a multiple of it: 1 where no number is given.",
+        ),
+    ] = "",
+    realtime_policy: Annotated[
+        str,
+        typer.Option(
+            "--realtime-policy",
+            metavar="warn|stop|skip",
+            help="After a missed deadline: catch up, end the run, or give up the time that was lost.",
+        ),
+    ] = "",
+    deadlines: Annotated[
+        str, typer.Option("--deadlines", metavar="TIME", help='Time between two deadlines, for instance "20 ms".')
+    ] = "",
+    fifo: Annotated[
+        str, typer.Option("--fifo", metavar="PRIORITY", help="Run with SCHED_FIFO, 1 to 99, where that is allowed.")
+    ] = "",
+    cores: Annotated[
+        str, typer.Option("--cores", metavar="N,...", help="Hold the run on these processors, for instance 1 or 0,1.")
+    ] = "",
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
     ] = False,
@@ -191,7 +216,7 @@ def run(
     request = Request(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
-        tuple(map(str, allow_outside)), start, parameters,
+        tuple(map(str, allow_outside)), start, parameters, real_time, realtime_policy, deadlines, fifo, cores,
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

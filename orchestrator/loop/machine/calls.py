@@ -9,7 +9,19 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
-from ..calls import byte_at, call_state, do_step, do_step3, exchange2, exchange3, exchange_bytes
+from ..calls import (
+    ABSOLUTE,
+    MONOTONIC,
+    byte_at,
+    call_state,
+    do_step,
+    do_step3,
+    exchange2,
+    exchange3,
+    exchange_bytes,
+    read_clock,
+    sleep_until,
+)
 
 _INT64 = ir.IntType(64)
 _INT32 = ir.IntType(32)
@@ -95,6 +107,28 @@ def _call_state_native(typing: Any, function: Any, component: Any, state: Any) -
 
 
 @intrinsic
+def _read_clock_native(typing: Any, function: Any, at: Any) -> Any:
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(_INT32, [_INT32, cgutils.voidptr_t])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        return builder.call(target, [ir.Constant(_INT32, MONOTONIC), _pointer(builder, args[1])])
+
+    return types.int32(types.int64, types.int64), codegen
+
+
+@intrinsic
+def _sleep_until_native(typing: Any, function: Any, at: Any) -> Any:
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        pointer = cgutils.voidptr_t
+        kind = ir.FunctionType(_INT32, [_INT32, _INT32, pointer, pointer])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        clock, how = ir.Constant(_INT32, MONOTONIC), ir.Constant(_INT32, ABSOLUTE)
+        return builder.call(target, [clock, how, _pointer(builder, args[1]), ir.Constant(pointer, None)])
+
+    return types.int32(types.int64, types.int64), codegen
+
+
+@intrinsic
 def _byte_at_native(typing: Any, address: Any) -> Any:
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return builder.zext(builder.load(_pointer(builder, args[0])), _INT64)
@@ -157,3 +191,13 @@ def _byte_at_overload(address):  # type: ignore[no-untyped-def]
 @overload(call_state)
 def _call_state_overload(function, component, state):  # type: ignore[no-untyped-def]
     return lambda function, component, state: _call_state_native(function, component, state)  # type: ignore[call-arg]
+
+
+@overload(read_clock)
+def _read_clock_overload(function, at):  # type: ignore[no-untyped-def]
+    return lambda function, at: _read_clock_native(function, at)  # type: ignore[call-arg]
+
+
+@overload(sleep_until)
+def _sleep_until_overload(function, at):  # type: ignore[no-untyped-def]
+    return lambda function, at: _sleep_until_native(function, at)  # type: ignore[call-arg]

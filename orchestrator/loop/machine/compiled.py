@@ -123,18 +123,19 @@ def compiled_loop() -> Any:
     return _kept_loop().compiled(SIGNATURE)
 
 
-def compiled_run() -> Callable[..., int]:
+def compiled_run(waits: bool = False) -> Callable[..., int]:
     """`run.run` as machine code, for one session: from the library that came with the package, or else by Numba.
 
-    Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the interpreter. Raises InputError where
+    `waits`: other threads go on while it runs. Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the
+    interpreter. Raises InputError where
     there is neither.
     """
     if shipped.switched_off():
         return loop.run
     if library := shipped.library(own_hash()):
-        return Loop(library.address, library)
+        return Loop(library.address, library, waits)
     require_loop()
     if not numba_compiles():
         return loop.run
     made = compiled_loop()
-    return Loop(made.address, made)
+    return Loop(made.address, made, waits)

@@ -27,13 +27,15 @@ WORDS = 3  # of an array: address, rows, columns
 _DTYPES = {TABLE: np.int64, CELLS: np.int64, NUMBERS: np.float64, FLOATS: np.float32, BYTES: np.uint8}
 # Python's lock is kept, as around any call of an extension: FMUs may call back into Python.
 _PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, *(ctypes.c_int64,) * (1 + WHOLE_NUMBERS))
+# A loop that waits gives it to other threads; FMUs that call back into Python take it as everybody does.
+_WITHOUT_LOCK = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_int64,) * (1 + WHOLE_NUMBERS))
 
 
 class Loop:
-    """`run.run` by the address of its machine code. `owner` lives as long."""
+    """`run.run` by the address of its machine code. `owner` lives as long. `waits`: without Python's lock."""
 
-    def __init__(self, address: int, owner: Any = None) -> None:
-        self._function, self._owner = _PROTOTYPE(address), owner
+    def __init__(self, address: int, owner: Any = None, waits: bool = False) -> None:
+        self._function, self._owner = (_WITHOUT_LOCK if waits else _PROTOTYPE)(address), owner
 
     def __call__(self, *arguments: Any) -> int:
         """What `run.run` returns for the same arguments. Raises TypeError for an array of another kind."""

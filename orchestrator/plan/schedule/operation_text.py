@@ -28,6 +28,7 @@ from ...loop.operations import (
     MOVE,
     NAMES,
     NUMBER,
+    PACE,
     PAUSE,
     PUSH,
     QUADRATIC,
@@ -86,6 +87,9 @@ class OperationText:
         describe = self._exchange if code in (SET, STEP, STEP_ON, GET, SAVE, RESTORE) else self._signal
         if code in (WATCH, FAULT):
             return f"{NAMES[code]:<10}  {self._event(row)}"
+        if code == PACE:
+            waits = "wait until the clock on the wall is there"
+            return f"{NAMES[code]:<10}  {f'how long the step of {name} took' if name else waits}"
         if code in (RECORD, REWIND, ITERATE, REPEAT, GAUGE, CONTROL, HALVE, ADVANCE, ESTIMATE, SOLVE, PAUSE):
             return f"{NAMES[code]:<10}  {self._flow(row)}"
         return f"{NAMES[code]:<10}  {describe(row, name)}"

@@ -22,6 +22,7 @@ from ...loop.operations import (
     MIX,
     MOVE,
     NUMBER,
+    PACE,
     PAUSE,
     PUSH,
     QUADRATIC,
@@ -39,7 +40,7 @@ from ...loop.operations import (
 from .values import Row
 
 FOLLOWED = {
-    ACCUMULATE, ACCUMULATE_ON, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PAUSE, PUSH,
+    ACCUMULATE, ACCUMULATE_ON, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PACE, PAUSE, PUSH,
     QUADRATIC, RECORD, RISE, SAMPLE, SERIES, SET, STEP, STEP_ON, WATCH, WORK, WORK_ON,
 }  # fmt: skip
 
@@ -87,7 +88,7 @@ def without_repeats(
         elif code == PAUSE:
             acts += 1
             values.update((cell, next(fresh)) for cell in changed)
-        elif code not in (RECORD, WATCH):
+        elif code not in (PACE, RECORD, WATCH):
             values[b] = next(fresh)
             if code in (MEAN, LEDGER):
                 values[q] = next(fresh)

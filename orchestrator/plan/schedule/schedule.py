@@ -23,6 +23,7 @@ from ...errors import InputError
 from ...loop.operations import (
     COLUMNS,
     LEDGER,
+    PACE,
     RECORD,
 )
 from ...system.event import set_inputs
@@ -54,7 +55,7 @@ class Schedule(Steps):
                 f"the periods repeat only every {seconds_text(self.clock.seconds(span))}: "
                 f"more than {LARGEST} operations; choose periods with a common multiple"
             )
-        rows = list(self.rows())
+        rows = [*self.rows(), *self.last_deadline()]
         cells = {self.index[name]: tuple(map(dict.values, self.layout.exchanged(name))) for name in self.index}
         given, taken = ({k: list(sides[n]) for k, sides in cells.items()} for n in (0, 1))
         changed = [self.layout.inputs[key] for key in set_inputs(self.system.events)]
@@ -65,8 +66,21 @@ class Schedule(Steps):
         yield from self.begin(0)
         for tick in self.instants():
             yield from self.finish(tick)
+            yield from self.deadline(tick)
             if tick < self.span:
                 yield from self.begin(tick)
+
+    def deadline(self, tick: int) -> Iterator[Row]:
+        """Wait for the clock on the wall at an instant that has a deadline, where steps are made once."""
+        every, algorithm = self.design.deadlines, self.design.algorithm
+        if every and self.at_instant(tick, every) and not algorithm.saves_states and not algorithm.steps_vary:
+            yield (PACE, tick, -1, tick, 0, 0, 0, 0)
+
+    def last_deadline(self) -> Iterator[Row]:
+        """The same at the end of a macro step, where steps are done again or vary; the loop knows the instant."""
+        algorithm = self.design.algorithm
+        if self.design.deadlines and (algorithm.saves_states or algorithm.steps_vary):
+            yield (PACE, self.span, -1, 0 if algorithm.steps_vary else self.span, 0, 0, 0, 0)
 
     def instants(self) -> list[int]:
         """The instants of the span at which any step ends, rising."""

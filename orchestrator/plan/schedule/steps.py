@@ -11,6 +11,7 @@ from ...loop.operations import (
     AT_ITS_END,
     COPY,
     MIX,
+    PACE,
     PAUSE,
     PUSH,
     RISE,
@@ -74,6 +75,8 @@ class Steps(Values):
         if not self.system.components[name].scheduled:  # its partitions are activated by their clocks
             length = until - start if until else self.length(name, start)
             yield (step, tick, component, length, start, 0, 0, 0)
+            if self.design.deadlines:
+                yield (PACE, tick, component, 0, 0, 0, 0, 0)
         yield from rows
         if name in self.outputs:
             yield from self.get(tick, name, AT_ITS_END)

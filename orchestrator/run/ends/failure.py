@@ -47,6 +47,10 @@ def failure_of(
         return end, f"interrupted by the user at t = {end:.9g} s"
     if code == cells.NOT_CONVERGED and row[0] != SOLVE:
         return end, plan.algorithm.failure(plan, space.loop, at)
+    if code == cells.LATE:
+        late, slowest = int(control[cells.WORST]) / 1e9, int(control[cells.WORST_COMPONENT])
+        who = f"; the most time before it was needed by {list(plan.system.components)[slowest]}" if slowest >= 0 else ""
+        return at, f"the deadline of t = {at:.9g} s was missed by {1e3 * late:.3g} ms (--realtime-policy stop){who}"
     if code == cells.GAVE_UP:
         return end, f"the compiled loop gave up behind t = {end:.9g} s, which it never should: please report that"
     instant = clock.time(begin + int(row[1])) if row[0] == SOLVE else at

@@ -35,6 +35,11 @@ class StopRequests:
         self.came: int = signal.SIGINT
         self._listening = False
 
+    def make_room(self, size: int) -> None:
+        """Give the loop more cells, before it begins."""
+        more = np.zeros(max(size - len(self.control), 0), dtype=np.int64)
+        self.control = np.concatenate([self.control, more])
+
     @property
     def reason(self) -> str:
         """Why the run was stopped, in words."""

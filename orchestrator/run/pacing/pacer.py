@@ -1,0 +1,100 @@
+"""The pace of one run: the cells by which the loop waits, set from what is asked for and read for a report."""
+
+from __future__ import annotations
+
+import math
+import time
+from fractions import Fraction
+
+import numpy as np
+
+from ...errors import InputError
+from ...loop import cells
+from ...loop.pacing import LONGEST_SLEEP, deadline
+from ...plan.plan import Plan
+from ...results.lateness import ELSEWHERE, Lateness
+from .pace import Pace, require_factor
+from .wall import SECOND, clock_functions, now
+
+FINEST = 10**6  # the largest denominator of nanoseconds per tick
+POLICIES = {"warn": cells.WARN, "stop": cells.STOP_LATE, "skip": cells.SKIP}
+
+
+class Pacer:
+    """Waits with a run. It counts from the first step on: `rebase` begins anew from where the run is."""
+
+    def __init__(self, plan: Plan, pace: Pace, control: np.ndarray) -> None:
+        if not plan.deadlines:
+            raise InputError("this plan has no deadlines: make it with a pace")
+        self.plan, self.pace, self.control = plan, pace, control
+        control[[cells.READ_CLOCK, cells.SLEEP]] = clock_functions()
+        control[cells.POLICY] = POLICIES[pace.policy]
+        control[cells.SLOWEST] = -1
+        self._factor = pace.factor
+        self._begun = False
+
+    @property
+    def factor(self) -> float:
+        """Simulated seconds in one second; another one counts from now on. Raises InputError for one that is none."""
+        return self._factor
+
+    @factor.setter
+    def factor(self, value: float) -> None:
+        require_factor(value)
+        self._factor = value
+        self.rebase()
+
+    def rebase(self) -> None:
+        """The next step begins now, whatever the clock on the wall was before: after a pause, or a jump."""
+        self._begun = False
+
+    def enter(self, tick: int) -> None:
+        """The loop is about to go on from a tick."""
+        control, wall = self.control, now()
+        if not self._begun:
+            self._begun = True
+            each = self.plan.clock.seconds(1) * SECOND / Fraction(self._factor).limit_denominator(FINEST)
+            each = each.limit_denominator(FINEST)
+            control[[cells.NANOSECONDS, cells.PER_TICKS]] = each.numerator, each.denominator
+            control[[cells.ORIGIN, cells.ORIGIN_TICK]] = wall, tick
+            control[cells.SLOWEST_TIME] = 0
+        elif wall - control[cells.MARKED] > control[cells.SLOWEST_TIME]:  # the program had the most time
+            control[cells.SLOWEST_TIME], control[cells.SLOWEST] = wall - control[cells.MARKED], -1
+        control[cells.MARKED] = wall
+
+    def wait(self, tick: int) -> None:
+        """Sleep until shortly before the deadline of a tick, a piece at a time, as long as nobody asks to stop."""
+        control = self.control
+        until = int(deadline(control, tick)) - LONGEST_SLEEP // 2
+        while (wall := now()) < until and not control[cells.STOP_REQUEST]:
+            time.sleep(min(until - wall, LONGEST_SLEEP) / SECOND)
+
+    def lateness(self) -> Lateness:
+        """How late its deadlines were kept until now."""
+        control, plan = self.control, self.plan
+        names = [ELSEWHERE, *plan.system.components]
+        count, worst_by = int(control[cells.DEADLINES]), int(control[cells.WORST_COMPONENT])
+        causes = control[cells.CAUSES :].tolist()
+        missed_before = int(control[cells.MISSED])
+        return Lateness(
+            self._factor,
+            count,
+            missed_before,
+            int(control[cells.LATENESS]) / SECOND / max(count, 1),
+            int(control[cells.WORST]) / SECOND,
+            plan.clock.time(int(control[cells.WORST_TICK])),
+            names[worst_by + 1] if missed_before and worst_by >= 0 else "",
+            dict(zip(edges(), control[cells.HISTOGRAM : cells.CAUSES].tolist(), strict=True)),
+            {name: number for name, number in zip(names, causes, strict=True) if number},
+        )
+
+
+def edges() -> list[float]:
+    """The upper bounds of the histogram [s]: 1, 2, 5, 10 us and so on, the last one open."""
+    steps = [round(m * 10.0**k * 1e-6, 9) for k in range(7) for m in (1, 2, 5)]
+    return [*steps[: cells.BINS - 1], math.inf]
+
+
+def room_for(plan: Plan) -> int:
+    """Cells of `control` in all, for a plan that keeps pace."""
+    return cells.CAUSES + 1 + len(plan.system.components)

@@ -1,0 +1,41 @@
+"""What the operating system is asked for while a run keeps pace: a place before others, and processors of its own."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
+
+from ...errors import InputError
+from .pace import Pace
+
+
+@contextmanager
+def scheduled(pace: Pace | None) -> Iterator[None]:
+    """As long as the block lasts. Raises InputError where the system does not allow it."""
+    with ExitStack() as stack:
+        if pace and pace.cores:
+            before = os.sched_getaffinity(0)
+            try:
+                os.sched_setaffinity(0, pace.cores)
+            except (OSError, ValueError, OverflowError) as error:
+                there = ", ".join(map(str, sorted(before)))
+                wanted = ", ".join(map(str, pace.cores))
+                raise InputError(f"the run cannot be held on processors {wanted} ({error}); it has {there}") from None
+            stack.callback(_back, lambda: os.sched_setaffinity(0, before))
+        if pace and pace.fifo:
+            policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
+            try:
+                os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(pace.fifo))
+            except OSError as error:
+                raise InputError(
+                    f"SCHED_FIFO {pace.fifo} is not allowed here ({error.strerror}); it needs root, CAP_SYS_NICE, or a "
+                    f"line rtprio in /etc/security/limits.conf"
+                ) from None
+            stack.callback(_back, lambda: os.sched_setscheduler(0, policy, parameter))
+        yield
+
+
+def _back(undo: object) -> None:
+    with suppress(OSError):
+        undo()  # type: ignore[operator]
