@@ -121,8 +121,7 @@ def _check(system: System) -> None:
                 f"component {name}: {component.fmu.path.name} is taken for {WORDS[component.fmu.kind]}, and a "
                 f"container can hold co-simulation only; export it for that, or the system as SSP (--ssp)"
             )
-        if not component.fmu.archive.is_file():
-            raise InputError(f"component {name} is a function and no FMU, which a container cannot hold")
+        component.require_file("a container can hold FMUs only")
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which a container cannot do")
         fmu = component.fmu

@@ -81,6 +81,16 @@ class Fmu(Capabilities):
         return origin(self.path, self.description)
 
     @property
+    def standard(self) -> str:
+        """What it is, in words: by which standard, or that it is no FMU."""
+        return f"FMI {self.description.fmiVersion}"
+
+    @property
+    def is_file(self) -> bool:
+        """Whether there is a file of it that another tool could take; see `outside.declared` for what has none."""
+        return True
+
+    @property
     def version(self) -> int:
         """1, 2 or 3."""
         return int(self.description.fmiMajorVersion)

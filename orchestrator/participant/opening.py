@@ -11,7 +11,7 @@ from ..extras import require
 from ..fmu.files.places import is_python
 from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
-from ..fmu.mock import MockFmu
+from ..fmu.outside.declared import DeclaredFmu
 from ..fmu.sharing import why_alone
 from ..system.model import Component
 from .apart.library import used_before
@@ -57,7 +57,7 @@ def _with_events(fmu: Fmu, name: str, logging: Logging, tolerance: float | None)
 def why_not_here(component: Component) -> str:
     """Why a component that was to run in this process cannot; empty if it can."""
     fmu = component.fmu
-    if isinstance(fmu, MockFmu) or component.isolation == "process" or not hasattr(os, "fork"):
+    if isinstance(fmu, DeclaredFmu) or component.isolation == "process" or not hasattr(os, "fork"):
         return ""
     return why_alone(fmu.own) if used_before(fmu.own) else ""
 
@@ -126,10 +126,10 @@ def start(component: Component) -> Participant:
         from .isolated.parent import IsolatedInstance
 
         return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted)
-    if isinstance(component.fmu, MockFmu):
-        from .mock_instance import MockInstance
+    if isinstance(component.fmu, DeclaredFmu):
+        from .outside.instance import DeclaredInstance
 
-        return MockInstance(component.fmu, component.name, component.tolerance)
+        return DeclaredInstance(component.fmu, component.name, *wanted)
     if not component.in_events or component.fmu.kind == MODEL_EXCHANGE:
         return load(component.fmu, component.name, *wanted)
     return load_in_events(component.fmu, component.name, *wanted, component.clocks)

@@ -41,7 +41,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         component = system.components[name]
         lines.append(
             f"  {name:<12} every {seconds_text(component.period):<8} {component.fmu.path.name}, "
-            f"FMI {component.fmu.description.fmiVersion}, sha256 {component.fmu.digest[:12]}{remarks(component)}"
+            f"{component.fmu.standard}, sha256 {component.fmu.digest[:12]}{remarks(component)}"
         )
     lines += [f"  {system.path.name} breaks the standard: {note.found}" for note in system.breaches]
     lines += [f"  {remark}" for remark in system.remarks]

@@ -20,7 +20,7 @@ def with_processes(system: System) -> System:
             reason = f"its library is for {fmu.own.windows}, which wine runs"
             components[name] = apart(component, reason, system)
             continue
-        if component.isolation == "process":
+        if component.isolation == "process" or not fmu.is_file:
             continue
         first = here.setdefault(fmu.digest, name)
         reason = imports_late(fmu)

@@ -77,6 +77,7 @@ class Session:
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
         self.at = Position(time=plan.clock.time(0))
         self._adaptive, self._cycle_ticks, self._whole = plan.adaptive, plan.cycle_ticks, plan.clock.cycles
+        self._counted: list[str] = []  # notes that change while the run goes: what came from outside
         self.ended_badly = ""  # how components fell down while they were terminated and freed
         self._interrupted = False
         self._closed = False
@@ -326,7 +327,9 @@ class Session:
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
-        further = [note for one in self._solved for note in one.notes()]
+        notes[:] = [note for note in notes if note not in self._counted]
+        self._counted = [note for one in self.instances.values() if not one.fmu.is_file for note in one.notes()]
+        further = [*(note for one in self._solved for note in one.notes()), *self._counted]
         notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,

@@ -49,6 +49,13 @@ class Component:
     in_events: bool = False  # whether it takes part in events by event mode, or by partitions: the plan decides
     clocks: Mapping[str, Fraction] = field(default_factory=dict)  # s, of clocks whose interval is ours to choose
 
+    def require_file(self, purpose: str) -> None:
+        """Raise InputError where it is no FMU that another tool could take; `purpose`: what asks for one."""
+        if not self.fmu.is_file:
+            raise InputError(
+                f"component {self.name} is no FMU but a {self.fmu.standard} ({self.fmu.path.name}), and {purpose}"
+            )
+
     @property
     def scheduled(self) -> bool:
         """Whether its partitions are activated by clocks; it makes no steps then."""

@@ -49,7 +49,7 @@ def blocks_of(plan: Plan) -> list[Block]:
         elif plan.adaptive:
             every = f"from {seconds_text(component.period)} on"
         apart = "; in a process of its own" if component.isolation == "process" else ""
-        about = f"{name}: {fmu.path.name}, FMI {fmu.description.fmiVersion}, {every}{apart}"
+        about = f"{name}: {fmu.path.name}, {fmu.standard}, {every}{apart}"
         found.append(Block(name, every, component.period, about))
     return found
 

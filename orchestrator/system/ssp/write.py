@@ -35,8 +35,7 @@ def write_ssp(system: System, path: Path, ssp_version: str = "1.0") -> Path:
         raise InputError(f"SSP version {ssp_version!r} cannot be written; take {' or '.join(VERSIONS)}")
     refuse_series(system, "is not written to an SSP")
     for name, component in system.components.items():
-        if not component.fmu.archive.is_file():
-            raise InputError(f"component {name} is a function and no FMU, which is not written to an SSP")
+        component.require_file("an SSP is made of FMUs only")
         if crossings_of(component.fmu):
             raise InputError(f"component {name} has its variables mapped, which is not written to an SSP")
     prepare_folder(path.parent)

@@ -12,7 +12,7 @@ import pytest
 from helpers import column
 from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.participant.base import CallError
-from rovbrush.orchestrator.participant.mock_instance import MockInstance
+from rovbrush.orchestrator.participant.outside.instance import DeclaredInstance
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
@@ -121,7 +121,7 @@ def test_both_loops_call_a_mock_alike() -> None:
 
 
 def test_a_mock_refuses_what_is_out_of_turn() -> None:
-    instance = MockInstance(part(Integrator), "i")
+    instance = DeclaredInstance(part(Integrator), "i")
     with pytest.raises(CallError, match="cannot step from 0 s while it is instantiated"):
         instance.step(0.0, 1.0)
     instance.begin(1.0)
