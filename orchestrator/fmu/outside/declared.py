@@ -33,7 +33,8 @@ ZERO: dict[str, Any] = {"Real": 0.0, "Integer": 0, "Boolean": False}
 @dataclass(frozen=True)
 class Declared:
     """One variable. `start`: of its type; zero or false where it is None. Of an output it is the value until the first
-    step has one. `tunable`: a parameter that may be set while the run goes."""
+    step has one. `tunable`: a parameter that may be set while the run goes. `sampled`: only its component's
+    instants count for it (FMI variability `discrete`)."""
 
     name: str
     causality: Causality
@@ -44,6 +45,7 @@ class Declared:
     maximum: float | None = None
     description: str = ""
     tunable: bool = False
+    sampled: bool = False
 
 
 @dataclass(frozen=True)
@@ -135,7 +137,7 @@ def _variable(declared: Declared, reference: int) -> ModelVariable:
     low, high = declared.minimum, declared.maximum
     if low is not None and high is not None and not low <= high:
         raise InputError(f"{name}: min = {low:g} is above max = {high:g}")
-    continuous = "continuous" if real else "discrete"
+    continuous = "continuous" if real and not declared.sampled else "discrete"
     own = "tunable" if declared.tunable else "fixed"
     found = ModelVariable(
         name=name, valueReference=reference, type=declared.type, causality=declared.causality,

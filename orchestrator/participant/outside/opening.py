@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...ardupilot.interface import Options
 from ...fmu.outside.declared import DeclaredFmu
 from ...fmu.outside.model import Model
 
@@ -10,4 +11,8 @@ def model_of(fmu: DeclaredFmu, name: str) -> Model:
     """The model of a new instance. Raises FmuError or InputError where it cannot be made."""
     if fmu.model is not None:
         return fmu.model(fmu.starts())
+    if isinstance(fmu.settings, Options):
+        from ..ardusub.model import AutopilotModel
+
+        return AutopilotModel(fmu.starts(), fmu.settings)
     raise TypeError(f"component {name}: nobody knows what to make of {type(fmu.settings).__name__}")

@@ -127,13 +127,6 @@ def test_a_port_in_use_is_an_error_that_says_so() -> None:
     Link(400, port=link.port).close()  # a link that is closed gives it back
 
 
-def test_a_wait_ends_when_the_run_is_asked_to_end() -> None:
-    link = Link(400, port=0, asked_to_end=lambda: True)
-    with pytest.raises(RunError, match="asked to end"):
-        link.begin()
-    link.close()
-
-
 def test_packets_of_another_address_than_the_peers_are_not_read() -> None:
     link = Link(400, port=0, timeout=0.3, peer="192.0.2.1")
     fake = FakeAutopilot(link.port, patience=0.05)

@@ -1,0 +1,146 @@
+"""The autopilot as a participant, with a fake one: what it is told, what acts when, and how a run ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fixtures.fake_autopilot import FakeAutopilot, Faults
+from helpers import column
+from rovbrush.orchestrator.ardupilot.interface import Options
+from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.fmu.mock import Model, mock_fmu
+from rovbrush.orchestrator.fmu.outside.autopilot import autopilot_fmu
+from rovbrush.orchestrator.participant.ardusub.model import AutopilotModel
+from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.model import Component, Connection, System
+from socket_ports import free_port
+
+STEP = Fraction(1, 400)
+
+
+class Sinking(Model):
+    """w = u1, z' = w: what it is told at an instant acts over the step that begins there."""
+
+    def step(self, time: float, length: float) -> int | None:
+        self.values["w"] = self.values["u1"]
+        self.values["z_n"] += length * self.values["w"]
+        return None
+
+
+def plan_of(port: int, stop: Fraction = 8 * STEP, period: Fraction = STEP, **options: Any) -> Plan:
+    """An autopilot and a body that sinks."""
+    fmu = autopilot_fmu("autopilot", Options(port=port, **options))
+    body = mock_fmu("sinking", Sinking, ["u1"], ["z_n", "w"])
+    wires = (
+        Connection(("autopilot", "u_thruster[1]"), ("body", "u1"), transfer="hold"),
+        Connection(("body", "z_n"), ("autopilot", "z_n"), transfer="hold"),
+        Connection(("body", "w"), ("autopilot", "w"), transfer="hold"),
+    )
+    parts = {"body": Component("body", body, STEP), "autopilot": Component("autopilot", fmu, period)}
+    about = {"components": parts, "connections": wires, "algorithm": "gauss-seidel", "order": ()}
+    system = System("sinking", Path("s.toml"), "", stop, **about)  # type: ignore[arg-type]
+    return make_plan(system)
+
+
+@pytest.fixture
+def fakes() -> Iterator[list[FakeAutopilot]]:
+    """Autopilots that are stopped when the test ends."""
+    made: list[FakeAutopilot] = []
+    yield made
+    for fake in made:
+        fake.stop()
+
+
+def run(fakes: list[FakeAutopilot], faults: Faults | None = None, interpreted: bool = True, **keys: Any) -> Run:
+    port = free_port()
+    about = {key: keys.pop(key) for key in ("rate", "channels", "pilot") if key in keys}
+    fakes.append(FakeAutopilot(port, faults=faults, patience=0.05, **about))
+    fakes[-1].start()
+    return simulate(plan_of(port, **{"timeout": 20.0} | keys), interpreted=interpreted)
+
+
+def told(run: Run) -> str:
+    return " ".join(run.notes)
+
+
+@pytest.mark.parametrize("interpreted", [True, False])
+def test_a_state_is_told_at_the_beginning_of_a_step_and_its_answer_acts_over_that_step(
+    fakes: list[FakeAutopilot], interpreted: bool
+) -> None:
+    pulses = iter([1900, 1900, 1500, 1100, *[1500] * 20])
+    done = run(fakes, interpreted=interpreted, pilot=lambda _: [next(pulses), *[1500] * 15])
+    assert not done.failure
+    states = fakes[0].states[:8]
+    assert [state["timestamp"] for state in states] == [k / 400 for k in range(8)]
+    depth = [0, 1, 2, 2, 1, 1, 1, 1]  # steps at full speed so far
+    assert [state["position"][2] for state in states] == pytest.approx([d / 400 for d in depth])
+    assert [state["velocity"][2] for state in states] == [0, 1, 1, 0, -1, 0, 0, 0]
+    assert list(column(done, "autopilot.frame")[1]) == list(range(9))  # a row shows what acted before it
+    assert list(column(done, "body.z_n")[1]) == pytest.approx([d / 400 for d in [*depth, 1]])
+
+
+def test_a_run_with_lost_late_doubled_packets_and_garbage_gives_the_rows_of_a_quiet_one(
+    fakes: list[FakeAutopilot],
+) -> None:
+    def down(state: dict[str, Any]) -> list[int]:
+        return [round(1900 - 3e4 * state["position"][2]), *[1500] * 15]
+
+    quiet = run(fakes, pilot=down, stop=40 * STEP)
+    faults = Faults(lose={3}, double={5, 6}, late={9}, garbage={12: b"x", 13: b"y" * 40})
+    loud = run(fakes, faults, pilot=down, stop=40 * STEP)
+    for name in ("body.z_n", "autopilot.u_thruster[1]", "autopilot.frame"):
+        assert list(column(quiet, name)[1]) == list(column(loud, name)[1])
+    assert "41 frames, 0 lost, 0 doubled" in told(quiet)
+    assert "41 frames, 0 lost, 2 doubled, 1 late, 2 no servo packets" in told(loud)
+    assert "99 % below" in told(loud)
+
+
+def test_a_restart_of_the_autopilot_is_gone_on_with_and_told(fakes: list[FakeAutopilot]) -> None:
+    done = run(fakes, Faults(restart=20), stop=40 * STEP)
+    assert not done.failure and "1 restart of the autopilot" in told(done)
+    frames = list(column(done, "autopilot.frame")[1])
+    assert frames == [*range(20), *range(21)]
+
+
+def test_an_autopilot_that_stops_answering_ends_the_run_and_the_rows_are_kept(fakes: list[FakeAutopilot]) -> None:
+    done = run(fakes, Faults(silent=6), timeout=0.2)
+    assert "stopped answering: nothing came to UDP 127.0.0.1:" in done.failure
+    assert "after its frame 5" in done.failure and "autopilot" in done.failure
+    assert list(column(done, "autopilot.frame")[1]) == [0, 1, 2, 3, 4, 5]
+
+
+def test_a_wrong_rate_ends_the_run_and_names_sim_rate_hz(fakes: list[FakeAutopilot]) -> None:
+    done = run(fakes, rate=1200)
+    assert "the autopilot's frames come at 1200 Hz, but the period of 2.5 ms is 400 Hz" in done.failure
+    assert "SIM_RATE_HZ to 400" in done.failure
+    assert len(column(done, "autopilot.frame")[1]) >= 2
+
+
+def test_the_rate_is_that_of_the_period(fakes: list[FakeAutopilot]) -> None:
+    done = run(fakes, rate=100, period=Fraction(1, 100), stop=Fraction(1, 10))
+    assert not done.failure and "11 frames, 0 lost" in told(done)
+
+
+def test_nobody_at_the_port_is_an_error_that_says_what_to_start() -> None:
+    with pytest.raises(FmuError, match=r"autopilot: .*no autopilot was heard at UDP \S+ for 0\.05 s; start .*ArduSub"):
+        simulate(plan_of(free_port(), timeout=0.05), interpreted=True)
+
+
+def test_a_state_that_is_no_number_is_not_told(fakes: list[FakeAutopilot]) -> None:
+    port = free_port()
+    fakes.append(FakeAutopilot(port))
+    fakes[0].start()
+    fmu = autopilot_fmu("autopilot", Options(port=port))
+    model = AutopilotModel(fmu.starts(), fmu.settings)
+    model.set_up(0.0, None)
+    model.initialized()
+    model.set({"z_n": float("nan")})
+    with pytest.raises(Exception, match="position is nan, which cannot be told to the autopilot"):
+        model.step(0.0, 0.0025)
+    model.close()
