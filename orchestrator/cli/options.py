@@ -110,3 +110,14 @@ StepOption = Annotated[
     str,
     typer.Option("--step", metavar="TIME", help="The period of components for which nothing states one."),
 ]
+RealTimeOption = Annotated[
+    str,
+    typer.Option(
+        "--real-time",
+        metavar="[FACTOR]",
+        help="Keep pace with the clock on the wall, or with a multiple of it: 1 where no number is given.",
+    ),
+]
+DeadlinesOption = Annotated[
+    str, typer.Option("--deadlines", metavar="TIME", help='Time between two deadlines, for instance "20 ms".')
+]

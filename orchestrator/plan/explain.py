@@ -35,6 +35,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         + (f"the first step is {again}" if plan.adaptive else f"the schedule repeats every {again}"),
         f"algorithm {system.algorithm}: {plan.algorithm.explanation()}",
         f"order {', '.join(plan.order)} ({plan.order_reason})",
+        *([f"real time: {_deadlines(plan)}"] if plan.deadlines else []),
         "", "components",
     ]  # fmt: skip
     for name in plan.order:
@@ -108,6 +109,13 @@ def explain(plan: Plan, operations: int | None = None) -> str:
             them = ", ".join(name for name in plan.order if name in known) or "nobody"
             lines += _listed(plan, rows, f"in each round of an event at which are {them}", operations)
     return "\n".join(lines)
+
+
+def _deadlines(plan: Plan) -> str:
+    """When a run in real time waits for the clock on the wall."""
+    if plan.algorithm.steps_vary or plan.algorithm.saves_states:
+        return "it waits for the clock on the wall at the end of each macro step"
+    return f"it waits for the clock on the wall every {seconds_text(plan.clock.seconds(plan.deadlines))}"
 
 
 def _at(tick: int, rows: np.ndarray) -> np.ndarray:

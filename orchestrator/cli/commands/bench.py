@@ -21,7 +21,7 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, gym; all by default. "
+            help="masters, start, components, long, growth, solvers, windows, gym, pacing; all by default. "
             "With --against: against, fmus.",
         ),
     ] = None,
@@ -145,6 +145,18 @@ def print_gym(rows: Rows) -> None:
     print_table(f"Environments of Gymnasium, nothing recorded, {medians(rows)}", headings, cells)
 
 
+def print_pacing(rows: Rows) -> None:
+    """Deadlines: what they cost, and how they are kept."""
+    for r in rows:
+        cost = (f"{r[key]:.3f}" for key in ("us_per_step", "us_per_step_with_deadline", "us_per_deadline"))
+        headings = ("system", "step [us]", "with a deadline [us]", "the deadline [us]")
+        title = f"Deadlines every 1 ms, all over already so that nobody waits, {medians(rows)}"
+        print_table(title, headings, [(r["system"], *cost)])
+        kept = f"{r['deadlines']}", f"{100 * r['within_2_ms']:.4g} %", f"{r['mean_us']:.0f}", f"{r['worst_us']:.0f}"
+        headings = ("deadlines", "within 2 ms", "mean lateness [us]", "worst [us]", "missed")
+        print_table("The same in real time, one run", headings, [(*kept, f"{r['missed']}")])
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -175,5 +187,6 @@ def print_folders(rows: Rows) -> None:
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
+    "pacing": print_pacing,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

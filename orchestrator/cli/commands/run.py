@@ -13,6 +13,7 @@ from .. import completion
 from ..console import tell
 from ..options import (
     SYSTEM_HELP,
+    DeadlinesOption,
     FmusOption,
     InputOption,
     MapOption,
@@ -20,6 +21,7 @@ from ..options import (
     OutsideOption,
     ParametersOption,
     PeriodOption,
+    RealTimeOption,
     ReplaceOption,
     SetOption,
     StartOption,
@@ -98,23 +100,27 @@ def plan(
     step: StepOption = "",
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
+    real_time: RealTimeOption = "",
+    deadlines: DeadlinesOption = "",
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at the start are tried."""
     from ...plan.diagram.file import require_svg, write_diagram
     from ...plan.explain import explain
     from ...plan.plan import make_plan
     from ...run.initialize import begin_text, loop_residuals
+    from ...run.pacing.asked import pace_of
     from ...system.assemble import assemble_request
     from ...system.request import Request
 
     request = Request(
         system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
-        allow_outside=tuple(map(str, allow_outside)), parameters=parameters,
+        allow_outside=tuple(map(str, allow_outside)), parameters=parameters, real_time=real_time, deadlines=deadlines,
     )  # fmt: skip
+    pace = pace_of(request)
     if svg is not None:
         require_svg(svg)
-    planned = make_plan(assemble_request(request))
+    planned = make_plan(assemble_request(request), pace.every if pace else None)
     if svg is not None:
         write_diagram(planned, svg)
     tell(explain(planned, None if all_operations else 40))
@@ -172,14 +178,7 @@ def run(
             "--resume", metavar="DIR", help="Go on with the run whose results folder this is, from its checkpoint."
         ),
     ] = None,
-    real_time: Annotated[
-        str,
-        typer.Option(
-            "--real-time",
-            metavar="[FACTOR]",
-            help="Keep pace with the clock on the wall, or with a multiple of it: 1 where no number is given.",
-        ),
-    ] = "",
+    real_time: RealTimeOption = "",
     realtime_policy: Annotated[
         str,
         typer.Option(
@@ -188,9 +187,7 @@ def run(
             help="After a missed deadline: catch up, end the run, or give up the time that was lost.",
         ),
     ] = "",
-    deadlines: Annotated[
-        str, typer.Option("--deadlines", metavar="TIME", help='Time between two deadlines, for instance "20 ms".')
-    ] = "",
+    deadlines: DeadlinesOption = "",
     fifo: Annotated[
         str, typer.Option("--fifo", metavar="PRIORITY", help="Run with SCHED_FIFO, 1 to 99, where that is allowed.")
     ] = "",

@@ -17,6 +17,7 @@ from .components import component_rows
 from .folders import folder_rows
 from .growth import growth_rows
 from .gym import gym_rows
+from .pacing import pacing_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
 from .solvers import solver_rows
@@ -45,6 +46,7 @@ PARTS = {
     "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
     "gym": Part("environments of Gymnasium: steps and resets", 25.0, 10.0),
+    "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
     "against": Part("this installation against another one", 300.0, 60.0),
     "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
@@ -148,6 +150,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
                 tell("without environments: pip install 'rovbrush[gym]'")
                 return
             yield from gym_rows(folder, asked.quick)
+        elif name == "pacing":
+            yield from pacing_rows(folder, asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")
