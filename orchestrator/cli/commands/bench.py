@@ -153,8 +153,8 @@ def print_pacing(rows: Rows) -> None:
         title = f"Deadlines every 1 ms, all over already so that nobody waits, {medians(rows)}"
         print_table(title, headings, [(r["system"], *cost)])
         kept = f"{r['deadlines']}", f"{100 * r['within_2_ms']:.4g} %", f"{r['mean_us']:.0f}", f"{r['worst_us']:.0f}"
-        headings = ("deadlines", "within 2 ms", "mean lateness [us]", "worst [us]", "missed")
-        print_table("The same in real time, one run", headings, [(*kept, f"{r['missed']}")])
+        told = ("deadlines", "within 2 ms", "mean lateness [us]", "worst [us]", "missed")
+        print_table("The same in real time, one run", told, [(*kept, f"{r['missed']}")])
 
 
 def print_against(rows: Rows) -> None:
