@@ -34,6 +34,7 @@ def test_python_gets_what_a_function_returns_and_an_error_for_one_that_there_is_
         functions.stop()
 
 
+@pytest.mark.evidence
 def test_a_numba_that_nobody_has_tried_compiles_them_by_itself_to_the_same_bits(tmp_path: Path) -> None:
     code = """
 import sys

@@ -61,6 +61,7 @@ def test_a_cache_that_was_copied_is_taken(filled: Path, tmp_path: Path) -> None:
     assert run(shutil.copytree(filled, tmp_path / "cache"))[:2] == ["4.0", "1"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("suffix", [".nbc", ".nbi"])
 @pytest.mark.parametrize("how", ["emptied", "truncated", "one bit flipped", "missing"])
 def test_a_damaged_file_is_compiled_anew(how: str, suffix: str, filled: Path, tmp_path: Path) -> None:

@@ -86,6 +86,7 @@ CASES = (
 NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_python_numba_and_c_agree_bit_by_bit(case: Case, measured: Measured) -> None:
     runs = {life: history(case, functions) for life, functions in lives(case.name).items()}

@@ -63,6 +63,7 @@ def of(delay: float, gain: float) -> Loop:
     return Loop(omega, gain / (1j * omega) * np.exp(-1j * omega * delay))
 
 
+@pytest.mark.evidence
 def test_margins_of_an_integrator_with_delay_are_the_known_ones() -> None:
     for delay, gain in ((0.02, 10.0), (0.05, 4.0), (0.1, 20.0)):
         loop = of(delay, gain)
@@ -73,16 +74,19 @@ def test_margins_of_an_integrator_with_delay_are_the_known_ones() -> None:
             assert loop.gain_margin == pytest.approx(np.pi / (2.0 * gain * delay), rel=1e-3)
 
 
+@pytest.mark.evidence
 def test_a_loop_below_one_has_all_margins() -> None:
     loop = of(0.0, 0.1)
     assert (loop.phase_margin, loop.delay_margin, loop.gain_margin) == (np.pi, np.inf, np.inf)
 
 
+@pytest.mark.evidence
 def test_largest_value_is_found_by_halving() -> None:
     assert largest(lambda x: x < 0.3, 0.0, 1.0, 1e-3) == pytest.approx(0.3, abs=1e-3)
     assert largest(lambda _: True, 0.0, 1.0, 1e-3) == 1.0 and largest(lambda _: False, 0.0, 1.0, 1e-3) == 0.0
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize(("factor", "phase"), [(1.0, 40.0), (4.0, 20.0)])
 def test_force_control_has_phase_and_delay_to_spare(
     factor: float, phase: float, fmus: Path, measured: Measured
@@ -96,6 +100,7 @@ def test_force_control_has_phase_and_delay_to_spare(
     assert np.degrees(loop.phase_margin) >= phase and loop.delay_margin >= 0.03
 
 
+@pytest.mark.evidence
 def test_observer_has_phase_and_delay_to_spare_too(fmus: Path, measured: Measured) -> None:
     loop, _ = open_loop(varied(roller(fmus).with_values(OBSERVER, "test"), 3, 1.0))
     measured("force control by the observer: phase margin [deg]", np.degrees(loop.phase_margin), "> 40")
@@ -110,6 +115,7 @@ def test_all_sensors_may_be_30_ms_late(fmus: Path, tmp_path: Path, measured: Mea
     assert found >= 0.03
 
 
+@pytest.mark.evidence
 def test_force_is_held_with_noise_and_40_ms_of_delay(fmus: Path, tmp_path: Path, measured: Measured) -> None:
     """The sensors of a BlueROV2, which are 20 ms late, and 20 ms more: contact kept, force within 10 %."""
     sensors = assemble("station_keeping", {}, fmus=fmus).components["sensors"].parameters
@@ -123,6 +129,7 @@ def test_force_is_held_with_noise_and_40_ms_of_delay(fmus: Path, tmp_path: Path,
     assert np.all(delta.values[chosen] > 0.0) and error < 0.1
 
 
+@pytest.mark.evidence
 def test_one_sine_says_what_many_at_once_say(fmus: Path) -> None:
     system = varied(roller(fmus), 2, 1.0)
     many, _ = open_loop(system)

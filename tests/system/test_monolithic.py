@@ -45,6 +45,7 @@ def pose_errors(signals: Signals, solution: Solution) -> tuple[float, float]:
     return float(apart.max() / far), float(turned(quat, solution.quat[same]).max() / wide)
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("name", MEANS)
 def test_means_agree_within_half_a_percent(name: str, signals: Signals, solution: Solution, measured: Measured) -> None:
     theta_b = signals["brush.theta_b"]
@@ -55,6 +56,7 @@ def test_means_agree_within_half_a_percent(name: str, signals: Signals, solution
     assert seen == pytest.approx(expected, rel=5e-3)
 
 
+@pytest.mark.evidence
 def test_pose_agrees_within_a_percent_of_its_excursion(
     signals: Signals, solution: Solution, measured: Measured
 ) -> None:
@@ -64,6 +66,7 @@ def test_pose_agrees_within_a_percent_of_its_excursion(
     assert position < 1e-2 and attitude < 1e-2
 
 
+@pytest.mark.evidence
 def test_solution_is_converged(solution: Solution, monolithic: Monolithic) -> None:
     loose = monolithic.solve(0.5, rtol=1e-6)
     rows = len(loose.time)

@@ -33,6 +33,7 @@ def budgets(lab: Lab) -> dict[str, Budget]:
     return {one.tool: one for one in thrust_budget(lab)}
 
 
+@pytest.mark.evidence
 def test_a_pair_that_turns_against_itself_cancels_friction_torque_and_spin(pair: Case, measured: Measured) -> None:
     one = abs(pair.mean("brush.F_x")), abs(pair.mean("brush.T_brush")), pair.peak("motor.H_spin")
     left = abs(pair.mean("vehicle.F_x")), abs(pair.mean("vehicle.M_y")), pair.peak("vehicle.H_y")
@@ -41,6 +42,7 @@ def test_a_pair_that_turns_against_itself_cancels_friction_torque_and_spin(pair:
         assert rest < 0.1 * whole and whole > 0.1
 
 
+@pytest.mark.evidence
 def test_cups_leave_no_friction_along_the_hull(cups: Case, measured: Measured) -> None:
     """A cup that turns cancels its own friction; what is left is what moving along the hull takes."""
     left = abs(cups.mean("vehicle.F_x")) / abs(cups.mean("vehicle.F_z"))
@@ -50,6 +52,7 @@ def test_cups_leave_no_friction_along_the_hull(cups: Case, measured: Measured) -
     assert turning[0] > 0.0 > turning[1] and turning[2] > 0.0
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("name", ["counter_rotating", "three_cups"])
 def test_the_force_is_held_and_the_energy_closes(lab: Lab, name: str, measured: Measured) -> None:
     case = lab.case(name)
@@ -61,6 +64,7 @@ def test_the_force_is_held_and_the_energy_closes(lab: Lab, name: str, measured: 
     assert case.summary["contact_time"] > 25.0
 
 
+@pytest.mark.evidence
 def test_the_frame_tells_each_tool_where_it_is(pair: Case) -> None:
     """The rollers are 0.32 m apart: their penetrations differ by the pitch of the vehicle times that."""
     behind, ahead, turned = (
@@ -81,6 +85,7 @@ def test_what_the_thrusters_can_hold_rises_from_roller_to_pair(budgets: dict[str
     assert pair.largest[0.0] > 1.5 * roller.largest[0.0]
 
 
+@pytest.mark.evidence
 def test_a_pure_push_is_what_the_vertical_thrusters_give(pair: Case) -> None:
     """Without levers and without a current the largest force is the sum of the vertical thrusters at full command."""
     B, forward, reverse = allocation(pair)
@@ -90,6 +95,7 @@ def test_a_pure_push_is_what_the_vertical_thrusters_give(pair: Case) -> None:
     assert push == pytest.approx(best, rel=0.1)
 
 
+@pytest.mark.evidence
 def test_a_force_beyond_the_budget_saturates_and_one_within_does_not(
     lab: Lab, budgets: dict[str, Budget], measured: Measured
 ) -> None:

@@ -64,6 +64,7 @@ def force(delta: float, mu: float) -> float:
     return float(-pressed(delta, mu)["F_z"]) / BRISTLES
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("mu", FRICTION)
 def test_force_is_that_of_the_exact_elastica(mu: float, measured: Measured) -> None:
     worst = max(abs(force(delta, mu) / elastica(delta, mu)[0] - 1.0) for delta in PRESSED)

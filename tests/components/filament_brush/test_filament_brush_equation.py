@@ -50,6 +50,7 @@ def only_eq13_differs(seen: dict[str, np.ndarray], before: dict[str, np.ndarray]
     np.testing.assert_allclose(seen["F_z_eq13"], 2.0 * normal + friction, rtol=1e-10)
 
 
+@pytest.mark.evidence
 @pytest.mark.skipif(not shutil.which("gcc"), reason="no C compiler: native FMUs cannot be built")
 @pytest.mark.parametrize("version", ["fmi2", "fmi3"])
 def test_an_equation_changed_in_one_line_is_changed_in_the_native_fmus(

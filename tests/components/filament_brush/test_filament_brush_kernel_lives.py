@@ -30,6 +30,7 @@ CASES = (
 )  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_python_numba_and_c_agree_bit_by_bit(case: Case) -> None:
     runs = {life: history(case, functions) for life, functions in lives("filament_brush").items()}

@@ -81,6 +81,7 @@ def _near(v: Variable, start: float) -> tuple[float, float]:
     return max(ends[0], v.minimum), min(ends[1], v.maximum)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_kernel_python_fmu_and_native_fmus_give_the_same_bits(
     name: str, fmus: Path, native: Path, tmp_path: Path, measured: Measured

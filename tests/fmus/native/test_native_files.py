@@ -24,6 +24,7 @@ from rovbrush.components.native.translate import plain_c
 VERSIONS = ("fmi2", "fmi3")
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_native_fmu_is_valid_and_small(name: str, version: str, native: Path, measured: Measured) -> None:
@@ -43,6 +44,7 @@ def test_two_builds_are_byte_identical(native: Path, tmp_path: Path) -> None:
         assert path.read_bytes() == (native / path.parent.name / path.name).read_bytes()
 
 
+@pytest.mark.evidence
 @pytest.mark.skipif(not shutil.which("cmake"), reason="cmake is not installed")
 @pytest.mark.parametrize("version", VERSIONS)
 def test_another_tool_compiles_the_sources_to_the_same_results(version: str, native: Path, tmp_path: Path) -> None:
@@ -61,6 +63,7 @@ def test_another_tool_compiles_the_sources_to_the_same_results(version: str, nat
     assert np.array_equal(*results)
 
 
+@pytest.mark.evidence
 def test_filaments_can_be_shown_by_the_native_brush_too(tmp_path: Path) -> None:
     pytest.importorskip("pyccel")
     if not any(map(shutil.which, PLATFORMS["linux64"].compilers)):

@@ -100,6 +100,7 @@ def test_c_host_with_an_empty_environment_gets_the_same_bits(
     assert np.array_equal(seen, expected)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_win64_binary_runs_under_wine(
     name: str, version: str, native: Path, tmp_path: Path, wine: Start, measured: Measured

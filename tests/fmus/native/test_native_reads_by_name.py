@@ -47,6 +47,7 @@ def accesses(text: str) -> Iterator[tuple[str, str]]:
         yield array, column
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_no_index_in_the_c_of_a_component_stands_for_a_name(name: str) -> None:
     own, made = own_functions(name), functions(c_text(name))

@@ -9,6 +9,7 @@ import textwrap
 import zipfile
 from pathlib import Path
 
+import pytest
 from helpers import FIXTURES, python
 from pythonfmu_instance import H, declared, every_component, started
 from rovbrush.components.build import COMPONENTS, HERE, build
@@ -44,6 +45,7 @@ def test_an_fmu_carries_no_path_and_no_user_of_the_machine_it_was_built_on(name:
                 assert path.encode() not in content, f"{entry.filename} holds {path}"
 
 
+@pytest.mark.sampled(3)
 @every_component
 def test_an_fmu_runs_from_its_own_content(name: str, fmus: Path) -> None:
     """In a process that cannot import the package: neither from the source tree nor from an installation."""

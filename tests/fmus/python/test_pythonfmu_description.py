@@ -140,6 +140,7 @@ def test_outputs_at_the_start_answer_only_to_declared_inputs(name: str, fmus: Pa
         }, changed
 
 
+@pytest.mark.sampled(3)
 @every_component
 def test_outputs_answer_at_once_only_to_declared_inputs(name: str) -> None:
     """After steps have stirred the state, `outputs` is evaluated again with one input changed."""

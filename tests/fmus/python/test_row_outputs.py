@@ -30,6 +30,7 @@ def signals(tmp_path_factory: pytest.TempPathFactory) -> Signals:
     return Signals(simulate(make_plan(load_system(str(folder / "rows.toml")))))
 
 
+@pytest.mark.evidence
 def test_per_filament_forces_add_up_to_those_of_the_brush(signals: Signals) -> None:
     normal = np.sum([signals[f"brush.filament_F_n[{i}]"].values for i in range(1, 61)], axis=0)
     friction = np.sum([signals[f"brush.filament_F_f[{i}]"].values for i in range(1, 61)], axis=0)
@@ -37,6 +38,7 @@ def test_per_filament_forces_add_up_to_those_of_the_brush(signals: Signals) -> N
     np.testing.assert_allclose(-friction, signals["brush.F_x"].values, rtol=1e-12)
 
 
+@pytest.mark.evidence
 def test_filaments_are_evenly_spread_and_missing_ones_stay_zero(signals: Signals) -> None:
     phi = np.array([signals[f"brush.filament_phi[{i}]"].values[-1] for i in range(1, 61)])
     spacing = np.diff(np.unwrap(phi[:50]))
@@ -44,12 +46,14 @@ def test_filaments_are_evenly_spread_and_missing_ones_stay_zero(signals: Signals
     assert not phi[50:].any()
 
 
+@pytest.mark.evidence
 def test_largest_deflection_is_that_of_a_filament(signals: Signals) -> None:
     y = np.abs([signals[f"brush.filament_y[{i}]"].values for i in range(1, 51)])
     # The one is seen where micro-steps begin, the other at communication points: near a maximum they differ little.
     assert y.max() / 0.08 == pytest.approx(signals["brush.deflection_ratio_max"].values[-1], rel=0.01)
 
 
+@pytest.mark.evidence
 def test_such_an_fmu_is_valid_and_the_plain_one_has_no_such_outputs(fmus: Path, tmp_path: Path) -> None:
     assert validate_fmu(str(build(HERE / "filament_brush", tmp_path, rows=3)[0])) == []
     from rovbrush.orchestrator.fmu.fmu import Fmu

@@ -14,6 +14,7 @@ from test_command_line import COMMAND, marked_incomplete
 NOMINAL = ("run", "nominal", "--set", "motor.R=0.1", "--record", "brush.F_?", "--stop")
 
 
+@pytest.mark.evidence
 def test_a_run_goes_on_after_ctrl_c_and_ends_bitwise_as_one_that_was_not_interrupted(
     fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -118,6 +118,7 @@ def test_nothing_is_compiled_that_nobody_asked_for(tmp_path: Path) -> None:
         Fmu.open(theirs)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("command", ["run", "plan", "check", "info", "test-component"])
 def test_every_command_takes_the_word(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

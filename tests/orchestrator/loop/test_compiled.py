@@ -97,6 +97,7 @@ def test_what_is_whole_is_taken(filled: Path, tmp_path: Path) -> None:
     assert doubled(shutil.copytree(filled, tmp_path / "copy")) == ["4.0", "1"]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("suffix", ["nbc", "nbi"])
 @pytest.mark.parametrize("cut", [slice(0), slice(-100), slice(40, None)])
 def test_a_damaged_file_of_the_compiled_loop_is_compiled_anew(

@@ -19,6 +19,7 @@ WANTED = tomllib.loads(SPECIFICATION.read_text(encoding="utf-8"))
 SHIPPED = tomllib.loads((SYSTEMS / WANTED["write"]).read_text(encoding="utf-8"))
 
 
+@pytest.mark.evidence
 def test_shipped_file_meets_every_target_and_limit(fmus: Path, measured: Measured) -> None:
     summary = summarize(simulate(make_plan(load_system(WANTED["system"], fmus))))
     for key, target in WANTED["targets"].items():

@@ -90,6 +90,7 @@ def test_page_loads_nothing_from_elsewhere_and_has_every_section(out: Path) -> N
     assert text.count("<img") == 2 and "`" not in re.sub(r"<style>.*?</style>", "", text, flags=re.S)
 
 
+@pytest.mark.evidence
 def test_every_parameter_says_where_it_stands(asked: Task) -> None:
     found = {(c, n.name): n for c in ("brush", "motor", "controller", "mission") for n in numbers(asked, c)}
     assert all(number.origin and number.meaning and number.unit for number in found.values())
@@ -100,6 +101,7 @@ def test_every_parameter_says_where_it_stands(asked: Task) -> None:
     assert found["brush", "rho"].origin == "Table 2" and "source" not in found["brush", "rho"].meaning
 
 
+@pytest.mark.evidence
 def test_points_hold_that_keep_contact_and_miss_the_force_by_a_tenth_at_most() -> None:
     found = synthetic([0.02, LIMIT, 0.11, 0.02, np.nan], [1.0, 1.0, 1.0, 0.999, np.nan])
     assert found.held.tolist() == [True, True, False, False, False]
@@ -110,6 +112,7 @@ def test_points_hold_that_keep_contact_and_miss_the_force_by_a_tenth_at_most() -
     assert spread_figure(found).axes[0].lines
 
 
+@pytest.mark.evidence
 def test_force_error_is_that_of_the_samples() -> None:
     force = 20.0 + np.array([1.0, -2.0, 0.5, 3.0])
     rms = np.sqrt(np.mean(force**2))
@@ -117,6 +120,7 @@ def test_force_error_is_that_of_the_samples() -> None:
     assert force_error(-np.mean(force), rms, 20.0) == pytest.approx(wanted, rel=1e-12)  # F_z of a brush is negative
 
 
+@pytest.mark.evidence
 def test_ranges_are_centred_on_what_the_task_has(asked: Task) -> None:
     exact = {"brush.L", "brush.d", "brush.R_brush", "vehicle.m", "vehicle.m_tool", "vehicle.r_tool[3]"}  # 1 %
     vary = dict(sweep_file(SWEEP).vary)
@@ -129,6 +133,7 @@ def test_ranges_are_centred_on_what_the_task_has(asked: Task) -> None:
         assert 0.5 * (high - low) == pytest.approx(wide, rel=0.01), name
 
 
+@pytest.mark.evidence
 def test_sensors_are_told_one_by_one_with_the_file_that_has_them(fmus: Path) -> None:
     case = Lab(fmus).case("station_keeping", stop="0.1 s")
     rows = {row[0]: row[1:] for row in sensors(Task(sweep_file(SWEEP), case))}
@@ -139,12 +144,14 @@ def test_sensors_are_told_one_by_one_with_the_file_that_has_them(fmus: Path) -> 
     assert len(rows) == 8 and all(row[-1] == "station_keeping.toml" for row in rows.values())
 
 
+@pytest.mark.evidence
 def test_without_points_there_are_no_error_bars_and_without_sensors_no_rows_of_them(asked: Task, fmus: Path) -> None:
     assert all(row[3:] == ("", "") for row in answers(asked, None))
     without = Task(sweep_file(SWEEP), Lab(fmus).case("nominal", stop="0.1 s"))
     assert asked.component("rov_sensors") and not without.component("rov_sensors") and sensors(without) == []
 
 
+@pytest.mark.evidence
 def test_the_command_writes_the_page_or_says_what_is_missing(
     fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -36,6 +36,7 @@ def test_effects_of_the_water_on_the_paper_s_brush_are_those_of_the_review(lab: 
     assert percent(pack[-1])[:2] == [0.0, 0.0]
 
 
+@pytest.mark.evidence
 def test_errors_of_the_approximations_are_told(lab: Lab) -> None:
     for brush in water.brushes(lab):
         rows = dict(water.errors(lab, brush))

@@ -65,6 +65,7 @@ def test_nor_do_two_sessions_at_once(tmp_path: Path) -> None:
         assert one.get("a.x") == other.get("a.x") == FRESH
 
 
+@pytest.mark.evidence
 @needs_gcc
 @needs_fork
 @pytest.mark.parametrize("flags", ["", ONCE], ids=["counts", "once per process"])

@@ -34,6 +34,7 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built(tmp_path_factory.mktemp("clocks"))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", [*CASES, *SCHEDULED])
 def test_events_in_a_process_of_its_own_give_the_same_bits(name: str, tmp_path: Path, fmus: Path) -> None:
     case = (CASES | SCHEDULED)[name]
@@ -121,6 +122,7 @@ EXCHANGE = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("method", ["dormand-prince", "cvode", "rk4"])
 @pytest.mark.parametrize("name", EXCHANGE)

@@ -89,6 +89,7 @@ FATES: dict[str, tuple[dict[str, str], list[str]]] = {
 }
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("process", ["", "isolation"], ids=["here", "isolated"])
 @pytest.mark.parametrize(("actions", "end"), FATES.values(), ids=FATES.keys())
 def test_terminate_comes_below_error_only_and_free_unless_fatal(
@@ -121,6 +122,7 @@ def test_a_hundred_failed_starts_leave_no_instance(tmp_path: Path, log: Path) ->
     assert told(log).count("free") == told(log).count("instantiate") == 100
 
 
+@pytest.mark.sampled(20)
 @pytest.mark.parametrize("interpreted", [False, True], ids=["compiled", "interpreted"])
 @pytest.mark.parametrize("call", ["ON_STEP", "ON_GET", "ON_SET"])
 @pytest.mark.parametrize("status", [-1, 6, 7, 16, 17, 18, 32, 99, 256, -(2**31), 2**31 - 1])

@@ -214,6 +214,7 @@ def test_so_is_what_is_changed_before_and_after_the_loop(call: str, tmp_path: Pa
     assert exact() and Path.cwd() == before and len(found.notes) == 2
 
 
+@pytest.mark.sampled(10)
 @pytest.mark.parametrize("call", ["ON_SETUP", "ON_ENTER", "ON_EXIT", "ON_STEP", "ON_TERMINATE", "ON_FREE"])
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGPIPE", "SIGCHLD"])
 def test_signals_that_an_fmu_takes_are_given_back_and_named(name: str, call: str, tmp_path: Path) -> None:

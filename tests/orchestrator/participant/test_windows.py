@@ -345,6 +345,7 @@ def test_one_that_refuses_its_token_gives_its_reason(windows: Path, tmp_path: Pa
     assert last(r, "a.y") == 2.0
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("version", ["fmi2", "fmi3"])
 def test_each_of_our_components_gives_the_same_bits_under_wine(version: str, native: Path, tmp_path: Path) -> None:
     for path in sorted((native / version).glob("*.fmu")):

@@ -61,6 +61,7 @@ def require_same(run: Run, whole: Run, folder: Path) -> None:
     assert (folder / "a.nc").read_bytes() == (folder / "b.nc").read_bytes()
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("method", ["aitken", "newton"])
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_every_algorithm_goes_on_bitwise(algorithm: str, method: str, tmp_path: Path, fmus: Path) -> None:
@@ -96,6 +97,7 @@ def test_ctrl_c_within_a_cycle_goes_on_bitwise(
     require_same(resumed(plan, tmp_path), simulate(plan), tmp_path)
 
 
+@pytest.mark.sampled(3)
 @needs_gcc
 @pytest.mark.parametrize("isolation", ["", "process"])
 @pytest.mark.parametrize("algorithm", ["jacobi", "iterated"])

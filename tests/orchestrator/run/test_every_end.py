@@ -21,6 +21,7 @@ def fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.sampled(15)
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.name.replace(" ", "_"))
 def test_the_complete_rows_are_kept(way: Way, mode: str, fmus: Path, tmp_path: Path, measured: Measured) -> None:

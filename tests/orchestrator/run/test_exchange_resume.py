@@ -73,6 +73,7 @@ class Ends:
         return session.memory.z.tobytes()
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi", "iterated"])
 @pytest.mark.parametrize("more", ["", PUSHED])
 @pytest.mark.parametrize("solver", METHODS)
@@ -134,6 +135,7 @@ def test_the_plan_tells_where_cvode_begins_anew(tmp_path: Path) -> None:
     assert "begun anew" not in explain(planned(tmp_path, ""))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
 @pytest.mark.parametrize("solver", METHODS)
 def test_one_in_a_process_of_its_own_is_integrated_as_the_system_says_and_tells_the_same(

@@ -218,6 +218,7 @@ def test_a_recording_begins_where_the_run_did(command: Command, tmp_path: Path, 
     assert {v.text for v in replay(fmus / "wave.fmu", out, rtol=0.0).require_within()} == {"equal"}
 
 
+@pytest.mark.evidence
 def test_studies_begin_where_they_are_told(command: Command, tmp_path: Path, fmus: Path) -> None:
     summary = '\n[summary]\ny_mean = "mean w.y"\n'
     (tmp_path / "case.toml").write_text(system_text(LINE, ["w.y -> i.u"], stop="1 s") + summary)

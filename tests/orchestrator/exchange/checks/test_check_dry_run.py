@@ -169,6 +169,7 @@ def test_an_fmu_for_scheduled_execution_is_taken_for_one(tmp_path: Path) -> None
         plan_of(tmp_path, tmp_path, {"one": (str(other), "1 s")})
 
 
+@pytest.mark.sampled(4)
 @needs_gcc
 @pytest.mark.parametrize("model", clock_build.MODELS)
 def test_an_fmu_with_events_clocks_or_partitions_is_driven_over_them(model: str, tmp_path: Path) -> None:

@@ -261,6 +261,7 @@ def test_plugin_imports_nothing_heavy() -> None:
     assert not loaded & {"numpy", "numba", "scipy", "fmpy", "pythonfmu", "rich", "typer", "rovbrush.components"}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_turned_sign_of_any_variable_that_systems_need_is_found(name: str, native: Path, tmp_path: Path) -> None:
     unfound = []

@@ -11,6 +11,7 @@ from helpers import ROOT, Measured, last, run_of
 REFERENCE = json.loads((ROOT / "tests" / "reference" / "dual_mass.json").read_text())["exact_t10"]
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("periods", [("2 ms", "2 ms"), ("2 ms", "1 ms")])
 @pytest.mark.parametrize("algorithm", ["iterated", "gauss-seidel"])
 def test_positions_at_10_s_are_the_exact_ones(
@@ -27,6 +28,7 @@ def test_positions_at_10_s_are_the_exact_ones(
         assert abs(error) <= 1e-5
 
 
+@pytest.mark.evidence
 def test_by_iteration_at_half_a_millisecond_they_are_right_to_a_micrometre(
     tmp_path: Path, fmus: Path, measured: Measured
 ) -> None:

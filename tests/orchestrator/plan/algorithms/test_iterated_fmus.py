@@ -68,6 +68,7 @@ def same(a: Run, b: Run) -> bool:
     return all(x.tobytes() == y.tobytes() for x, y in zip(a.tables, b.tables, strict=True))
 
 
+@pytest.mark.sampled(3)
 @needs_gcc
 @pytest.mark.parametrize("keys", COUPLINGS.values(), ids=COUPLINGS)
 @pytest.mark.parametrize(("chassis", "wheel"), [("fmi2", "fmi2"), ("fmi3", "fmi3"), ("python", "fmi3")])
@@ -78,6 +79,7 @@ def test_native_fmus_of_both_versions_give_the_bits_of_the_python_fmus(
     assert same(car(tmp_path, cars, chassis, wheel, keys), expected)
 
 
+@pytest.mark.sampled(2)
 @needs_fork
 @pytest.mark.parametrize("keys", COUPLINGS.values(), ids=COUPLINGS)
 @pytest.mark.parametrize("isolated", ["w", "cw"])

@@ -30,6 +30,7 @@ def found(known: Path, tmp_path_factory: pytest.TempPathFactory) -> Sensitivity:
     return sensitivity(str(known), tmp_path_factory.mktemp("sobol"), Options(RANGES), samples=128)
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize(("figure", "published"), [("ishigami", ISHIGAMI), ("g", SOBOL_G)])
 def test_published_indices_lie_in_the_intervals(
     found: Sensitivity, figure: str, published: dict[str, Sequence[float]]

@@ -23,6 +23,7 @@ from rovbrush.orchestrator.studies.sweep.workers import LocalWorkers
 from sweep_cases import begun, lines, plain_case, running
 
 
+@pytest.mark.evidence
 @pytest.mark.skipif(sys.platform != "linux", reason="looks at processes")
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
 def test_an_interrupted_sweep_goes_on_where_it_was_and_leaves_no_process(

@@ -72,6 +72,7 @@ def swept(path: Path, *vary: str, **options: object) -> dict[str, list[float]]:
     return {str(name): dataset[name].values.ravel().tolist() for name in dataset.data_vars if name != "error"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("vary", "x"), [
     ("events.push.at=1.9,1.95,1.99", [0.2, 0.1, 0.02]), ("events.push.at=1900 ms:1980 ms:3", [0.2, 0.12, 0.04]),
     ("events.push.set.p.u=0.1,0.2", [0.1, 0.2]), ("events.enough.threshold=0.3:0.9:3", [0.3, 0.6, 0.9]),
@@ -136,6 +137,7 @@ def test_an_fmu_alone_is_swept_over_its_sizes(tmp_path: Path) -> None:
     assert found["x[2]_last"][0] == found["x[2]_last"][1]
 
 
+@pytest.mark.sampled(16)
 @pytest.mark.parametrize("text", ["e", "-", ".", "1e", "+-1", "1.2.3", "nan", "inf", "1e400", "0x1", "", "one"])
 @pytest.mark.parametrize("key", ["push.at", "push.set.p.u", "enough.threshold", "enough.after"])
 def test_what_only_looks_like_a_number_of_an_event_is_one_clear_error(key: str, text: str, folder: Path) -> None:

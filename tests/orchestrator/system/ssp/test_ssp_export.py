@@ -52,6 +52,7 @@ def assert_equal_plans(first: System, second: System) -> None:
     assert [group.columns for group in plans[0].groups] == [group.columns for group in plans[1].groups]
 
 
+@pytest.mark.sampled(10)
 @pytest.mark.parametrize("version", ["1.0", "2.0"])
 @pytest.mark.parametrize("name", shipped_systems())
 def test_a_shipped_system_comes_back_from_its_ssp_unchanged(
@@ -63,6 +64,7 @@ def test_a_shipped_system_comes_back_from_its_ssp_unchanged(
     assert_equal_plans(system, again)
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", shipped_systems())
 def test_a_run_from_the_ssp_is_bitwise_the_run_from_toml(name: str, fmus: Path, tmp_path: Path) -> None:
     """0.2 s: every kind of operation of every plan many times."""
