@@ -21,6 +21,7 @@ from .commands import (
     fit,
     fmu,
     linear,
+    live,
     look,
     new,
     optimise,
@@ -44,6 +45,7 @@ __all__ = [
     "fit",
     "fmu",
     "linear",
+    "live",
     "look",
     "main",
     "new",
@@ -61,6 +63,7 @@ __all__ = [
 # The commands that load FMUs into their own process.
 LOADING = (
     "run",
+    "live",
     "plan",
     "converge",
     "calibrate",

@@ -73,13 +73,14 @@ def carry_out(
     progress: Callable[[float], object] | None = None,
     more: Sequence[More] = (),
     pace: Pace | None = None,
+    go: Callable[[Session], object] = Session.advance,
 ) -> Finished:
     """Run a plan, or go on with it from `begin`, and write everything into `out`, see `claim`.
 
     `older`: files that are removed when time 0 is reached. `request` is kept with checkpoints. `progress` is called
-    now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. Ctrl-C,
-    SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where time 0 cannot be reached, RunError
-    if nowhere is room for the rows; every other failure is in what is returned.
+    now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. `go` brings the
+    session to its end. Ctrl-C, SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where time 0
+    cannot be reached, RunError if nowhere is room for the rows; every other failure is in what is returned.
     """
     file = out / f".result.{os.getpid()}.tmp.nc"
     stop = StopRequests(ENDING)
@@ -89,7 +90,7 @@ def carry_out(
                 begin.restore(session, force)
             remove(out, older)
             with scheduled(pace):
-                _advance(session, out, request, progress)
+                _advance(session, out, request, progress, go)
             resume = _resume(session, out, request)
             run = session.run()
             written = write_rows(run, out)
@@ -107,7 +108,10 @@ def carry_out(
         file.unlink(missing_ok=True)
 
 
-def _advance(session: Session, out: Path, request: Request, progress: Callable[[float], object] | None) -> None:
+def _advance(
+    session: Session, out: Path, request: Request, progress: Callable[[float], object] | None,
+    go: Callable[[Session], object],
+) -> None:  # fmt: skip
     """To the stop, or until something ends the run: `failure` says what."""
 
     def keep(_time: float) -> None:
@@ -119,7 +123,7 @@ def _advance(session: Session, out: Path, request: Request, progress: Callable[[
     if progress:
         session.observers.append(Progress(progress))
     try:
-        session.advance()
+        go(session)
     except KeyboardInterrupt:
         session.fail(f"{session.stop_requests.reason}, at once, at t = {session.time:.9g} s")
     except RovbrushError as error:

@@ -278,6 +278,11 @@ class Session:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
 
+    def end(self, why: str) -> None:
+        """End the run where it is, between two steps, as somebody asks; that is no failure."""
+        self.ended = "\n".join(filter(None, [self.ended, why]))
+        self._over = True
+
     @property
     def forgotten(self) -> list[str]:
         """What a checkpoint that was written here does not hold, in words."""

@@ -16,9 +16,10 @@ from .scenario import acts_at, from_start, spacing, stopped
 
 def scenario_in_words(plan: Plan) -> list[str]:
     """Lines of the plan for the events of its system, none where there are none."""
-    if not plan.system.events:
+    events = [event for event in plan.system.events if event.at is not None or event.when is not None]
+    if not events:  # or none that happens by itself
         return []
-    return ["", "events of the system file", *(line for event in plan.system.events for line in _lines(plan, event))]
+    return ["", "events of the system file", *(line for event in events for line in _lines(plan, event))]
 
 
 def _lines(plan: Plan, event: Event) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from ...fmu.types import Value
 from ...loop import cells
 from ...participant.base import Participant
 from ...plan.plan import Plan
+from ...system.event import Event
 from ..blocks import Blocks
 from ..memory.algorithm_state import AlgorithmState
 from ..memory.memory import Memory
@@ -62,6 +64,25 @@ class Events:
         elif self.scenario:
             self.macro = MacroSteps(self.plan, self.memory, control, self.space.clock, self.scenario, self.happened)
             self.macro.begin()
+
+    def give(self, number: int, event: Event | None, withdrawn: Fraction | None = None) -> None:
+        """An event of the system happens as another one states it: see `Scenario.give`."""
+        assert self.scenario is not None
+        self.scenario.give(number, event, withdrawn)
+        self._look_ahead()
+
+    def end(self, number: int, time: Fraction) -> None:
+        """The fault of an event that was given ends [s]."""
+        assert self.scenario is not None
+        self.scenario.end(number, time)
+        self._look_ahead()
+
+    def _look_ahead(self) -> None:
+        """Have the loop come back for what is due next."""
+        if self.handler:
+            self.handler.plan_next()
+        elif self.macro:
+            self.macro.aim()
 
     @property
     def ends_at(self) -> int:

@@ -22,7 +22,7 @@ from ...loop.cells import (
 from ...loop.noise import gaussian
 from ...plan.happening.scenario import from_start
 from ...plan.plan import Plan
-from ...system.event import Key, stream_of
+from ...system.event import Event, Key, stream_of
 from ..memory.memory import Memory
 
 
@@ -40,12 +40,12 @@ def begin_events(plan: Plan, memory: Memory) -> None:
     for number, event in enumerate(events):
         if event.fault and event in early:
             for name in event.components:
-                begin_fault(plan, memory, number, name)
+                begin_fault(plan, memory, number, name, event)
 
 
-def begin_fault(plan: Plan, memory: Memory, number: int, component: str) -> None:
-    """Break the inputs of a component that an event breaks."""
-    fault = plan.system.events[number].fault
+def begin_fault(plan: Plan, memory: Memory, number: int, component: str, event: Event) -> None:
+    """Break the inputs of a component that an event, of this number in the plan, breaks."""
+    fault = event.fault
     assert fault is not None
     for key, value in fault.values.items():
         if key[0] != component:
@@ -65,9 +65,9 @@ def begin_fault(plan: Plan, memory: Memory, number: int, component: str) -> None
         z[first + MODE] = REPLACED if fault.replaces else CHANGED
 
 
-def end_fault(plan: Plan, memory: Memory, number: int, component: str) -> None:
+def end_fault(plan: Plan, memory: Memory, number: int, component: str, event: Event) -> None:
     """Mend them."""
-    fault = plan.system.events[number].fault
+    fault = event.fault
     assert fault is not None
     for key in fault.values:
         if key[0] == component:

@@ -6,6 +6,7 @@ All that an event changes are cells of the run: the plan stays as it is.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from math import inf
 from typing import Any, NamedTuple
@@ -14,6 +15,7 @@ from ...loop.cells import CROSSED, SIDE, THRESHOLD
 from ...plan.happening.scenario import acts_at, end_of, from_start
 from ...plan.happening.scenario_text import what
 from ...plan.plan import Plan
+from ...system.event import Event
 from ..memory.memory import Memory
 from .faults import begin_fault, end_fault
 
@@ -33,7 +35,7 @@ class Scenario:
 
     def __init__(self, plan: Plan, memory: Memory) -> None:
         self.plan, self.memory = plan, memory
-        self.events = plan.system.events
+        self.events = list(plan.system.events)  # of those that are given by hand other numbers
         self.stop = plan.clock.seconds(plan.clock.start + plan.clock.stop)
         self.pending: list[Due] = []
         self.seen: set[int] = set()
@@ -67,7 +69,7 @@ class Scenario:
         for entry in due:
             event = self.events[entry.number]
             if entry.ends:
-                end_fault(self.plan, self.memory, entry.number, entry.component)
+                end_fault(self.plan, self.memory, entry.number, entry.component, event)
             else:
                 self._begin(entry)
             said = what(self.plan.system, event, entry.component)
@@ -121,10 +123,27 @@ class Scenario:
             if acts_at(self.plan, name, time) < at < self.stop:
                 self.pending.append(Due(at, number, name, True))
 
+    def give(self, number: int, event: Event | None, withdrawn: Fraction | None = None) -> None:
+        """Have an event happen at a time to come as `event` states it, which touches the same inputs.
+
+        `withdrawn`: what it was given for that time [s] does not happen; None for `event`: nothing does instead.
+        """
+        if withdrawn is not None:
+            self.pending = [entry for entry in self.pending if entry.number != number or entry.time < withdrawn]
+        if event is not None:
+            assert event.at is not None
+            self.events[number] = event
+            self._happens(number, event.at)
+
+    def end(self, number: int, time: Fraction) -> None:
+        """Have the fault of an event that has been given end at a time to come [s]."""
+        self.events[number] = replace(self.events[number], until=time, lasting=None)
+        self._ends(number, self.events[number].at)
+
     def _begin(self, due: Due) -> None:
         event = self.events[due.number]
         if event.fault:
-            begin_fault(self.plan, self.memory, due.number, due.component)
+            begin_fault(self.plan, self.memory, due.number, due.component, event)
         for key, value in event.settings.items():
             if key[0] == due.component:
                 self.memory.put(key, self.plan.layout.inputs[key], value)
