@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from contextlib import nullcontext
 from fractions import Fraction
 from typing import Literal
 
@@ -43,7 +44,7 @@ class Driver:
         self.wants = ""  # "reset" or "end", where the run was not to go on
         self.interrupted = False  # by a signal
         self._resting = False
-        self._cycles, self._stretch = 1, 1.0  # of a run that goes as fast as it can: cycles at once, and how many more
+        self._cycles = 1  # at once, of a run that goes as fast as it can
         self._posted = self._noticed = -math.inf
         self._posted_time = math.nan
         self._told: Wire | None = None  # who knows what does not change
@@ -97,6 +98,8 @@ class Driver:
                 self._do(do)
             except RovbrushError as error:
                 self._say(str(error), do.viewer)
+            except Exception as error:  # a fault of ours: the run is not to be lost for it
+                self._say(f"{do.what}: unexpected {type(error).__name__}: {error}", do.viewer)
             self._noticed = -math.inf  # whoever asked sees what became of it
 
     def _do(self, do: Do) -> None:
@@ -157,27 +160,22 @@ class Driver:
 
     def _anchor(self) -> None:
         """From here on the pace counts, and what is said of it."""
-        self._since = time.monotonic(), self.session.time
-        self._last = self._since
+        if (pacer := self.session.pacer) is not None:
+            pacer.factor = self.speed or pacer.factor
+        self._last = time.monotonic(), self.session.time
         self._factor = 0.0
 
     def _advance(self) -> None:
-        """The next piece, about as long as an update, and the time until it is due."""
+        """The next piece, about as long as an update; it takes as long as the pace wants."""
+        pacer = self.session.pacer
+        if self.speed and pacer is not None:
+            self.session.advance(cycles=max(round(self.speed / RATE / self._cycle), 1))
+            return
         begun = time.monotonic()
-        if self.speed:
-            cycles = max(round(self.speed / RATE / self._cycle), 1)
-        else:
-            cycles = self._cycles = max(round(self._cycles * self._stretch), 1)
-        self.session.advance(cycles=cycles)
+        with pacer.at_ease() if pacer is not None else nullcontext():
+            self.session.advance(cycles=self._cycles)
         spent = max(time.monotonic() - begun, 1e-6)
-        self._stretch = min(max(1.0 / RATE / spent, 0.5), 2.0)
-        if self.speed and not self.session.over:
-            due = self._since[0] + (self.session.time - self._since[1]) / self.speed
-            while (left := due - time.monotonic()) > 0:
-                wire = self._wire()
-                if wire is not None and wire is self._told:
-                    wire.push()
-                time.sleep(min(left, IDLE))
+        self._cycles = max(round(self._cycles * min(max(1.0 / RATE / spent, 0.5), 2.0)), 1)
 
     def post(self, last: bool = False) -> None:
         """What is new, not more often than a page can show it."""
@@ -202,10 +200,11 @@ class Driver:
             ending = self.wants or session.over or session.tick >= session.plan.clock.stop
             self._what = "writing" if ending else "paused" if self.paused else "running"
         if (wire := self._wire()) is not None:
+            late = session.pacer.lateness() if session.pacer else None
+            kept = (late.deadlines, late.missed, late.worst) if late else (0, 0, 0.0)
             state = State(
-                self._what, session.time, self.attempt, self.speed, self._factor, dropped=wire.dropped,
-                values=self.record.values(), faults=self.record.faults(self._now()), why=self._why,
-                folder=self.folder,
+                self._what, session.time, self.attempt, self.speed, self._factor, *kept, wire.dropped,
+                self.record.values(), self.record.faults(self._now()), self._why, self.folder,
             )  # fmt: skip
             wire.post(packed(state))
 

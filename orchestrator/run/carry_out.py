@@ -78,9 +78,9 @@ def carry_out(
     """Run a plan, or go on with it from `begin`, and write everything into `out`, see `claim`.
 
     `older`: files that are removed when time 0 is reached. `request` is kept with checkpoints. `progress` is called
-    now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. `go` brings the
-    session to its end. Ctrl-C, SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where time 0
-    cannot be reached, RunError if nowhere is room for the rows; every other failure is in what is returned.
+    now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. `go` brings
+    the session to its end. Ctrl-C, SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where
+    time 0 cannot be reached, RunError if nowhere is room for the rows; every other failure is in what is returned.
     """
     file = out / f".result.{os.getpid()}.tmp.nc"
     stop = StopRequests(ENDING)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import asyncio
 
 import msgspec
-from fastapi import WebSocket
-from starlette.websockets import WebSocketDisconnect
+from fastapi import WebSocket, WebSocketDisconnect
 
 from .link import Box, Link
 

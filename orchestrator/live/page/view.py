@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from typing import Any
 
 from nicegui import Client, ui
@@ -77,6 +78,9 @@ class View:
     def do(self, what: Any, **more: Any) -> None:
         self.ask(Do(what, viewer=self._key, **more))
 
+    def _asking(self, what: Any, name: str) -> Callable[[], None]:
+        return lambda: self.do(what, name=name)
+
     def _refresh(self) -> None:
         link = self.link
         if link.hello is None:
@@ -122,10 +126,6 @@ class View:
     def _fill_left(self) -> None:
         hello = self.link.hello
         assert hello is not None
-        if hello.scene:
-            from .scene import scene
-
-            scene(hello.scene)
         ui.element("div").props('id="charts"').classes("flex flex-col gap-3")
         with ui.element("div").classes("bar"):
             names = [signal.name for signal in hello.signals]
@@ -171,7 +171,7 @@ class View:
             save.tooltip("rovbrush run SYSTEM --scenario FILE does it again, bit for bit")
 
     def _control(self, entry: Any) -> None:
-        control = control_of(entry, lambda value, name=entry.name: self.do("set", name=name, value=value))
+        control = control_of(entry, lambda value: self.do("set", name=entry.name, value=value))
         self.controls[entry.name] = control
         self.touchable += control.elements
 
@@ -179,7 +179,7 @@ class View:
         hello = self.link.hello
         assert hello is not None
         for name in hello.happenings:
-            button = ui.button(name, on_click=lambda name=name: self.do("happen", name=name))
+            button = ui.button(name, on_click=self._asking("happen", name))
             self.touchable.append(button.props("dense outline").classes("px-3"))
         if hello.breakable:
             which = ui.select(hello.breakable, with_input=True, label="signal").props(
@@ -259,7 +259,7 @@ class View:
                 for name, how in state.faults.items():
                     with ui.element("div").classes("bar"):
                         ui.label(f"{name}: {how}").classes("quiet grow")
-                        mend = ui.button("mend", on_click=lambda name=name: self.do("mend", name=name))
+                        mend = ui.button("mend", on_click=self._asking("mend", name))
                         mend.props("dense flat").set_enabled(self.drives)
         lines = "".join(f"<div>{_safe(line)}</div>" for line in done.lines[-200:])
         self.did.set_content(lines or '<div class="quiet">nothing yet</div>')

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 
 import numpy as np
@@ -13,7 +15,7 @@ from ...loop import cells
 from ...loop.pacing import LONGEST_SLEEP, deadline
 from ...plan.plan import Plan
 from ...results.lateness import ELSEWHERE, Lateness
-from .pace import Pace, require_factor
+from .pace import FASTEST, Pace, require_factor
 from .wall import SECOND, clock_functions, now
 
 FINEST = 10**6  # the largest denominator of nanoseconds per tick
@@ -47,6 +49,17 @@ class Pacer:
     def rebase(self) -> None:
         """The next step begins now, whatever the clock on the wall was before: after a pause, or a jump."""
         self._begun = False
+
+    @contextmanager
+    def at_ease(self) -> Iterator[None]:
+        """Within, no deadline is waited for or counted; the pace begins anew behind it."""
+        counted, factor = self.control[cells.WORST :].copy(), self._factor
+        self.factor = FASTEST
+        try:
+            yield
+        finally:
+            self.control[cells.WORST :] = counted
+            self.factor = factor
 
     def enter(self, tick: int) -> None:
         """The loop is about to go on from a tick."""
