@@ -30,13 +30,15 @@ from .run.planned import planned
 from .run.recording.observers import Every
 from .run.stepping import Stepping, Time
 from .system.assemble import assemble, over
+from .system.file.events.added import Given, set_by_hand, with_added
 from .system.inputs.series_file import with_files, with_inputs
 from .system.model import System
 from .system.request import Changes, set_name
 
 Inputs = Mapping[str, Any] | str | Path
 PUBLIC = (
-    "diagram", "explain", "over", "plan", "run", "set", "start", "stopping", "system", "with_inputs",
+    "by_hand", "diagram", "explain", "over", "plan", "run", "set", "start", "stopping", "system", "with_events",
+    "with_inputs",
 )  # fmt: skip
 DRAWN = 30  # components, in a notebook
 Observer = Callable[[float, dict[str, Any]], object]
@@ -56,6 +58,8 @@ def load(
     start: Time = "",
     values: Mapping[str, object] | None = None,
     parameters: str | Path = "",
+    scenario: str | Path | Sequence[str | Path] = (),
+    events: Sequence[Given] = (),
 ) -> Model:
     """A system, by the name of a shipped one or the path of a .toml, .ssp, .ssd, .fmu or OSP file; FMUs stay unpacked.
 
@@ -63,7 +67,8 @@ def load(
     an FMU in its place, the mapping file for that, and another period; `record`: patterns such as `motor.*` of what is
     recorded instead of what the system says; `step`: the period where an SSP states none; `allow_outside`: folders
     elsewhere from which an SSP may take files; `values`: as of `Model.set`, and structural parameters, which decide the
-    sizes of arrays; `parameters`: another parameter set, by its name or its file.
+    sizes of arrays; `parameters`: another parameter set, by its name or its file; `scenario`: files of events that
+    happen too; `events`: single ones, see `Model.with_events`.
     Raises InputError or FmuError, as the command line does.
     """
     changes = Changes(
@@ -72,9 +77,11 @@ def load(
         tuple((key, str(value)) for key, value in (periods or {}).items()),
         tuple(str(Path(folder).absolute()) for folder in allow_outside),
         set_name(str(parameters)),
+        tuple(str(Path(file).absolute()) for file in ([scenario] if isinstance(scenario, str | Path) else scenario)),
     )
     folder = Path(fmus) if fmus else None
-    return Model(assemble(str(name), values, str(stop), folder, changes, step=step, record=record, start=str(start)))
+    system = assemble(str(name), values, str(stop), folder, changes, step=step, record=record, start=str(start))
+    return Model(with_added(system, events, "events"))
 
 
 def _paths(files: Mapping[str, str | Path] | None) -> tuple[tuple[str, str], ...]:
@@ -138,6 +145,16 @@ class Model:
         if isinstance(inputs, (str, Path)):
             return Model(with_files(self.system, [Path(inputs)], "inputs"))
         return Model(with_inputs(self.system, inputs))
+
+    def with_events(self, *events: Given) -> Model:
+        """With more events, each in a line, `"2 s: motor.V_in = 0"`, or as the table that a file would hold,
+        `{"name": "jam", "by_hand": True, "fault": "hold", "on": "motor.T_load"}`. Raises InputError."""
+        return Model(with_added(self.system, events, "with_events"))
+
+    def by_hand(self, *names: str) -> Model:
+        """With inputs and tunable parameters that `Stepping.set` sets as events, so that `Stepping.scenario` tells of
+        them and a run with that scenario is the same bit by bit. Raises InputError for what no event can set."""
+        return Model(with_added(self.system, [set_by_hand(self.system, name) for name in names], "by_hand"))
 
     def stopping(self, stop: Time) -> Model:
         """With another stop time, "2 s" or 2.0; the same model for an empty one."""

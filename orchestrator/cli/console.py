@@ -175,9 +175,13 @@ def print_summary(summary: Mapping[str, Any], units: Mapping[str, str] | None = 
             unit = known.get(key, "")
             tell(f"  {key:<28} {number}{'' if unit in ('', '1') else f' {unit}'}")
     lines = summary.get("events", ())
+    if lines:
+        tell("  what happened")
     for line in lines[:EVENTS_SHOWN]:
-        tell(f"  {line}")
+        tell(f"    {line}")
     if len(lines) > EVENTS_SHOWN:
-        tell(f"  and {len(lines) - EVENTS_SHOWN} more events, all in the group `events` of result.nc")
+        tell(f"    and {len(lines) - EVENTS_SHOWN} more events, all in the group `events` of result.nc")
+    if waiting := summary.get("did_not_happen"):
+        tell(f"  did not happen: {', '.join(waiting)}")
     for loop, residual in summary.get("initial_loops", {}).items():
         tell(f"  at the start, {loop}: residual {residual:.3g}")

@@ -100,6 +100,18 @@ OutsideOption = Annotated[
     list[Path],
     typer.Option("--allow-outside", metavar="FOLDER", help="An SSP may take files from this folder too; repeatable."),
 ]
+ScenarioOption = Annotated[
+    list[Path],
+    typer.Option("--scenario", metavar="FILE.toml", help="A file of [[events]] that happen too; repeatable."),
+]
+EventOption = Annotated[
+    list[str],
+    typer.Option(
+        "--event",
+        metavar="WHEN:WHAT",
+        help='One more event: "2 s: motor.V_in = 0", "motor.i > 20 A: loss motor.T_load for 1 s"; repeatable.',
+    ),
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]

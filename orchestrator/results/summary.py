@@ -34,6 +34,8 @@ def summarize(run: Run) -> dict[str, Any]:
         result["notes"] = list(run.notes)
     if run.events:
         result["events"] = happened(run)
+    if waited := did_not_happen(run):
+        result["did_not_happen"] = waited
     if lines := left_range(run, signals):
         result["left_range"] = lines
     for key, text in specification.items():
@@ -92,6 +94,16 @@ def happened(run: Run) -> list[str]:
         else:
             more += 1
     return [*lines, f"and {more} more, all in the group `events` of result.nc"] if more > 0 else lines
+
+
+def did_not_happen(run: Run) -> list[str]:
+    """The events of the system that had no cause in the run, by name."""
+    events = run.plan.system.events
+    waiting = [event.name for event in events if event.at is not None or event.when or event.by_hand]
+    for row in run.events if waiting else ():
+        for text in row.what.split("; "):
+            waiting = [name for name in waiting if not text.startswith(f"{name}: ")]
+    return waiting
 
 
 def coupling(run: Run, signals: Signals) -> dict[str, Any]:

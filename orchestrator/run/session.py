@@ -23,6 +23,7 @@ from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.events import Events
 from .exchange.apart import alone
+from .hands import act
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state
@@ -141,6 +142,8 @@ class Session:
             raise InputError(f"cannot advance from tick {self.tick} to {until}, stop is at {stop}; cycles: {cycles}")
         last = stop if self.plan.adaptive else -(-until // self.plan.cycle_ticks)  # no step is shorter than a tick
         last = last if cycles is None else min(last, self.at.cycle + cycles)
+        if self.events.hands.waiting:
+            act(self)
         watching = [*self.observers, *([Progress(progress)] if progress else [])]
         with self.stop_requests.heard():
             while self.at.cycle < last and self.tick < until and not self.over:
@@ -207,6 +210,14 @@ class Session:
         self.at.cycle, self.at.operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
         self.pacer.wait(self._blocks.tick_at(self.at))
         return True
+
+    def one_block(self) -> None:
+        """Go on within a cycle to its end."""
+        self._run_block(1)
+
+    def end_early(self, why: str) -> None:
+        """A component has asked to end the run."""
+        self.ended, self._over = "\n".join(filter(None, [self.ended, why])), True
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""

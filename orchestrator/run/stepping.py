@@ -11,10 +11,13 @@ from typing import Any, cast
 
 from ..clock import duration, seconds_text
 from ..errors import InputError, RunError, nearest
+from ..files import plain
 from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.file.recorded import matches
+from .events.as_scenario import as_scenario
+from .hands import act
 from .memory.ports import reader_of, writer_of
 from .pacing.pace import Pace
 from .session import Session
@@ -24,8 +27,8 @@ Time = str | float | Fraction
 
 
 PUBLIC = (
-    "ended", "failure", "finish", "get", "names", "pacer", "period", "plan", "restore", "result", "set", "snapshot",
-    "step", "stop", "time",
+    "end", "ended", "failure", "finish", "get", "happen", "names", "pacer", "period", "plan", "restore", "result",
+    "scenario", "set", "snapshot", "step", "stop", "time",
 )  # fmt: skip
 
 
@@ -63,6 +66,7 @@ class Stepping(Session):
         self._guard = ExitStack()
         self._guarded = False
         self._snapshots: list[Snapshot] = []
+        self._hands = self.events.hands
 
     def __repr__(self) -> str:
         return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
@@ -100,6 +104,8 @@ class Stepping(Session):
         if self.at.cycle + count > last or (self._adaptive and self.tick >= self.plan.clock.stop):
             raise self._at_stop()
         self.control[STOP_REQUEST] = 0
+        if self._hands.waiting:
+            act(self)
         if self._adaptive and by is not None:
             until = min(self.tick + count * self.plan.clock.hyperperiod, self.plan.clock.stop)
             self.advance(until_tick=until)
@@ -136,7 +142,44 @@ class Stepping(Session):
 
     def result(self) -> Result:
         """What was recorded so far."""
+        self._act()
         return Result(self.run())
+
+    def happen(self, name: str) -> None:
+        """Have an event with `by_hand = true` happen now, as a scenario would have it at this time.
+
+        All that is done between two steps happens at one instant, when the run goes on or is looked at with `get` or
+        `result`; what was said last of an event counts. An event that lasts goes on with its time anew. Raises
+        InputError for an unknown name or an event that is not by hand, RunError at the stop or if the session has
+        ended.
+        """
+        self._require_step()
+        self._hands.happen(name, self.plan.clock.seconds(self.plan.clock.start + self.tick))
+
+    def end(self, name: str) -> None:
+        """Have the fault of an event with `by_hand = true` end now; nothing if it is not there. Errors as of `happen`,
+        also for an event that is no fault."""
+        self._require_step()
+        self._hands.end(name)
+
+    def scenario(self) -> str:
+        """What was done by hand until now, as the text of a scenario with which a run does the same by itself: events,
+        and inputs that events set. Its rows are the same bits but with `ecco` and `adaptive`, whose steps end where an
+        event is known to come."""
+        self._act()
+        return as_scenario(self.plan, self._hands, self.plan.clock.seconds(self.plan.clock.start + self.tick))
+
+    def _require_step(self) -> None:
+        self._require_alive()
+        if self.tick >= self.plan.clock.stop:
+            raise self._at_stop()
+
+    def _act(self) -> None:
+        """What was done by hand happens, if anything was. Raises RunError if it goes wrong."""
+        if self._hands.waiting and not self.over and not self._closed:
+            self.control[STOP_REQUEST] = 0
+            act(self)
+            self._settle()
 
     def cycles(self, by: Time, what: str) -> int:
         """How many steps a time has. Raises InputError if it is no whole number of them."""
@@ -154,6 +197,8 @@ class Stepping(Session):
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. Raises InputError for an unknown name."""
+        if self._hands.waiting:
+            self._act()
         return (self._readers.get(name) or self.reader(name))()
 
     def reader(self, name: str) -> Callable[[], Any]:
@@ -169,10 +214,11 @@ class Stepping(Session):
     def set(self, name: str, value: object) -> None:
         """Set an input that nothing drives, from the next step on; of an array a sequence of all values.
 
-        Raises InputError for an unknown name, a driven input, a parameter, a wrong type or a value out of range.
+        An input that events of the system set is set as one, as `happen` says: it counts at this instant. Raises
+        InputError for an unknown name, a driven input, a parameter, a wrong type or a value out of range.
         """
         if not isinstance(value, float):
-            super().set(name, value)
+            self._set(name, value)
         else:
             (self._writers.get(name) or self.writer(name))(value)
 
@@ -180,7 +226,7 @@ class Stepping(Session):
         """What does `set(name, value)` with a number, with the same errors, quicker from the second time on."""
         if name in self._writers:
             return self._writers[name]
-        usual, quick = super().set, cast(Callable[[float], bool] | None, None)
+        usual, quick = self._set, cast(Callable[[float], bool] | None, None)
 
         def write(value: float) -> None:
             nonlocal quick
@@ -190,6 +236,17 @@ class Stepping(Session):
 
         self._writers[name] = write
         return write
+
+    def _set(self, name: str, value: object) -> None:
+        self._require_alive()
+        component, _, variable = self.plan.system.full_name(name).partition(".")
+        owner = self.plan.system.components.get(component)
+        scalars = owner.fmu.expand(variable) if owner else ()
+        if self.tick < self.plan.clock.stop and self._hands.sets(component, scalars):
+            given = plain(value.tolist() if hasattr(value, "tolist") else value)
+            self._hands.set(name, given, *self._access.checked(name, value))
+        else:
+            super().set(name, value)
 
     def _quick_writer(self, name: str) -> Callable[[float], bool]:
         """What sets an input that `Session.set` can set, where nothing but its FMU must know."""
@@ -207,6 +264,7 @@ class Stepping(Session):
         has ended, FmuError if an FMU does not save its state.
         """
         self._require_alive()
+        self._act()
         self._snapshots = [kept for kept in self._snapshots if not kept.released]
         self._snapshots.append(take_snapshot(self))
         return self._snapshots[-1]
@@ -219,6 +277,7 @@ class Stepping(Session):
         back.
         """
         self._require_open()
+        self._hands.forget()
         go_back(self, snapshot)
 
     def names(self, patterns: Iterable[str]) -> list[str]:

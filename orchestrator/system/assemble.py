@@ -10,6 +10,7 @@ from pathlib import Path
 from ..clock import duration, instant, require_span
 from ..errors import FmuError, InputError, nearest
 from ..fmu.fmu import Fmu
+from .file.events.added import with_scenarios
 from .file.events.numbers import is_of_event, with_event_numbers
 from .file.events.read import events_again
 from .file.reader import load_system
@@ -38,7 +39,7 @@ def assemble(
     """A system by the name of a shipped one or by the path of its file (or of an FMU), with what is to be different.
 
     `values`: parameters and free inputs, as of `--set`. `start`, `stop`: other times. `fmus`: the folder of built FMUs.
-    `changes`: FMUs in the place of others, periods, a parameter set. `boundaries`: components of which every
+    `changes`: FMUs in the place of others, periods, a parameter set, events. `boundaries`: components of which every
     input and output is recorded. `step`: see `load_system`. `record`: patterns of what is recorded instead of what the
     system says. `inputs`: CSV files whose columns inputs follow. Raises InputError or FmuError.
     """
@@ -53,6 +54,8 @@ def assemble(
     loaded = load_system(name, fmus, step, stop, outside, start, values, False, changes.parameters)
     own = {name: value for name, value in (values or {}).items() if not is_of_event(loaded, name)}
     system = apply_changes(loaded, changes).with_values(own, "--set")
+    system = system if is_fmu(Path(name)) else over(system, start, stop)
+    system = with_scenarios(system, map(Path, changes.scenarios), changes.events)
     system = with_event_numbers(system, values or {}, "--set")
     system = with_files(system, inputs)
     system = require_values(system, lambda message, table: InputError(f"{message} ({system.path.name}, {table})"))
@@ -63,8 +66,7 @@ def assemble(
             raise InputError(f"--record-boundary: no component '{component}'{nearest(component, system.components)}")
         once = replace(system.components[component], direct="off")  # a replay sets its inputs, steps, and reads once
         system = system.with_component(once)
-    system = replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
-    return system if is_fmu(Path(name)) else over(system, start, stop)
+    return replace(system, record=(*system.record, *(f"{component}.*" for component in boundaries)))
 
 
 def over(
@@ -82,7 +84,10 @@ def assemble_request(request: Request) -> System:
     """What the command line asked for. Raises InputError or FmuError."""
     return assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
-        changes_of(request.replace, request.map_, request.period, request.allow_outside, request.parameters),
+        changes_of(
+            request.replace, request.map_, request.period, request.allow_outside, request.parameters,
+            request.scenario, request.event,
+        ),
         request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)), request.start,
     )  # fmt: skip
 

@@ -44,11 +44,13 @@ class Fault:
 
 @dataclass(frozen=True)
 class Event:
-    """One event: `at` a time or `when` a signal crosses a value, and what it does then. Times in seconds."""
+    """One event: `at` a time, `when` a signal crosses a value or `by_hand`, and what it does then. Times in seconds."""
 
     name: str
     at: Fraction | None = None
     when: Crossing | None = None
+    by_hand: bool = False
+    initial: bool = True  # what it does at the start holds in the initialization too
     after: Fraction = Fraction(0)
     repeat: bool = False
     settings: Mapping[Key, Value] = field(default_factory=dict)  # scalars

@@ -38,6 +38,8 @@ class Request:
     deadlines: str = ""
     fifo: str = ""
     cores: str = ""
+    scenario: tuple[str, ...] = ()  # files of events
+    event: tuple[str, ...] = ()  # events in a line each
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""
@@ -50,6 +52,7 @@ class Request:
                 map_=tuple(map(_absolute, self.map_)),
                 input_=tuple(str(Path(path).absolute()) for path in self.input_),
                 parameters=set_name(self.parameters),
+                scenario=tuple(str(Path(path).absolute()) for path in self.scenario),
                 allow_outside=tuple(str(Path(path).absolute()) for path in self.allow_outside),
             )
         )
@@ -88,6 +91,8 @@ class Changes:
     periods: tuple[tuple[str, str], ...] = ()
     outside: tuple[str, ...] = ()  # folders elsewhere from which an SSP may take files
     parameters: str = ""  # the set in place of the system's own: a name, or an absolute path
+    scenarios: tuple[str, ...] = ()  # files of events, absolute paths
+    events: tuple[str, ...] = ()  # in a line each
 
 
 UNCHANGED = Changes()
@@ -99,8 +104,11 @@ def changes_of(
     periods: Iterable[str],
     outside: Iterable[object] = (),
     parameters: str = "",
+    scenarios: Iterable[object] = (),
+    events: Iterable[str] = (),
 ) -> Changes:
-    """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms" --allow-outside ../fmus`.
+    """From the options `--replace motor=their.fmu --map motor=map.toml --period motor="1 ms" --allow-outside ../fmus`
+    and `--scenario drift.toml --event "2 s: motor.V_in = 0"`.
 
     Raises InputError.
     """
@@ -110,6 +118,8 @@ def changes_of(
         _pairs("--period", periods, 'motor="1 ms"'),
         tuple(str(Path(str(folder)).absolute()) for folder in outside),
         set_name(parameters),
+        tuple(str(Path(str(file)).absolute()) for file in scenarios),
+        tuple(events),
     )
 
 

@@ -10,6 +10,7 @@ import typer
 from ...errors import InputError
 from ..console import print_table, tell, wrote
 from ..options import (
+    EventOption,
     FmusOption,
     MapOption,
     OutOption,
@@ -17,6 +18,7 @@ from ..options import (
     ParametersOption,
     PeriodOption,
     ReplaceOption,
+    ScenarioOption,
     SetOption,
     StartOption,
     StopOption,
@@ -57,6 +59,8 @@ def fit(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
@@ -67,7 +71,7 @@ def fit(
     from ...studies.fit.fit import fit as run_fit
     from ...system.request import assignments, changes_of
 
-    changes = changes_of(replace, map_, period, allow_outside, parameters)
+    changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
     options = Options(vary, match, assignments(set_), _sigma(sigma), loss, fmus, changes)
     recipes = [Recipe(path, {}, start, stop) for path in data]
     name = system

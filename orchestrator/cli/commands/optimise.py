@@ -9,6 +9,7 @@ import typer
 
 from ..console import print_table, tell, wrote
 from ..options import (
+    EventOption,
     FmusOption,
     MapOption,
     OutOption,
@@ -16,6 +17,7 @@ from ..options import (
     ParametersOption,
     PeriodOption,
     ReplaceOption,
+    ScenarioOption,
     SetOption,
     StartOption,
     StopOption,
@@ -58,6 +60,8 @@ def optimise(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     workers: Annotated[int, typer.Option("--workers", min=0, help="Processes; 0: one per core.")] = 0,
     scheduler: Annotated[
         str, typer.Option("--scheduler", metavar="ADDRESS", help="Compute on a Dask cluster, such as tcp://host:8786.")
@@ -76,7 +80,7 @@ def optimise(
 
     options = Options(
         vary, assignments(set_), stop, 0, seed, None, workers, scheduler, fmus,
-        changes_of(replace, map_, period, allow_outside, parameters), "", force, start,
+        changes_of(replace, map_, period, allow_outside, parameters, scenario, event), "", force, start,
     )  # fmt: skip
     with counting(f"optimise {Path(name).stem}", "runs") as progress:
         found = study(

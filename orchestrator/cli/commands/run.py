@@ -14,6 +14,7 @@ from ..console import tell
 from ..options import (
     SYSTEM_HELP,
     DeadlinesOption,
+    EventOption,
     FmusOption,
     InputOption,
     MapOption,
@@ -23,6 +24,7 @@ from ..options import (
     PeriodOption,
     RealTimeOption,
     ReplaceOption,
+    ScenarioOption,
     SetOption,
     StartOption,
     StepOption,
@@ -95,6 +97,8 @@ def plan(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     start: StartOption = "",
     stop: StopOption = "",
     step: StepOption = "",
@@ -116,6 +120,7 @@ def plan(
         system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
         allow_outside=tuple(map(str, allow_outside)), parameters=parameters, real_time=real_time, deadlines=deadlines,
+        scenario=tuple(map(str, scenario)), event=tuple(event),
     )  # fmt: skip
     pace = pace_of(request)
     if svg is not None:
@@ -142,6 +147,8 @@ def run(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     record_boundary: Annotated[
         list[str],
         typer.Option(
@@ -214,6 +221,7 @@ def run(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
         tuple(map(str, allow_outside)), start, parameters, real_time, realtime_policy, deadlines, fifo, cores,
+        tuple(map(str, scenario)), tuple(event),
     )  # fmt: skip
     if resume is not None:
         resume_system(resume, request, check, force)

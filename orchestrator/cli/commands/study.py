@@ -11,6 +11,7 @@ import typer
 from .. import completion
 from ..console import print_table, tell, wrote
 from ..options import (
+    EventOption,
     FmusOption,
     MapOption,
     OutOption,
@@ -18,6 +19,7 @@ from ..options import (
     ParametersOption,
     PeriodOption,
     ReplaceOption,
+    ScenarioOption,
     SetOption,
     StartOption,
     StopOption,
@@ -43,6 +45,8 @@ def converge(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
@@ -51,7 +55,7 @@ def converge(
     from ...system.request import changes_of
 
     with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
-        changes = changes_of(replace, map_, period, allow_outside, parameters)
+        changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
         found = study(system, out, fmus, changes, tell, progress, start, stop)
     print_means(Path(system).stem, found.rows)
     print_signals(Path(system).stem, found.signals)
@@ -117,6 +121,8 @@ def sweep(
     map_: MapOption = [],  # noqa: B006
     period: PeriodOption = [],  # noqa: B006
     parameters: ParametersOption = "",
+    scenario: ScenarioOption = [],  # noqa: B006
+    event: EventOption = [],  # noqa: B006
     random: Annotated[
         int, typer.Option("--random", min=0, metavar="COUNT", help="Random points; --vary then gives low:high.")
     ] = 0,
@@ -146,7 +152,7 @@ def sweep(
     from ...studies.sweep.sweep import sweep as run_sweep
     from ...system.request import assignments, changes_of
 
-    changes = changes_of(replace, map_, period, allow_outside, parameters)
+    changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
     options = Options(
         vary,
         assignments(set_),

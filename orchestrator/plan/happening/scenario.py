@@ -78,7 +78,8 @@ def from_start(system: System) -> list[Event]:
     found = []
     for event in system.events:
         ends = end_of(event, event.at)
-        if event.at is not None and event.at <= system.start and (ends is None or ends > system.start):
+        there = event.at is not None and event.at <= system.start and event.initial
+        if there and (ends is None or ends > system.start):
             found.append(event)
     return found
 

@@ -16,7 +16,7 @@ from .scenario import acts_at, from_start, spacing, stopped
 
 def scenario_in_words(plan: Plan) -> list[str]:
     """Lines of the plan for the events of its system, none where there are none."""
-    events = [event for event in plan.system.events if event.at is not None or event.when is not None]
+    events = [event for event in plan.system.events if event.at is not None or event.when or event.by_hand]
     if not events:  # or none that happens by itself
         return []
     return ["", "events of the system file", *(line for event in events for line in _lines(plan, event))]
@@ -24,13 +24,15 @@ def scenario_in_words(plan: Plan) -> list[str]:
 
 def _lines(plan: Plan, event: Event) -> list[str]:
     lines = [f"  {event.name}: {_when(event)}: {what(plan.system, event)}{_how_long(event)}"]
+    if event.by_hand:
+        return [*lines, "    acts where a step by hand has ended, on all that it touches"]
     if event.at is None:
         assert event.when is not None
         lines.append(f"    {_looked_at(plan, event.when)}; acts {_instants(plan, event)}")
         return lines
     if event in from_start(plan.system):
         return [*lines, "    there from the start, in the initialization too"]
-    if event.at <= plan.system.start:
+    if event.at <= plan.system.start and event.initial:
         return [*lines, "    over before the run begins: it does nothing"]
     for name in event.components:
         lines.append(f"    {_acts_on(plan, event.at, name)}")
@@ -82,6 +84,8 @@ def _instants(plan: Plan, event: Event) -> str:
 
 
 def _when(event: Event) -> str:
+    if event.by_hand:
+        return "by hand"
     if event.at is not None:
         return f"at {seconds_text(event.at)}"
     assert event.when is not None

@@ -22,6 +22,7 @@ from ..position import Position
 from ..recording.happened import Happened, Rows
 from . import kept
 from .handler import EventHandler
+from .hands import Hands
 from .macro import MacroSteps
 
 if TYPE_CHECKING:
@@ -31,8 +32,9 @@ CODES = (cells.PAUSED, cells.ENDED, cells.BAD_STATUS)  # with which the loop may
 
 
 class Events:
-    """`scenario`: the events of the system; who handles events: `handler`, or `macro` where steps are repeated or vary;
-    None where there are none. `file`: where rows are written while the run goes, if they become many."""
+    """`scenario`: the events of the system, `hands`: what is done by hand of them; who handles events: `handler`, or
+    `macro` where steps are repeated or vary; None where there are none. `file`: where rows are written while the run
+    goes, if they become many."""
 
     def __init__(
         self, plan: Plan, memory: Memory, control: np.ndarray, space: AlgorithmState, file: Path | None = None
@@ -40,6 +42,7 @@ class Events:
         self.plan, self.memory, self.control, self.space = plan, memory, control, space
         self.happened = Happened(len(plan.recorded_slots), None if file is None else file.parent)
         self.scenario = self._scenario()
+        self.hands = Hands(plan, self.scenario)
         self.handler: EventHandler | None = None
         self.macro: MacroSteps | None = None
 
@@ -144,7 +147,7 @@ class Events:
 
     def content(self) -> dict[str, Any]:
         """What is kept of them beside their rows, ready for JSON."""
-        of_system = {"scenario": self.scenario.content()} if self.scenario else {}
+        of_system = {"scenario": self.scenario.content(), "hands": self.hands.content()} if self.scenario else {}
         of_fmus = {"of_fmus": kept.content_of(self.handler)} if self.handler else {}
         return {"rows": self.happened.count, **of_system, **of_fmus}
 
@@ -158,6 +161,7 @@ class Events:
         LookupError where that cannot be."""
         if self.scenario:
             self.scenario.restore(content["scenario"])
+            self.hands.restore(content["hands"])
         if self.handler:
             kept.restore(self.handler, content["of_fmus"])
             self.handler.plan_next()

@@ -56,6 +56,11 @@ class EventHandler:
         self._go_round(Place(self.plan, 0, 0), Fraction(self.plan.clock.start) * self.plan.clock.seconds(1), AT_START)
         self.plan_next()
 
+    def at_once(self, place: Place, now: Fraction) -> None:
+        """Do what is due now [s]. Raises RunError, AskedToEndError."""
+        self._go_round(place, now, "")
+        self.plan_next()
+
     def end_at(self, tick: int) -> None:
         """The run is to end behind an instant [ticks from time 0]."""
         self.ends_at = tick

@@ -29,8 +29,9 @@ class MacroSteps:
             clock[cells.STEP_TICKS] = fitted(clock, int(clock[cells.STEP_TICKS]), plan.algorithm.even)
 
     def begin(self) -> None:
-        """What is there from the start."""
-        if self.scenario.words:
+        """What is there from the start, or happens behind the initialization."""
+        due = self.scenario.next_instant()
+        if self.scenario.words or (due is not None and due <= self.plan.clock.seconds(self.plan.clock.start)):
             self.act(0)
 
     def act(self, tick: int) -> None:

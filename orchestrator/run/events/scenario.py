@@ -11,11 +11,12 @@ from fractions import Fraction
 from math import inf
 from typing import Any, NamedTuple
 
-from ...loop.cells import CROSSED, SIDE, THRESHOLD
+from ...fmu.types import Value
+from ...loop.cells import ABSENT, CROSSED, MODE, SIDE, THRESHOLD
 from ...plan.happening.scenario import acts_at, end_of, from_start
-from ...plan.happening.scenario_text import what
+from ...plan.happening.scenario_text import quantity, what
 from ...plan.plan import Plan
-from ...system.event import Event
+from ...system.event import Event, Key
 from ..memory.memory import Memory
 from .faults import begin_fault, end_fault
 
@@ -41,18 +42,20 @@ class Scenario:
         self.seen: set[int] = set()
         self.words: list[str] = []  # what is there from the start
         self.acted = False  # whether anything was done at the last instant
+        self.to_set: dict[Key, tuple[Value, Fraction]] = {}  # by hand: the value, and when [s]
         early = from_start(plan.system)
         for number, event in enumerate(self.events):
             if event in early:
                 for name in event.components:
                     self.words.append(f"{event.name}: {what(plan.system, event, name)}, from the start")
                 self._ends(number, event.at)
-            elif event.at is not None and event.at > plan.system.start:
+            elif event.at is not None and (event.at > plan.system.start or not event.initial):
                 self._happens(number, event.at)
         self._look(())
 
     def next_instant(self) -> Fraction | None:
-        return min((entry.time for entry in self.pending), default=None)
+        waiting = [entry.time for entry in self.pending] + [time for _, time in self.to_set.values()]
+        return min(waiting, default=None)
 
     def happen(self, now: Fraction, passed: Collection[str] = ()) -> str:
         words, self.words, self.acted = self.words, [], False
@@ -74,7 +77,30 @@ class Scenario:
                 self._begin(entry)
             said = what(self.plan.system, event, entry.component)
             words.append(f"{event.name}: {said}{': ends' if entry.ends else ''}")
+        words += self._set()
         return "; ".join(words)
+
+    def _set(self) -> list[str]:
+        """Set what is set by hand; in words."""
+        values, self.to_set = self.to_set, {}
+        self.acted |= bool(values)
+        for key, (value, _) in values.items():
+            self.memory.put(key, self.plan.layout.inputs[key], value)
+        system = self.plan.system
+        return [f"{'.'.join(key)} = {quantity(system, key, value)}, by hand" for key, (value, _) in values.items()]
+
+    def by_hand(self, number: int, now: Fraction, ends: bool) -> bool:
+        """Have an event happen now [s], or its fault end; whether that does anything."""
+        event = self.events[number]
+        if not ends:
+            self._happens(number, now)
+            return True
+        faults = (self.plan.layout.faults[number, key] for key in event.inputs)
+        there = any(self.memory.z[cell + MODE] != ABSENT for cell in faults)
+        if there:
+            self.pending = [entry for entry in self.pending if entry.number != number]
+            self.pending += [Due(now, number, name, True) for name in event.components]
+        return there
 
     def _look(self, passed: Collection[str]) -> None:
         """As the operations WATCH do it, at the signals of all components that are not behind the instant."""

@@ -50,13 +50,12 @@ class Access:
         value: Value = self.instances[component].get(variable)
         return value
 
-    def set(self, name: str, value: object) -> tuple[str, dict[str, Value]]:
-        """Set an input that nothing drives; the component, and the values that are left to be set at an event of it."""
+    def checked(self, name: str, value: object) -> tuple[str, dict[str, Value]]:
+        """The component of an input that nothing drives, and its values by scalar. Raises as `Session.set` does."""
         component, _, variable = self.plan.system.full_name(name).partition(".")
         instance = self._instance("set", name, component)
         plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
         values = checked_values(self.plan.system.components[component], variable, plain, "set")
-        apart = self.plan.system.components[component].at_events
         for scalar in values:
             if not follows_tables(instance.fmu.variables[scalar]):
                 raise InputError(
@@ -71,10 +70,18 @@ class Access:
             if scalar in self.plan.system.components[component].series:
                 followed = self.plan.system.components[component].series[scalar]
                 raise InputError(f"set {name}: {component}.{scalar} follows {followed}; remove that first")
+        return component, values
+
+    def set(self, name: str, value: object) -> tuple[str, dict[str, Value]]:
+        """Set an input that nothing drives; the component, and the values that are left to be set at an event of it."""
+        component, values = self.checked(name, value)
+        apart = self.plan.system.components[component].at_events
         for scalar, scalar_value in values.items():
             if (component, scalar) in self.plan.layout.inputs:  # of an array other elements are driven
                 slot = self.plan.layout.inputs[component, scalar]
                 self.memory.put((component, scalar), slot, scalar_value)
         later = {scalar: scalar_value for scalar, scalar_value in values.items() if scalar in apart}
-        instance.set_all({scalar: scalar_value for scalar, scalar_value in values.items() if scalar not in apart})
+        self.instances[component].set_all(
+            {scalar: scalar_value for scalar, scalar_value in values.items() if scalar not in apart}
+        )
         return component, later

@@ -31,7 +31,9 @@ class Observer(Protocol):
         """The first instant behind `tick` at which `see` must be called; NEVER: it need not, but may be at any."""
 
     def see(self, piece: Piece) -> None:
-        """Called at the instants that are due, and every tenth of a second or so in between."""
+        """Called at the instants that are due, and every tenth of a second or so in between.
+
+        The row of an instant at which something is done by hand comes a second time, as it is then."""
 
 
 class Progress:

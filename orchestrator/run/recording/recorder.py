@@ -35,10 +35,32 @@ class Recorder:
         self.rows = np.ones(max(len(plan.groups), 1), dtype=np.int64)
         self._seen = [0] * len(plan.groups)
         self._given = False  # whether somebody has tables that lie in the buffer
+        self._taken = False  # and keeps them
         wanted = CHUNK if plan.adaptive else -(-plan.clock.stop // plan.clock.hyperperiod)
         self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
-        for (_, columns, cell), group in zip(self.groups.tolist(), plan.groups, strict=True):
-            self.buffer[cell : cell + columns] = memory.z[group.slots]
+        self._first_row()
+
+    def _first_row(self) -> None:
+        for (_, columns, cell), group in zip(self.groups.tolist(), self.plan.groups, strict=True):
+            self.buffer[cell : cell + columns] = self.memory.z[group.slots]
+
+    def begin_again(self) -> None:
+        """The row of time 0 anew, from what is true now; it comes again for who looks on."""
+        self.take_back(dict.fromkeys(range(len(self.columns)), 1))
+        self._first_row()
+        self.rows[:] = 1
+
+    def take_back(self, counts: Mapping[int, int]) -> None:
+        """Drop the last rows of tables, so many by table: they come again."""
+        if self._taken:
+            self.go_back(self.content())
+            self._taken = False
+        for table, count in counts.items():
+            here = min(int(self.rows[table]), count)
+            self.rows[table] -= here
+            if self.stream is not None:
+                self.stream.rows[table] -= count - here
+            self._seen[table] = min(self._seen[table], self.before[table] + int(self.rows[table]))
 
     def _cycles_in(self, size: int) -> int:
         """Cycles whose rows take so many bytes; any number where there is no file."""
@@ -119,7 +141,7 @@ class Recorder:
         """The first `rows` rows of every table, counted from time 0. What the disk refuses is pending in the file."""
         here = [count - gone for count, gone in zip(rows, self.before, strict=True)]
         if self.stream is None:
-            self._given = True
+            self._given = self._taken = True
             return self.tables(here)
         try:
             self.flush(here)

@@ -10,7 +10,7 @@ from .values import Instant, Seed, Time, Value, Values
 
 
 class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What happens in a run: at a time or when a signal crosses a value, inputs are set or a signal is broken.
+    """What happens in a run: at a time, when a signal crosses a value or by hand, inputs are set or a signal breaks.
 
     It acts at the first instant of the component that it touches which is not before it; `rovbrush plan` shows when.
     What is there at the start or before holds in the initialization too.
@@ -19,7 +19,7 @@ class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     name: Annotated[
         str | None, Meta(description="what the plan and the results call it; else `event 1`, by its place")
     ] = None
-    at: Annotated[Instant | None, Meta(description="when it happens; this or `when`")] = None
+    at: Annotated[Instant | None, Meta(description="when it happens; this, `when` or `by_hand`")] = None
     when: Annotated[
         str | None,
         Meta(
@@ -29,6 +29,17 @@ class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
             examples=["motor.i > 20 A", "vehicle.z_n < -3 m", "controller.alarm"],
         ),
     ] = None
+    by_hand: Annotated[
+        bool,
+        Meta(description="it happens, any number of times, when `happen` of a session says so between two steps"),
+    ] = False
+    initial: Annotated[
+        bool,
+        Meta(
+            description="false: at the start it happens behind the initialization, not in it, as what is done by hand "
+            "there does"
+        ),
+    ] = True
     after: Annotated[Time | None, Meta(description="how long behind the crossing it happens")] = None
     repeat: Annotated[bool, Meta(description="at every crossing, not at the first alone")] = False
     set: Annotated[
@@ -55,3 +66,10 @@ class EventTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     for_: Annotated[Time | None, Meta(description="how long the fault lasts, in place of `until`")] = field(
         default=None, name="for"
     )
+
+
+class ScenarioTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A file of events for `rovbrush run SYSTEM --scenario FILE.toml`, added to those that the system states."""
+
+    description: Annotated[str, Meta(description="what happens, in a line")] = ""
+    events: Annotated[list[EventTable], Meta(description="as in a system file")] = []

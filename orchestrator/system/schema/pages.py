@@ -12,6 +12,7 @@ from msgspec import inspect
 
 from ...errors import InputError, nearest
 from .checked import fields_of
+from .event import ScenarioTable
 from .fit import FitTable
 from .mapping import MappingTable
 from .sweep import SweepTable
@@ -20,8 +21,8 @@ from .values import TIME, ParameterFile, UnitFile
 from .words import in_words, stripped
 
 FILES: dict[str, Any] = {
-    "system": SystemTable, "mapping": MappingTable, "sweep": SweepTable, "fit": FitTable, "parameter": ParameterFile,
-    "unit": UnitFile,
+    "system": SystemTable, "scenario": ScenarioTable, "mapping": MappingTable, "sweep": SweepTable, "fit": FitTable,
+    "parameter": ParameterFile, "unit": UnitFile,
 }  # fmt: skip
 HEAD = """\
 # Keys of the files

@@ -22,17 +22,21 @@ from .signals import Fail, Signals
 
 def events_of(
     file: TomlFile | None, components: Mapping[str, Component], connections: tuple[Connection, ...],
-    entries: list[dict[str, Any]],
+    entries: list[dict[str, Any]], called: str = "event", before: tuple[Event, ...] = (),
 ) -> tuple[Event, ...]:  # fmt: skip
-    """All events; `file`: where they stand, if that is known. Raises InputError."""
+    """All events; `file`: where they stand, if that is known; `called`: what one without a name is, beside its place;
+    `before`: those that are there already. Raises InputError."""
     signals = Signals(components, {c.target: c for c in connections})
     found: list[Event] = []
     for number, entry in enumerate(entries, 1):
         given = entry.get("name")
-        label = f"event {given if isinstance(given, str) and given else number}"
-        event = _event(file, signals, entry, label, given or f"event {number}")
+        label = f"event {given}" if isinstance(given, str) and given else f"{called} {number}"
+        event = _event(file, signals, entry, label, given or f"{called} {number}")
         if event.name in (other.name for other in found):
             raise _failing(file, label)("there are two events of this name; give each its own", "name")
+        if same := next((other for other in before if other.name == event.name), None):
+            where = f" {same.where}" if same.where else ""
+            raise _failing(file, label)(f"the system has an event of this name already{where}; give it another", "name")
         found.append(event)
     return tuple(found)
 
@@ -45,13 +49,17 @@ def events_again(system: System) -> tuple[Event, ...]:
 
 def _event(file: TomlFile | None, signals: Signals, entry: dict[str, Any], label: str, name: str) -> Event:
     table, fail = checked(EventTable, entry, label, file, "events"), _failing(file, label)
-    if (table.at is None) == (table.when is None):
-        raise fail('it needs either a time, at = "2 s", or a crossing, when = "motor.i > 20 A"')
+    if [table.at is not None, table.when is not None, table.by_hand].count(True) != 1:
+        one = 'a time, at = "2 s", a crossing, when = "motor.i > 20 A", or by_hand = true'
+        raise fail(f"it needs either {one}, and only one of them")
+    if not table.initial and table.at is None:
+        raise fail("initial goes with a time, 'at'; leave it out", "initial")
     if (not table.set) == (table.fault is None):
         raise fail('it needs either values to set, set = { "a.input" = 1.0 }, or fault = "loss" and on = "b.input"')
     for key, given in (("after", table.after is not None), ("repeat", table.repeat)):
         if given and table.when is None:
-            raise fail(f"{key} goes with a crossing, 'when', and not with a time; leave it out", key)
+            other = "with what is done by hand" if table.by_hand else "with a time"
+            raise fail(f"{key} goes with a crossing, 'when', and not {other}; leave it out", key)
     for key, stated in (("on", table.on), ("value", table.value), ("seed", table.seed), ("until", table.until),
                         ("for", table.for_)):  # fmt: skip
         if stated is not None and table.fault is None:
@@ -62,7 +70,8 @@ def _event(file: TomlFile | None, signals: Signals, entry: dict[str, Any], label
     done: dict[str, Any] = {"settings": _settings(signals, table, fail)} if table.fault is None else {}
     done |= {"fault": fault_of(signals, table, fail)} if table.fault is not None else {}
     when = crossing_of(signals, table, fail)
-    return Event(name, when=when, repeat=table.repeat, stated=entry, where=where, **times, **done)
+    ways: dict[str, Any] = {"when": when, "repeat": table.repeat, "by_hand": table.by_hand, "initial": table.initial}
+    return Event(name, stated=entry, where=where, **ways, **times, **done)
 
 
 def _failing(file: TomlFile | None, label: str) -> Fail:
