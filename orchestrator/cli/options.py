@@ -98,7 +98,11 @@ InputOption = Annotated[
 ]
 OutsideOption = Annotated[
     list[Path],
-    typer.Option("--allow-outside", metavar="FOLDER", help="An SSP may take files from this folder too; repeatable."),
+    typer.Option(
+        "--allow-outside",
+        metavar="FOLDER",
+        help="An SSP, or `python =` in a system file, may take files from this folder too; repeatable.",
+    ),
 ]
 ScenarioOption = Annotated[
     list[Path],

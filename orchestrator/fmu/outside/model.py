@@ -6,12 +6,18 @@ import json
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from ...errors import FmuError
+
+
+class StepFailedError(FmuError):
+    """Why a step failed, in words that need no more than who and when, which are added."""
+
 
 class Model:
     """To be inherited from. `values`: those of all variables by name, in the types that are declared.
 
-    Methods may return a status of FMI (`participant.lifecycle`): None is OK. An exception is Error; its text is the
-    message of the run that ends with it.
+    Methods may return a status of FMI (`participant.lifecycle`): None is OK. An exception is Error; its text is kept
+    as what it has logged, that of StepFailedError is the message of the run that ends with it.
     """
 
     def __init__(self, starts: Mapping[str, Any]) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from ...fmu.outside.declared import DeclaredFmu
-from ...fmu.outside.model import Model
+from ...fmu.outside.model import Model, StepFailedError
 from ...fmu.types import Value
 from ..base import CallError, Participant
 from ..lifecycle import ERROR, OK, PREFIX, STATE_FUNCTIONS, allowed, good
@@ -35,6 +35,7 @@ class DeclaredInstance(Participant):
         self.model: Model = model_of(fmu, name)
         self.states: dict[int, Any] = {}
         self.handles = 0
+        self._why = ""  # the last step failed
         self._callbacks: dict[str, Any] = {}
         self._closed = False
 
@@ -67,6 +68,9 @@ class DeclaredInstance(Participant):
         def answer(*arguments: Any) -> int:
             try:
                 return function(*arguments) or OK
+            except StepFailedError as error:
+                self._why = str(error)
+                return ERROR
             except Exception as error:
                 self.log.add(ERROR, "", str(error) or type(error).__name__)
                 return ERROR
@@ -178,11 +182,15 @@ class DeclaredInstance(Participant):
         if not self.fmu.can_serialize_state:
             raise CallError(f"component {self.name}: a {self.fmu.what} has no states for the disk")
 
+    def reasons(self) -> str:
+        """Its log; there is nothing to be asked to talk more."""
+        return self.log_text()
+
     def notes(self) -> list[str]:
         return self.model.notes()
 
     def why_failed(self) -> str:
-        return self.model.why_failed()
+        return self._why or self.model.why_failed()
 
     def close(self) -> str:
         faults = []

@@ -23,6 +23,7 @@ from ..model import Component
 from ..schema.checked import checked, checked_value
 from ..schema.system import ComponentTable
 from ..values import checked_values
+from .outside import outside_component
 from .structure import Stated, is_structural, with_structure
 
 STATED = (bool, int, float, str)  # what a value in a file may be
@@ -30,11 +31,12 @@ STATED = (bool, int, float, str)  # what a value in a file may be
 
 def component_of(
     file: TomlFile, name: str, entry: dict[str, Any], fmus: Path | None, before: Sequence[Stated] = (),
-    after: Sequence[Stated] = (),
+    after: Sequence[Stated] = (), outside: Sequence[Path] = (),
 ) -> Component:  # fmt: skip
     """One table `[components.name]`. Raises InputError or FmuError.
 
-    `before`, `after`: values beside its own, of which those of structural parameters count now, under and over those.
+    `outside`: folders elsewhere from which files may be taken. `before`, `after`: values beside its own, of which
+    those of structural parameters count now, under and over those.
     """
     heading = f"components.{name}"
     if not re.fullmatch(r"\w+", name):
@@ -42,8 +44,7 @@ def component_of(
     for key in ("parameters", "inputs"):
         file.entry(dict, key, entry, heading)
     table = checked(ComponentTable, entry, f"component {name}", file, heading)
-    path = _path_of(table.fmu, file.path.parent, fmus)
-    fmu = file.made[name] if name in file.made else Fmu.open(path, table.compile)
+    fmu = _fmu_of(file, name, entry, table, fmus, outside)
     if table.kind is not None:
         try:
             fmu = fmu.of_kind(table.kind)
@@ -89,6 +90,21 @@ def _intervals(file: TomlFile, component: Component, stated: Mapping[str, object
         except InputError as error:
             raise file.fail(str(error), name, heading) from None
     return found
+
+
+def _fmu_of(
+    file: TomlFile, name: str, entry: Mapping[str, Any], table: ComponentTable, fmus: Path | None,
+    outside: Sequence[Path],
+) -> Fmu:  # fmt: skip
+    """The FMU of a component, or what takes part as one."""
+    if name in file.made:
+        made: Fmu = file.made[name]
+        return made
+    found = outside_component(file, name, entry, table, outside)
+    if found is not None:
+        return found
+    assert table.fmu is not None
+    return Fmu.open(_path_of(table.fmu, file.path.parent, fmus), table.compile)
 
 
 def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:

@@ -41,9 +41,9 @@ def load_system(
     """Read and check a system, by the name of a shipped one or by the path of a TOML file, a .ssp, .ssd or .fmu.
 
     `step`, `stop` and `start`: a period and times for what an SSP of another tool leaves open, or an FMU alone;
-    `outside`: folders elsewhere from which an SSP may take files. `values`: what will be set, of which structural
-    parameters count now, since sizes follow them. `complete`: it must say what every input gets. `parameters`: a set of
-    them in place of the one that the file names.
+    `outside`: folders elsewhere from which an SSP or `python` may take files. `values`: what will be set, of which
+    structural parameters count now, since sizes follow them. `complete`: it must say what every input gets.
+    `parameters`: a set of them in place of the one that the file names.
     Raises InputError or FmuError for whatever could make the run wrong: see `tests/orchestrator`.
     """
     file = _opened(name, step, stop, start, outside)
@@ -61,7 +61,7 @@ def load_system(
     }
     entries = {key: file.entry(dict, key, file.data["components"], "components") for key in table.components}
     components = {
-        key: component_of(file, key, entry, fmus, stated(sets, key, over=False), later[key])
+        key: component_of(file, key, entry, fmus, stated(sets, key, over=False), later[key], outside)
         for key, entry in entries.items()
     }
     if table.order and sorted(table.order) != sorted(components):

@@ -13,6 +13,7 @@ from msgspec import Meta, Struct, field
 from ...fmu.kinds import Kind
 from .bonds import BondTable, RequirementTable
 from .event import EventTable
+from .outside import DeclareTable, SharedMemoryTable, UdpTable
 from .report import Balance, Comparison, Figure, Window
 from .solving import Loops, Solver
 from .values import FigureOfMerit, Instant, Number, Positive, Time, Value, Values
@@ -32,11 +33,28 @@ class Table(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """One FMU, how often it communicates, and the values that it starts with."""
+    """One FMU, or what takes part as one, how often it communicates, and the values that it starts with."""
 
     fmu: Annotated[
-        str, Meta(description="the name of a built FMU, or the path of a .fmu from the system file's folder")
-    ]
+        str | None,
+        Meta(
+            description="the name of a built FMU, or the path of a .fmu from the system file's folder; or one of "
+            "`python`, `udp` and `shared_memory` in its place"
+        ),
+    ] = None
+    python: Annotated[
+        str | None,
+        Meta(
+            description="a function, or a class with `step`, in a Python file in the system file's folder: "
+            "`file.py:name`",
+            examples=["controller.py:step", "controller.py:Controller"],
+        ),
+    ] = None
+    udp: Annotated[UdpTable | None, Meta(description="signals to and from another program as UDP packets")] = None
+    shared_memory: Annotated[
+        SharedMemoryTable | None, Meta(description="signals to and from another process through shared memory")
+    ] = None
+    declare: Annotated[DeclareTable, Meta(description="the variables of what is no FMU")] = DeclareTable()
     period: Annotated[Time, Meta(description="the communication step")]
     kind: Annotated[
         Kind | None, Meta(description="how an FMU of several kinds is run; else as co-simulation where it can be")

@@ -1,0 +1,1 @@
+"""Peers that take part from outside, by UDP or by shared memory: packets, waiting, and what is counted."""
