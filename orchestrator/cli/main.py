@@ -29,6 +29,7 @@ from .commands import (
     run,
     schema,
     sensitivity,
+    serve,
     shipped,
     study,
 )
@@ -55,6 +56,7 @@ __all__ = [
     "run",
     "schema",
     "sensitivity",
+    "serve",
     "shipped",
     "study",
 ]

@@ -53,12 +53,14 @@ class Fmu(Capabilities):
     compiled: bool = False  # its sources may be compiled where it brings no library for this machine
     structure: Mapping[str, Value] = field(default_factory=dict)  # structural parameters that are not at their start
     resized: tuple[str, ...] = ()  # the arrays that have another size by that
+    elsewhere: bool = False  # it runs on another machine: no library for this one is needed, and none is looked for
 
     @classmethod
-    def open(cls, path: Path, compiled: bool = False) -> Fmu:
-        """Unpack and read an FMU, each file once. `compiled`: from its sources, where it brings no library for here.
+    def open(cls, path: Path, compiled: bool = False, elsewhere: bool = False) -> Fmu:
+        """Unpack and read an FMU, each file once. `compiled`: from its sources, where it brings no library for here;
+        `elsewhere`: to be run by another machine, whatever this one is.
 
-        Raises FmuError: missing, corrupt, or none that can be run here.
+        Raises FmuError: missing, corrupt, or none that can be run.
         """
         try:
             status = path.stat()
@@ -66,9 +68,10 @@ class Fmu(Capabilities):
             raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`") from None
         unchanged = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
         if path.is_dir() or time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
-            return _read(path, compiled)
-        fmu = _read_once(path, cache_folder(), unchanged, compiled)
-        return fmu if fmu.library.is_file() else _read(path, compiled)  # the cache was emptied by hand
+            return _read(path, compiled, elsewhere)
+        fmu = _read_once(path, cache_folder(), unchanged, compiled, elsewhere)
+        there = elsewhere or fmu.library.is_file()
+        return fmu if there else _read(path, compiled, elsewhere)  # the cache was emptied by hand
 
     @property
     def archive(self) -> Path:
@@ -130,7 +133,7 @@ class Fmu(Capabilities):
     @cached_property
     def windows(self) -> str:
         """win64 or win32, if its library is for Windows and wine runs it here; else empty."""
-        return platform_of(self.library)
+        return "" if self.elsewhere else platform_of(self.library)
 
     @cached_property
     def _elements(self) -> Elements:
@@ -271,20 +274,21 @@ class Fmu(Capabilities):
         }
 
 
-def _read(path: Path, compiled: bool) -> Fmu:
+def _read(path: Path, compiled: bool, elsewhere: bool) -> Fmu:
     folder, digest = unpack(path)
     notes = Notes()
     with opened(archive_of(path, folder), notes=notes):  # what is wrong with it was lost when it was unpacked
-        found = read_description(path, folder, compiled)
+        found = read_description(path, folder, compiled, elsewhere)
     require_of_this_version(path, found.description)
     kind = usual_kind(found.description)
     found = found._replace(notes=(*notes.all(), *found.notes))
-    fmu = Fmu(path, folder, digest, *found, kind=kind, compiled=compiled)
-    _ = fmu.library  # looked for while it is known to be there
+    fmu = Fmu(path, folder, digest, *found, kind=kind, compiled=compiled, elsewhere=elsewhere)
+    if not elsewhere:
+        _ = fmu.library  # looked for while it is known to be there
     _ = fmu.places  # an array that cannot be laid out is refused now
     return fmu
 
 
 @cache
-def _read_once(path: Path, _cache: Path, _unchanged: tuple[int, ...], compiled: bool) -> Fmu:
-    return _read(path, compiled)
+def _read_once(path: Path, _cache: Path, _unchanged: tuple[int, ...], compiled: bool, elsewhere: bool) -> Fmu:
+    return _read(path, compiled, elsewhere)

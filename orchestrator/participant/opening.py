@@ -57,7 +57,7 @@ def _with_events(fmu: Fmu, name: str, logging: Logging, tolerance: float | None)
 def why_not_here(component: Component) -> str:
     """Why a component that was to run in this process cannot; empty if it can."""
     fmu = component.fmu
-    if isinstance(fmu, DeclaredFmu) or component.isolation == "process" or not hasattr(os, "fork"):
+    if isinstance(fmu, DeclaredFmu) or component.isolation or not hasattr(os, "fork"):
         return ""
     return why_alone(fmu.own) if used_before(fmu.own) else ""
 
@@ -90,7 +90,8 @@ class Starting:
 
     def start(self, component: Component) -> Participant:
         """The instance of a component. Raises FmuError if it refuses."""
-        require_compiler(component.fmu, component.name)
+        if not component.elsewhere:
+            require_compiler(component.fmu, component.name)
         process = self._waiting.pop(component.name, None)
         if process is None:
             return start(component)
@@ -112,20 +113,26 @@ class Starting:
 
 def start(component: Component) -> Participant:
     """The instance of a component, in a process of its own where the system says so, or where it must not meet what
-    was in this one before."""
-    require_compiler(component.fmu, component.name)
+    was in this one before; or at the server that the system names."""
+    if not component.elsewhere:
+        require_compiler(component.fmu, component.name)
     wanted = component.logging, component.tolerance
     if component.fmu.own.windows:
         return Starting([component]).start(component)
-    if component.isolation == "process" or why_not_here(component):
+    if component.isolation or why_not_here(component):
+        begin = None
+        if component.elsewhere:
+            from .elsewhere.connection import at_server
+
+            begin = at_server(component)
         if component.in_events and component.fmu.kind != MODEL_EXCHANGE:
             from .isolated.events import IsolatedEvents
 
             limit = float(component.timeout)
-            return IsolatedEvents(component.fmu, component.name, limit, *wanted, component.clocks)
+            return IsolatedEvents(component.fmu, component.name, limit, *wanted, component.clocks, begin)
         from .isolated.parent import IsolatedInstance
 
-        return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted)
+        return IsolatedInstance(component.fmu, component.name, float(component.timeout), *wanted, begin)
     if isinstance(component.fmu, DeclaredFmu):
         from .outside.instance import DeclaredInstance
 

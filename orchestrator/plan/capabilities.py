@@ -79,7 +79,8 @@ def remarks(component: Component) -> str:
     """What is worth knowing of an FMU in the plan, as the tail of its line."""
     fmu, found = component.fmu, []
     if component.isolation:
-        found.append(f"in a process of its own{f': {component.apart}' if component.apart else ''}")
+        where = f"at {component.isolation}" if component.elsewhere else "in a process of its own"
+        found.append(f"{where}{f': {component.apart}' if component.apart else ''}")
     if not fmu.can_vary_step:
         found.append("fixed step")
     if not fmu.can_save_state:

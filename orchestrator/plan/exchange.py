@@ -31,7 +31,7 @@ def exchanged(system: System) -> tuple[str, ...]:
     return tuple(
         name
         for name, component in system.components.items()
-        if component.fmu.kind == MODEL_EXCHANGE and (component.isolation != "process" or component.fmu.own.windows)
+        if component.fmu.kind == MODEL_EXCHANGE and (not component.isolation or component.fmu.own.windows)
     )
 
 

@@ -16,6 +16,8 @@ def with_processes(system: System) -> System:
     components, here = dict(system.components), dict[str, str]()
     for name, component in system.components.items():
         fmu = component.fmu
+        if component.elsewhere:
+            continue
         if fmu.own.windows:
             reason = f"its library is for {fmu.own.windows}, which wine runs"
             components[name] = apart(component, reason, system)

@@ -52,7 +52,7 @@ class Participants:
     def look_around(self, when: str, folder: bool = True) -> None:
         """Restore what one of them has changed for the whole process, and note it once; `folder`: look at that too."""
         for change in self._surroundings.restore(folder):
-            here = [c.name for c in self.system.components.values() if c.isolation != "process"]
+            here = [c.name for c in self.system.components.values() if not c.isolation]
             who = f"component {here[0]}" if len(here) == 1 else f"a component in this process ({', '.join(here)})"
             known = any(change in note for note in self.notes)
             if not known:

@@ -20,6 +20,7 @@ from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.reading.structure import STRUCTURAL
 from ..fmu.tolerant.rules import Note
 from ..fmu.types import Value
+from ..sockets import TCP
 from .event import Event
 from .inputs.series import Series
 from .schema.solving import Loops, Solver
@@ -39,7 +40,8 @@ class Component:
     inputs: Mapping[str, Value] = field(default_factory=dict)  # inputs that no connection drives
     series: Mapping[str, Series] = field(default_factory=dict)  # inputs and tunable parameters that follow a table
     notes: tuple[str, ...] = ()  # what the user must know of it: see `replace/`
-    isolation: str = ""  # "process": the FMU runs in a process of its own
+    isolation: str = ""  # "process": the FMU runs in a process of its own; tcp://host:port: in one of a server there
+    token_file: str = ""  # with the token of that server, where it is not that of the environment
     apart: str = ""  # why it is there, where the system does not say so
     logging: Literal["warnings", "all"] = "warnings"  # what the FMU is asked to log
     tolerance: float | None = None  # relative, of its solver; None: that of its default experiment
@@ -60,6 +62,11 @@ class Component:
     def scheduled(self) -> bool:
         """Whether its partitions are activated by clocks; it makes no steps then."""
         return self.fmu.kind == SCHEDULED_EXECUTION
+
+    @property
+    def elsewhere(self) -> bool:
+        """Whether a server runs it, on this machine or another one."""
+        return self.isolation.startswith(TCP)
 
     @property
     def choices(self) -> dict[str, Any]:

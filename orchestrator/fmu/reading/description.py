@@ -44,14 +44,16 @@ class Described(NamedTuple):
     terminals: Mapping[str, Terminal] = MappingProxyType({})  # by name, with those inside of others
 
 
-def read_description(path: Path, folder: Path, compiled: bool = False) -> Described:
-    """The description of an unpacked FMU that can be run here, be it `compiled`. Raises FmuError for what cannot."""
+def read_description(path: Path, folder: Path, compiled: bool = False, elsewhere: bool = False) -> Described:
+    """The description of an unpacked FMU that can be run here, be it `compiled`, or `elsewhere`. Raises FmuError for
+    what cannot."""
     found = described(path, folder)
     notes = Notes()
     check_identifiers(path, found.description, notes)
     require_kind(path, found.description)
     interface = interface_of(found.description, usual_kind(found.description))
-    find_library(path, folder, found.description, interface, notes, compiled)
+    if not elsewhere:
+        find_library(path, folder, found.description, interface, notes, compiled)
     return found._replace(notes=(*found.notes, *notes.all()))
 
 

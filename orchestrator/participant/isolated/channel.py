@@ -58,6 +58,8 @@ class ChannelSilentError(Exception):
 class Channel:
     """One side's ends of the two pipes."""
 
+    longest = LONGEST
+
     def __init__(self, reads: int, writes: int) -> None:
         self.reads, self.writes = reads, writes
         for pipe in (reads, writes):
@@ -89,16 +91,16 @@ class Channel:
         data = memoryview(HEAD.pack(MARK, number, len(content), zlib.crc32(content, number)) + content)
         while data:
             try:
-                data = data[os.write(self.writes, data) :]
+                data = data[self._write(data) :]
             except BlockingIOError:
-                self._wait(self._writable, end)
+                self._wait(True, end)
             except OSError as error:
                 raise ChannelClosedError from error
 
     def receive(self, end: float | None = None) -> tuple[int, bytes, bytes]:
         """Number, letter and body of the next message."""
         mark, number, length, checksum = HEAD.unpack(self._exactly(HEAD.size, end))
-        if mark != MARK or not 0 < length <= LONGEST:
+        if mark != MARK or not 0 < length <= self.longest:
             raise ChannelBrokenError
         content = self._exactly(length, end)
         if zlib.crc32(content, number) != checksum:
@@ -107,9 +109,9 @@ class Channel:
 
     def _exactly(self, length: int, end: float | None) -> bytes:
         while len(self._came) < length:
-            self._wait(self._readable, end)
+            self._wait(False, end)
             try:
-                part = os.read(self.reads, 1 << 16)
+                part = self._read()
             except BlockingIOError:
                 continue
             except OSError as error:
@@ -121,8 +123,17 @@ class Channel:
         del self._came[:length]
         return found
 
-    def _wait(self, for_what: select.poll, end: float | None) -> None:
+    def _read(self) -> bytes:
+        """What there is; nothing where the other side has gone."""
+        return os.read(self.reads, 1 << 16)
+
+    def _write(self, data: memoryview) -> int:
+        """How much of it was taken."""
+        return os.write(self.writes, data)
+
+    def _wait(self, to_write: bool, end: float | None) -> None:
         """Until something can be read or written, and no longer than to `end`."""
+        for_what = self._writable if to_write else self._readable
         left = None if end is None else 1000.0 * (end - time.monotonic())
         if (left is not None and left <= 0.0) or not for_what.poll(left):
             raise ChannelSilentError

@@ -63,9 +63,9 @@ class Served:
         while True:
             number, letter, body = channel.receive()
             if letter == b"F":
-                status = STATUS.pack(self.function(body))
+                called = self.called(body)
                 news = self.news(asked=False)
-                channel.send(letter, status + json.dumps(news).encode() if news else status, number)
+                channel.send(letter, called + json.dumps(news).encode() if news else called, number)
                 continue
             try:
                 answer: dict[str, Any] = {"ok": self.by_name(*from_json(body))}
@@ -109,6 +109,10 @@ class Served:
         if self.instance is None or what not in BY_NAME:
             raise CallError(f"{what} cannot be called in a process of its own")
         return getattr(self.instance, what)(*values)
+
+    def called(self, body: bytes) -> bytes:
+        """The answer to a call of a function, before what is new of the instance."""
+        return STATUS.pack(self.function(body))
 
     def function(self, body: bytes) -> int:
         """An FMI function with references and values in the shared memory; the status."""

@@ -11,6 +11,7 @@ from ...fmu.files.compiled import ASKED
 from ...fmu.fmu import Fmu
 from ...processes import end, how_ended, start
 from .channel import Channel, ChannelBrokenError, ChannelClosedError, ChannelSilentError
+from .memory import Shared
 
 CLOSING = 2.0  # s
 
@@ -20,9 +21,10 @@ class ProcessLostError(FmuError):
 
 
 class ChildProcess:
-    """Starts it; `memory` is the file that is shared with it."""
+    """Starts it; `shared` is the memory that it has too."""
 
-    def __init__(self, fmu: Fmu, name: str, memory: int) -> None:
+    def __init__(self, fmu: Fmu, name: str) -> None:
+        self.shared, memory = Shared.made()
         to_child, out = os.pipe()
         into, from_child = os.pipe()
         ends = (to_child, from_child, memory)
@@ -36,6 +38,7 @@ class ChildProcess:
         )
         os.close(to_child)
         os.close(from_child)
+        os.close(memory)
         self.channel = Channel(into, out)
 
     def ask(self, letter: bytes, body: bytes, limit: float) -> bytes:
@@ -72,3 +75,10 @@ class ChildProcess:
         """End it: it goes when its pipe closes, and is made to if it does not."""
         self.channel.close()
         end(self.process, CLOSING)
+        if self.shared.base:
+            self.shared.close()
+
+    def fell_down(self) -> str:
+        """How it ended when it was closed, where that was not well."""
+        code = self.process.returncode
+        return f"its process {how_ended(code)} when it was no more needed" if code else ""

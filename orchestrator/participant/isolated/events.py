@@ -5,7 +5,7 @@ What is done at an instant is done there; what a run looks at again and again is
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -13,7 +13,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.reading.clocks import ClockVariable
 from ..messages import Logging
 from ..timetable import time_based
-from .parent import IsolatedInstance
+from .parent import IsolatedInstance, Peer
 
 
 class TimesElsewhere(NamedTuple):
@@ -30,14 +30,14 @@ class IsolatedEvents(IsolatedInstance):
 
     def __init__(
         self, fmu: Fmu, name: str, timeout: float, logging: Logging = "all", tolerance: float | None = None,
-        clocks: Mapping[str, Fraction] | None = None,
+        clocks: Mapping[str, Fraction] | None = None, begin: Callable[[Fmu, str], Peer] | None = None,
     ) -> None:  # fmt: skip
         self._active: frozenset[str] = frozenset()
         self.waiting: list[str] = []
         self._next: Fraction | None = None
         self._known = False  # whether `_next` is
         self._clocks = {name: str(interval) for name, interval in (clocks or {}).items()}
-        super().__init__(fmu, name, timeout, logging, tolerance)
+        super().__init__(fmu, name, timeout, logging, tolerance, begin)
         self.timetable = TimesElsewhere(time_based(fmu.own.clocks.values()))
 
     @property

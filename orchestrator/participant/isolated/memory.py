@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import mmap
 import os
+import tempfile
 from collections.abc import Sequence
 from itertools import accumulate
 
@@ -29,6 +30,15 @@ class Shared:
             raise OSError(ctypes.get_errno(), "memory cannot be shared with the process of an FMU")
         self.base = int(found)
         os.close(file)
+
+    @classmethod
+    def made(cls) -> tuple[Shared, int]:
+        """The memory, and a descriptor of it for the other process, to be closed here when that has begun."""
+        file, path = tempfile.mkstemp(dir="/dev/shm" if os.path.isdir("/dev/shm") else None)
+        os.unlink(path)
+        os.truncate(file, SIZE)
+        theirs = os.dup(file)
+        return cls(file), theirs
 
     def close(self) -> None:
         """Give the memory back."""
@@ -73,6 +83,18 @@ class Shared:
         sizes = list((ctypes.c_size_t * count).from_address(self.values))
         at = self.base + AT_TEXT
         return sizes, list(accumulate(sizes[:-1], initial=at)) if sizes else []
+
+
+class Unshared(Shared):
+    """The same places in memory that nobody else has: for an FMU with which messages alone are exchanged."""
+
+    def __init__(self) -> None:
+        self.size = SIZE
+        self._buffer = ctypes.create_string_buffer(SIZE)
+        self.base = ctypes.addressof(self._buffer)
+
+    def close(self) -> None:
+        self.base = 0
 
 
 def bytes_at(sizes: int, values: int, count: int) -> list[bytes]:

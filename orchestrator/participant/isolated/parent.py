@@ -8,24 +8,21 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Any
+from typing import Any, Protocol
 
 from ...errors import FmuError
 from ...fmu.fmu import Fmu
 from ...fmu.sharing import made_by_pythonfmu
 from ...fmu.types import Value
-from ...processes import how_ended
 from ..base import AskedToEndError, CallError, Participant, State
 from ..lifecycle import FATAL, PREFIX, STATE_FUNCTIONS
 from ..messages import Logging
 from .callbacks import Callbacks
 from .channel import STATUS, from_json, to_json
 from .child_process import ChildProcess, ProcessLostError
-from .memory import SIZE, Shared
+from .memory import Shared
 
 # s for Python and the FMU to start and, where it is Python too, to compile until its first step is done
 STARTING = 120.0
@@ -36,28 +33,53 @@ SHOWN = {  # what a call is in messages, where its name does not say it
 }  # fmt: skip
 
 
+class Peer(Protocol):
+    """Where the FMU runs: a process of this machine, or a server's behind a connection."""
+
+    @property
+    def shared(self) -> Shared:
+        """The memory through which the loop's values go."""
+        ...
+
+    def ask(self, letter: bytes, body: bytes, limit: float) -> bytes:
+        """A message and the body of its answer, within `limit` [s]. Raises ProcessLostError if there is none."""
+        ...
+
+    def kill(self) -> None:
+        """Give it up at once."""
+        ...
+
+    def close(self) -> None:
+        """End it; the memory is no more then."""
+        ...
+
+    def fell_down(self) -> str:
+        """How it ended when it was closed, where that was not well."""
+        ...
+
+
 class IsolatedInstance(Participant):
-    """Starts the process and instantiates the FMU there. Raises FmuError if that fails. `timeout` [s] for each call."""
+    """Starts the process and instantiates the FMU there. Raises FmuError if that fails. `timeout` [s] for each call.
+
+    `begin`: how to start the process, where it is not one of this machine.
+    """
 
     def __init__(
-        self, fmu: Fmu, name: str, timeout: float, logging: Logging = "all", tolerance: float | None = None
-    ) -> None:
+        self, fmu: Fmu, name: str, timeout: float, logging: Logging = "all", tolerance: float | None = None,
+        begin: Callable[[Fmu, str], Peer] | None = None,
+    ) -> None:  # fmt: skip
         super().__init__(fmu, name, logging, tolerance)
         self._unread = 0  # messages that the process has counted only
         self.prefix = PREFIX[fmu.version]
         self.state_functions = STATE_FUNCTIONS[fmu.version]
         self.timeout = timeout
         self.compiles = made_by_pythonfmu(fmu)  # perhaps, until its first step
-        memory, path = tempfile.mkstemp(dir="/dev/shm" if os.path.isdir("/dev/shm") else None)
-        os.unlink(path)
-        os.truncate(memory, SIZE)
-        self.child = ChildProcess(fmu, name, memory)
-        self.shared = Shared(memory)
-        self._callbacks = Callbacks(fmu.version, self.shared, self._function, self.fault_here, self.broken_off)
+        self.child = begin(fmu, name) if begin else ChildProcess(fmu, name)
+        self._callbacks = Callbacks(fmu.version, self.child.shared, self._function, self.fault_here, self.broken_off)
         try:
             started = self._by_name("start", fmu.kind, self.clocks, logging, tolerance, limit=max(timeout, STARTING))
         except FmuError as error:
-            self._end()
+            self.child.close()
             raise FmuError(str(error)) from None
         self._pointer, self.missing = int(started[0]), tuple(started[1])
 
@@ -220,14 +242,8 @@ class IsolatedInstance(Participant):
                 said = self._by_name("close")
             except FmuError as error:
                 said = str(error)
-        self._end()
-        if not said and self.state is State.FREED and (code := self.child.process.returncode):
-            said = f"component {self.name}: its process {how_ended(code)} when it was no more needed"
+        self.child.close()
+        if not said and self.state is State.FREED and (fall := self.child.fell_down()):
+            said = f"component {self.name}: {fall}"
         self.state = State.FREED
         return said
-
-    def _end(self) -> None:
-        """Of the process and what is shared with it."""
-        self.child.close()
-        if self.shared.base:
-            self.shared.close()

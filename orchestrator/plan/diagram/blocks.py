@@ -48,7 +48,8 @@ def blocks_of(plan: Plan) -> list[Block]:
             every = f"solved, {every}"
         elif plan.adaptive:
             every = f"from {seconds_text(component.period)} on"
-        apart = "; in a process of its own" if component.isolation == "process" else ""
+        where = f"at {component.isolation}" if component.elsewhere else "in a process of its own"
+        apart = f"; {where}" if component.isolation else ""
         about = f"{name}: {fmu.path.name}, {fmu.standard}, {every}{apart}"
         found.append(Block(name, every, component.period, about))
     return found

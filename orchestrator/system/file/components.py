@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from ...clock import duration
-from ...errors import FmuError, InputError, nearest
+from ...errors import FmuError, InputError, nearest, shown
 from ...fmu.binary import beside
 from ...fmu.files.places import named_fmu
 from ...fmu.fmu import Fmu
 from ...fmu.types import REALS, Value
+from ...sockets import TCP, tcp_address
 from ...toml_file import TomlFile
 from ...units import left_open, parse_unit
 from ..inputs.series_file import stated_series
@@ -104,7 +105,8 @@ def _fmu_of(
     if found is not None:
         return found
     assert table.fmu is not None
-    return Fmu.open(_path_of(table.fmu, file.path.parent, fmus), table.compile)
+    path = _path_of(table.fmu, file.path.parent, fmus)
+    return Fmu.open(path, table.compile, elsewhere=table.isolation.startswith(TCP))
 
 
 def _path_of(stated: str, beside: Path, fmus: Path | None) -> Path:
@@ -152,16 +154,28 @@ def _with_values(file: TomlFile, component: Component, table: ComponentTable, he
 
 
 def _isolation(file: TomlFile, name: str, table: ComponentTable, limited: bool, heading: str) -> dict[str, Any]:
+    elsewhere, own = table.isolation.startswith(TCP), f"component {name}"
+    if table.token_file and not elsewhere:
+        raise file.fail(f'{own}: token_file needs isolation = "tcp://HOST:PORT"', "token_file", heading)
     if table.isolation == "none":
         if limited:
-            raise file.fail(f'component {name}: timeout needs isolation = "process"', "timeout", heading)
+            raise file.fail(f'{own}: timeout needs isolation = "process"', "timeout", heading)
         return {}
-    if not hasattr(os, "fork"):
-        raise file.fail(f"component {name}: isolation needs Linux or macOS; remove it", "isolation", heading)
+    if elsewhere:
+        try:
+            tcp_address(table.isolation)
+        except InputError as error:
+            raise file.fail(f"{own}: isolation = {error}", "isolation", heading) from None
+    elif table.isolation != "process":
+        known = nearest(table.isolation, ("none", "process", "tcp://HOST:PORT"))
+        raise file.fail(f"{own}: unknown isolation '{shown(table.isolation)}'{known}", "isolation", heading)
+    elif not hasattr(os, "fork"):
+        raise file.fail(f"{own}: isolation needs Linux or macOS; remove it", "isolation", heading)
     try:
-        return {"isolation": table.isolation, "timeout": duration(table.timeout, f"component {name}: timeout")}
+        found = {"isolation": table.isolation, "timeout": duration(table.timeout, f"{own}: timeout")}
     except InputError as error:
         raise file.fail(str(error), "timeout", heading) from None
+    return found | ({"token_file": str(file.path.parent / table.token_file)} if table.token_file else {})
 
 
 def stated_units(file: TomlFile, component: str, entry: dict[str, str] | str, fmu: Fmu, heading: str) -> dict[str, str]:

@@ -73,7 +73,17 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         ),
     ] = {}
     isolation: Annotated[
-        Literal["none", "process"], Meta(description='"process": the FMU runs in a process of its own')
+        Annotated[
+            str,
+            Meta(
+                extra_json_schema={"anyOf": [{"enum": ["none", "process"]}, {"pattern": r"^tcp://\S+:\d+$"}]},
+                extra={"must": '"none", "process" or "tcp://HOST:PORT"'},
+            ),
+        ],
+        Meta(
+            description='"process": the FMU runs in a process of its own; "tcp://HOST:PORT": in one of '
+            "`rovbrush serve` there"
+        ),
     ] = "none"
     logging: Annotated[
         Literal["warnings", "all"],
@@ -83,6 +93,9 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         Positive | None,
         Meta(description="relative tolerance of its solver; else that of its default experiment, if it states one"),
     ] = None
+    token_file: Annotated[
+        str, Meta(description="the file that holds the token of that server; else the environment's ROVBRUSH_TOKEN")
+    ] = ""
     timeout: Annotated[Time, Meta(description="of one call to an FMU in a process of its own, in wall time")] = "60 s"
     direct: Annotated[
         Literal["stated", "all", "off"],
