@@ -80,7 +80,7 @@ class Starting:
         self._waiting: dict[str, ServerProcess] = {}
         try:
             for component in components:
-                if component.fmu.own.windows:
+                if component.fmu.own.windows and not component.elsewhere:
                     from .windows.process import ServerProcess
 
                     self._waiting[component.name] = ServerProcess(component.fmu.own)
@@ -117,7 +117,7 @@ def start(component: Component) -> Participant:
     if not component.elsewhere:
         require_compiler(component.fmu, component.name)
     wanted = component.logging, component.tolerance
-    if component.fmu.own.windows:
+    if component.fmu.own.windows and not component.elsewhere:
         return Starting([component]).start(component)
     if component.isolation or why_not_here(component):
         begin = None
