@@ -33,6 +33,7 @@ class Variable:
     source: str = ""
     depends: tuple[str, ...] = ()  # inputs with direct feedthrough to this output
     sampled: bool = False  # matters or changes at samples only (FMI variability `discrete`)
+    tunable: bool = False  # a parameter that may change between two steps: nothing is derived from it at the start
 
     @property
     def element_names(self) -> list[str]:
@@ -75,6 +76,20 @@ def parameter(
     return dataclasses.field(default=default, metadata=metadata)
 
 
+def tunable(
+    default: float | bool | tuple[float, ...],
+    unit: str,
+    description: str,
+    source: str,
+    minimum: float = -INF,
+    maximum: float = INF,
+) -> Any:
+    """As `parameter`, of one that may be set between two steps too, and counts from the next one on: setup derives
+    nothing from it."""
+    metadata = {"unit": unit, "description": description, "source": source, "minimum": minimum, "maximum": maximum}
+    return dataclasses.field(default=default, metadata={**metadata, "tunable": True})
+
+
 def parameter_variables(parameters: type[Any]) -> tuple[Variable, ...]:
     """The declarations of a `Parameters` dataclass, in the order of its fields."""
     return tuple(_parameter_variable(f) for f in dataclasses.fields(parameters))
@@ -92,3 +107,9 @@ def _parameter_variable(field: dataclasses.Field[Any]) -> Variable:
         size=len(default) if isinstance(default, tuple) else 0,
         **field.metadata,
     )
+
+
+def tunable_places(parameters: type[Any]) -> dict[int, Variable]:
+    """The tunable parameters, by the value references of their elements: parameters come first."""
+    places = [v for v in parameter_variables(parameters) for _ in v.start]
+    return {place: v for place, v in enumerate(places) if v.tunable}

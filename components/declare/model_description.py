@@ -106,7 +106,7 @@ def variable_attributes(v: Variable, name: str, reference: int) -> dict[str, str
     attributes = {"name": name, "valueReference": str(reference), "description": v.description + source}
     attributes["causality"] = v.causality
     if v.causality in ("parameter", "calculatedParameter"):
-        attributes["variability"] = "fixed"
+        attributes["variability"] = "tunable" if v.tunable else "fixed"
     else:
         attributes["variability"] = "discrete" if v.sampled or v.kind != "Real" else "continuous"
     if v.causality == "parameter":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..declare.interface import parameter
+from ..declare.interface import parameter, tunable
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Parameters:
     )
     v_leave: float = parameter(0.05, "m/s", "speed of leaving", "assumed", minimum=1e-4, maximum=2.0)
     leave: float = parameter(0.1, "m", "distance from the hull at the end", "assumed", minimum=0.0, maximum=100.0)
-    F_n: float = parameter(
+    F_n: float = tunable(
         40.0, "N", "force to press into the hull with: within the thrusters' authority", "assumed", 0.0, 1e4
     )
     fouling_place: tuple[float, ...] = parameter(

@@ -81,7 +81,7 @@ class Tables:
 
     def _variables(self) -> str:
         rows = [
-            f"    {{{json.dumps(v.name)}, {json.dumps(v.unit)}, {KINDS[v.kind]}, {CAUSALITIES[v.causality]}, "
+            f"    {{{json.dumps(v.name)}, {json.dumps(v.unit)}, {KINDS[v.kind]}, {_causality(v)}, "
             f"{self.first[v.name]}, {len(v.start)}, {_number(v.minimum)}, {_number(v.maximum)}}},"
             for v in self.variables
         ]
@@ -162,6 +162,10 @@ class Tables:
             f"    variables, owners, starts, scratch,\n"
             f"    shapes, {self.name}_start, {self.name}_outputs, {self.name}_step,\n}};\n"
         )
+
+
+def _causality(v: Variable) -> str:
+    return "TUNABLE" if v.tunable else CAUSALITIES[v.causality]
 
 
 def _number(value: float) -> str:

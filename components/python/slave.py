@@ -18,7 +18,7 @@ import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
-from ..declare.interface import Array, Variable, parameter_variables
+from ..declare.interface import Array, Variable, parameter_variables, tunable_places
 from ..declare.model_description import model_description
 from .kernels import argument_names, compiled, entry, precompile
 from .memory import Memory, places_of
@@ -72,6 +72,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         self.memory = Memory(self.variables(), self.outputs, self.arrays)
         self.cells: Any = memoryview(self.memory.values)  # type: ignore[arg-type]  # shares it; plain floats
         self.settable = range(sum(len(v.start) for v in parameter_variables(self.parameters)), self.memory.first_output)
+        self.tunable = tunable_places(self.parameters)
         self.modelName = self.component_name()
         self.ready = False
         self.stale = False  # inputs were set since the outputs were computed
@@ -97,10 +98,22 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             self.ready = False
         elif all(vr in self.settable for vr in vrs):
             self.stale = True
+        elif self.phase == RUNNING and all(vr in self.settable or vr in self.tunable for vr in vrs):
+            self.guarded(self.tune, vrs, values)
+            return
         else:
             self.guarded(self.out_of_turn, "set what is not an input")
         for vr, value in zip(vrs, values, strict=True):
             cells[vr] = value
+
+    def tune(self, vrs: list[int], values: list[float]) -> None:
+        """Tunable parameters between two steps. Raises ValueError where one is out of its range."""
+        for vr, value in zip(vrs, values, strict=True):
+            v = self.tunable.get(vr)
+            if v is not None and not v.minimum <= value <= v.maximum:
+                raise ValueError(f"{self.instance_name}.{v.name} = {value:g} is out of range")
+            self.cells[vr] = value
+        self.stale = True
 
     def get_integer(self, vrs: list[int]) -> list[int]:
         return [int(value) for value in self.get_real(vrs)]

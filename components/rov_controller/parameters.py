@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..declare.interface import parameter
+from ..declare.interface import parameter, tunable
 from ..library.thrusters import DIRECTIONS, GEOMETRY_SOURCE, K_T, K_T_SOURCE, POSITIONS
 
 GAINS = "assumed, from mass, inertia and thruster lag"
@@ -14,7 +14,7 @@ GAINS = "assumed, from mass, inertia and thruster lag"
 class Parameters:
     """Cascaded PID for the BlueROV2 Heavy; the thrusters are those of the vehicle, by the same defaults."""
 
-    mode: int = parameter(
+    mode: int = tunable(
         0,
         "1",
         "0: PID; 1: PID and feedforward of the tool wrench; 2: force along the hull normal; 3: as 2, with the wrench "
@@ -24,34 +24,34 @@ class Parameters:
         3,
     )
     T_s: float = parameter(0.02, "s", "sampling period", "assumed (50 Hz)", minimum=1e-4, maximum=1.0)
-    K_position: tuple[float, ...] = parameter(
+    K_position: tuple[float, ...] = tunable(
         (1.0, 1.0, 1.0), "1/s", "velocity set-point per position error: north, east, down", GAINS, 0.0, 100.0
     )
-    K_velocity: tuple[float, ...] = parameter(
+    K_velocity: tuple[float, ...] = tunable(
         (60.0, 80.0, 90.0), "N.s/m", "force per velocity error: surge, sway, heave", GAINS, 0.0, 1e4
     )
-    K_velocity_i: tuple[float, ...] = parameter(
+    K_velocity_i: tuple[float, ...] = tunable(
         (60.0, 80.0, 90.0), "N/m", "its integral action: surge, sway, heave", GAINS, 0.0, 1e4
     )
-    K_velocity_d: tuple[float, ...] = parameter(
+    K_velocity_d: tuple[float, ...] = tunable(
         (1.0, 1.0, 1.0), "kg", "force per measured acceleration, against it: surge, sway, heave", GAINS, 0.0, 1e4
     )
-    K_attitude: tuple[float, ...] = parameter(
+    K_attitude: tuple[float, ...] = tunable(
         (4.0, 4.0, 3.0), "1/s", "rate set-point per attitude error: roll, pitch, yaw", GAINS, 0.0, 100.0
     )
-    K_rate: tuple[float, ...] = parameter(
+    K_rate: tuple[float, ...] = tunable(
         (4.0, 4.0, 4.0), "N.m.s/rad", "moment per rate error: roll, pitch, yaw", GAINS, 0.0, 1e4
     )
-    K_rate_i: tuple[float, ...] = parameter(
+    K_rate_i: tuple[float, ...] = tunable(
         (6.0, 6.0, 4.0), "N.m/rad", "its integral action: roll, pitch, yaw", GAINS, 0.0, 1e4
     )
-    K_rate_d: tuple[float, ...] = parameter(
+    K_rate_d: tuple[float, ...] = tunable(
         (0.01, 0.01, 0.01), "kg.m2", "moment per measured angular acceleration, against it", GAINS, 0.0, 1e4
     )
-    K_windup: float = parameter(
+    K_windup: float = tunable(
         5.0, "1/s", "rate at which the integrals give up what the thrusters cannot", "assumed", 0.0, 50.0
     )
-    K_feedforward: float = parameter(
+    K_feedforward: float = tunable(
         1.0, "1", "share of the measured tool wrench that is fed forward", "assumed", minimum=0.0, maximum=1.5
     )
     T_filter: float = parameter(
@@ -68,15 +68,15 @@ class Parameters:
         -1.0,
         1.0,
     )
-    contact_force: float = parameter(
+    contact_force: float = tunable(
         5.0, "N", "force from which force control begins; it ends at half of it", "assumed", minimum=0.0, maximum=1e4
     )
-    K_force: float = parameter(0.0, "1", "force per force error along the normal", GAINS, minimum=0.0, maximum=100.0)
-    K_force_i: float = parameter(2.0, "1/s", "its integral action", GAINS, minimum=0.0, maximum=1e3)
-    K_force_d: float = parameter(
+    K_force: float = tunable(0.0, "1", "force per force error along the normal", GAINS, minimum=0.0, maximum=100.0)
+    K_force_i: float = tunable(2.0, "1/s", "its integral action", GAINS, minimum=0.0, maximum=1e3)
+    K_force_d: float = tunable(
         300.0, "N.s/m", "force per velocity along the normal, against it", GAINS, minimum=0.0, maximum=1e5
     )
-    K_force_a: float = parameter(
+    K_force_a: float = tunable(
         0.0, "kg", "force per acceleration along the normal, against it: added mass", GAINS, minimum=0.0, maximum=1e4
     )
     bumpless: bool = parameter(
@@ -102,8 +102,8 @@ class Parameters:
     thruster_lag: float = parameter(
         0.02, "s", "time constant of the thrust in the observer's model", "T200 step: 63 % at 20 ms", 0.0, 10.0
     )
-    v_max: float = parameter(0.5, "m/s", "limit of the velocity set-point", "assumed", minimum=1e-3, maximum=10.0)
-    rate_max: float = parameter(1.0, "rad/s", "limit of the rate set-point", "assumed", minimum=1e-3, maximum=10.0)
+    v_max: float = tunable(0.5, "m/s", "limit of the velocity set-point", "assumed", minimum=1e-3, maximum=10.0)
+    rate_max: float = tunable(1.0, "rad/s", "limit of the rate set-point", "assumed", minimum=1e-3, maximum=10.0)
     attitude_first: bool = parameter(
         True, "1", "a saturated allocation gives up force before moment; false: clips each thruster", "assumed"
     )

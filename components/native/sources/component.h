@@ -32,7 +32,7 @@ static inline int64_t min_int64_t(int64_t a, int64_t b) { return b < a ? b : a; 
 static inline int64_t max_int64_t(int64_t a, int64_t b) { return b > a ? b : a; }
 
 typedef enum { REAL, INTEGER, BOOLEAN } Kind;
-typedef enum { PARAMETER, INPUT, OUTPUT } Causality; /* a calculated parameter is an output here */
+typedef enum { PARAMETER, TUNABLE, INPUT, OUTPUT } Causality; /* a calculated parameter is an output here */
 
 typedef struct {
     const char *name, *unit;

@@ -46,7 +46,7 @@ void instance_reset(Instance *instance) {
     memcpy(instance->v, component.starts, sizeof(double) * (size_t)component.value_count);
     instance->v[time_place()] = instance->v[time_place() + 1] = 0.0;
     instance->stage = INSTANTIATED;
-    instance->ready = instance->stale = false;
+    instance->ready = instance->stale = instance->tuned = false;
 }
 
 Status instance_report(const Instance *instance, Status status, const char *format, ...) {
@@ -115,6 +115,7 @@ double *instance_writable(Instance *instance, unsigned reference, size_t count, 
                         instance->name, variable->name);
         return NULL;
     }
+    if (variable->causality == TUNABLE) instance->tuned = true;
     if (instance->stage == STEPPING) instance->stale = true;
     else instance->ready = false;
     return found;
@@ -178,6 +179,8 @@ Status instance_step(Instance *instance, double time, double step) {
                                instance->name, step, time);
     instance->v[time_place()] = time;
     instance->v[time_place() + 1] = step;
+    if (instance->tuned && instance_check(instance, instance->v)) return STATUS_ERROR;
+    instance->tuned = false;
     if (check_inputs(instance)) return STATUS_ERROR;
     component.step(instance->v, instance->arrays, instance->shapes);
     instance->v[time_place()] = time + step; /* outputs that are asked for between two steps belong to its end */

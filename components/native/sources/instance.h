@@ -21,6 +21,7 @@ struct Instance {
     Stage stage;
     bool ready; /* the arrays hold a state that belongs to the parameters */
     bool stale; /* an input has changed since the outputs were computed */
+    bool tuned; /* so has a tunable parameter, which is not yet known to be in its range */
     double *v;
     double **arrays;
     Shape *shapes;

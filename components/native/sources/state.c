@@ -60,6 +60,7 @@ static Status restore(Instance *instance, const char *bytes, size_t size) {
         instance->stage = (Stage)flags.stage;
         instance->ready = flags.ready != 0;
         instance->stale = flags.stale != 0;
+        instance->tuned = false; /* its parameters are in range */
         const char *rest = bytes + head;
         for (int k = 0; instance->ready && k < component.array_count; k++) {
             if (component.scratch[k]) continue;

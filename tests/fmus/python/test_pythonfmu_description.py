@@ -51,7 +51,8 @@ def test_the_xml_holds_the_declaration_in_full(name: str, fmus: Path) -> None:
             scalar, typed = scalars[element], scalars[element][0]
             assert typed.tag == v.kind
             assert scalar.get("causality") == v.causality and v.description in scalar.get("description")
-            assert scalar.get("variability") in {"parameter": ("fixed",), "calculatedParameter": ("fixed",)}.get(
+            fixed = ("tunable",) if v.tunable else ("fixed",)
+            assert scalar.get("variability") in {"parameter": fixed, "calculatedParameter": ("fixed",)}.get(
                 v.causality, ("continuous", "discrete")
             )
             assert scalar.get("initial") == {"parameter": "exact", "input": None}.get(v.causality, "calculated")
