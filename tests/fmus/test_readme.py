@@ -75,7 +75,8 @@ def test_every_component_has_the_step_of_the_shipped_systems() -> None:
     known: dict[str, set[str]] = {name: set() for name in COMPONENTS}
     for path in SYSTEMS.glob("*.toml"):
         for part in tomllib.loads(path.read_text(encoding="utf-8")).get("components", {}).values():
-            known[part["fmu"]].add(part["period"])
+            if "fmu" in part:  # all but links to programs elsewhere
+                known[part["fmu"]].add(part["period"])
     steps = {name: cells[2] for name, cells in component_rows().items()}
     assert list(steps) == list(COMPONENTS)
     assert all(step in known[name] for name, step in steps.items())

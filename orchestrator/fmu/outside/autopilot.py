@@ -19,6 +19,6 @@ def autopilot_fmu(name: str, options: Options) -> DeclaredFmu:
     ]
     path = Path(f"ArduSub at UDP {options.port}")
     found: DeclaredFmu = declared_fmu(
-        name, variables, path, "autopilot", settings=options, saves=False, writes=False, varies=False
+        name, variables, path, "link to an autopilot", settings=options, saves=False, writes=False, varies=False
     )
     return found

@@ -30,7 +30,7 @@ class Link:
         self.frames, self.waits = Frames(rate, repeat_after), Waits()
         self.timeout, self.peer = timeout, peer
         self._line = b""
-        self._socket = _listening(host, port)
+        self._socket = listening(host, port)
         self.host, self.port = self._socket.getsockname()[:2]
 
     def begin(self) -> ServoPacket:
@@ -112,7 +112,8 @@ class Link:
         )
 
 
-def _listening(host: str, port: int) -> socket.socket:
+def listening(host: str, port: int) -> socket.socket:
+    """A socket there. Raises InputError where the port cannot be had."""
     family = socket.AF_INET6 if ip_address(host).version == 6 else socket.AF_INET
     opened = socket.socket(family, socket.SOCK_DGRAM)
     try:

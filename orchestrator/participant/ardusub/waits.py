@@ -18,12 +18,12 @@ class Waits:
         self.worst = max(self.worst, seconds)
 
     def below(self, share: float) -> float:
-        """The shortest doubling of 1 us [s] that a share of the waits stayed below."""
+        """The shortest doubling of 1 us [s] that a share of the waits stayed below, at most the worst of them."""
         wanted, reached = share * sum(self.counts), 0
         for k, count in enumerate(self.counts):
             reached += count
             if reached >= wanted:
-                return 2.0**k * 1e-6
+                return min(2.0**k * 1e-6, self.worst)
         return self.worst
 
     def text(self) -> str:

@@ -1,4 +1,4 @@
-"""Components of a system file that are no FMU: `python`, `udp` or `shared_memory`, and the variables they declare."""
+"""Components of a system file that are no FMU, and the variables that they declare."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from ..schema.outside import DeclareTable, VariableTable
 from ..schema.system import ComponentTable
 
 NAME = re.compile(r"[A-Za-z_]\w*")
-KINDS = ("python", "udp", "shared_memory")
+DECLARING = ("python", "udp", "shared_memory")
+KINDS = (*DECLARING, "ardusub")
 FOR_FMUS = {  # keys that say how an FMU is run
     "kind", "isolation", "timeout", "logging", "tolerance", "event_mode", "clocks", "compile", "units", "direct",
 }  # fmt: skip
@@ -33,9 +34,11 @@ def outside_component(
         raise file.fail(f"component {name}: {' and '.join(given)} exclude each other; keep one", given[1], heading)
     if not given:
         raise file.fail(f"component {name}: 'fmu' is missing", f"[{heading}]")
+    if given[0] not in DECLARING and "declare" in entry:
+        raise file.fail(
+            f"component {name}: declare goes with {_either(DECLARING)}; {given[0]} says it", "declare", heading
+        )
     if given == ["fmu"]:
-        if "declare" in entry:
-            raise file.fail(f"component {name}: declare goes with {_either(KINDS)}; an FMU says it", "declare", heading)
         return None
     if wrong := sorted(FOR_FMUS & entry.keys()):
         raise file.fail(f"component {name}: {wrong[0]} is for FMUs, and {given[0]} is none", wrong[0], heading)
@@ -45,6 +48,10 @@ def outside_component(
     try:
         if table.python is not None:
             return _python(file, name, table.python, stated, outside)
+        if table.ardusub is not None:
+            from .autopilot import autopilot_of
+
+            return autopilot_of(name, entry["ardusub"], table.period)
         from .outside_links import link_component
 
         return link_component(file, name, entry, given[0], stated)

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from ...fmu.kinds import Kind
+from .ardusub import ArduSubTable
 from .bonds import BondTable, RequirementTable
 from .event import EventTable
 from .outside import DeclareTable, SharedMemoryTable, UdpTable
@@ -39,7 +40,7 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         str | None,
         Meta(
             description="the name of a built FMU, or the path of a .fmu from the system file's folder; or one of "
-            "`python`, `udp` and `shared_memory` in its place"
+            "`python`, `udp`, `shared_memory` and `ardusub` in its place"
         ),
     ] = None
     python: Annotated[
@@ -53,6 +54,9 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     udp: Annotated[UdpTable | None, Meta(description="signals to and from another program as UDP packets")] = None
     shared_memory: Annotated[
         SharedMemoryTable | None, Meta(description="signals to and from another process through shared memory")
+    ] = None
+    ardusub: Annotated[
+        ArduSubTable | None, Meta(description="ArduPilot's autopilot for submarines (SITL), in lock-step with the run")
     ] = None
     declare: Annotated[DeclareTable, Meta(description="the variables of what is no FMU")] = DeclareTable()
     period: Annotated[Time, Meta(description="the communication step")]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fixtures.fake_autopilot import FakeAutopilot, Faults
+from fixtures.fake_autopilot import Fakes, Faults
 from helpers import column
 from rovbrush.orchestrator.ardupilot.interface import Options
 from rovbrush.orchestrator.errors import FmuError
@@ -19,7 +19,6 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.model import Component, Connection, System
-from socket_ports import free_port
 
 STEP = Fraction(1, 400)
 
@@ -33,9 +32,9 @@ class Sinking(Model):
         return None
 
 
-def plan_of(port: int, stop: Fraction = 8 * STEP, period: Fraction = STEP, **options: Any) -> Plan:
+def plan_of(stop: Fraction = 8 * STEP, period: Fraction = STEP, **options: Any) -> Plan:
     """An autopilot and a body that sinks."""
-    fmu = autopilot_fmu("autopilot", Options(port=port, **options))
+    fmu = autopilot_fmu("autopilot", Options(port=0, **options))
     body = mock_fmu("sinking", Sinking, ["u1"], ["z_n", "w"])
     wires = (
         Connection(("autopilot", "u_thruster[1]"), ("body", "u1"), transfer="hold"),
@@ -49,20 +48,17 @@ def plan_of(port: int, stop: Fraction = 8 * STEP, period: Fraction = STEP, **opt
 
 
 @pytest.fixture
-def fakes() -> Iterator[list[FakeAutopilot]]:
+def fakes(monkeypatch: pytest.MonkeyPatch) -> Iterator[Fakes]:
     """Autopilots that are stopped when the test ends."""
-    made: list[FakeAutopilot] = []
+    made = Fakes(monkeypatch)
     yield made
-    for fake in made:
-        fake.stop()
+    made.stop()
 
 
-def run(fakes: list[FakeAutopilot], faults: Faults | None = None, interpreted: bool = True, **keys: Any) -> Run:
-    port = free_port()
+def run(fakes: Fakes, faults: Faults | None = None, interpreted: bool = True, **keys: Any) -> Run:
     about = {key: keys.pop(key) for key in ("rate", "channels", "pilot") if key in keys}
-    fakes.append(FakeAutopilot(port, faults=faults, patience=0.05, **about))
-    fakes[-1].start()
-    return simulate(plan_of(port, **{"timeout": 20.0} | keys), interpreted=interpreted)
+    fakes.make(faults=faults, patience=0.05, **about)
+    return simulate(plan_of(**{"timeout": 20.0} | keys), interpreted=interpreted)
 
 
 def told(run: Run) -> str:
@@ -71,7 +67,7 @@ def told(run: Run) -> str:
 
 @pytest.mark.parametrize("interpreted", [True, False])
 def test_a_state_is_told_at_the_beginning_of_a_step_and_its_answer_acts_over_that_step(
-    fakes: list[FakeAutopilot], interpreted: bool
+    fakes: Fakes, interpreted: bool
 ) -> None:
     pulses = iter([1900, 1900, 1500, 1100, *[1500] * 20])
     done = run(fakes, interpreted=interpreted, pilot=lambda _: [next(pulses), *[1500] * 15])
@@ -86,7 +82,7 @@ def test_a_state_is_told_at_the_beginning_of_a_step_and_its_answer_acts_over_tha
 
 
 def test_a_run_with_lost_late_doubled_packets_and_garbage_gives_the_rows_of_a_quiet_one(
-    fakes: list[FakeAutopilot],
+    fakes: Fakes,
 ) -> None:
     def down(state: dict[str, Any]) -> list[int]:
         return [round(1900 - 3e4 * state["position"][2]), *[1500] * 15]
@@ -101,42 +97,40 @@ def test_a_run_with_lost_late_doubled_packets_and_garbage_gives_the_rows_of_a_qu
     assert "99 % below" in told(loud)
 
 
-def test_a_restart_of_the_autopilot_is_gone_on_with_and_told(fakes: list[FakeAutopilot]) -> None:
+def test_a_restart_of_the_autopilot_is_gone_on_with_and_told(fakes: Fakes) -> None:
     done = run(fakes, Faults(restart=20), stop=40 * STEP)
     assert not done.failure and "1 restart of the autopilot" in told(done)
     frames = list(column(done, "autopilot.frame")[1])
     assert frames == [*range(20), *range(21)]
 
 
-def test_an_autopilot_that_stops_answering_ends_the_run_and_the_rows_are_kept(fakes: list[FakeAutopilot]) -> None:
-    done = run(fakes, Faults(silent=6), timeout=0.2)
+def test_an_autopilot_that_stops_answering_ends_the_run_and_the_rows_are_kept(fakes: Fakes) -> None:
+    done = run(fakes, Faults(silent=6), timeout=1.0)
     assert "stopped answering: nothing came to UDP 127.0.0.1:" in done.failure
     assert "after its frame 5" in done.failure and "autopilot" in done.failure
     assert list(column(done, "autopilot.frame")[1]) == [0, 1, 2, 3, 4, 5]
 
 
-def test_a_wrong_rate_ends_the_run_and_names_sim_rate_hz(fakes: list[FakeAutopilot]) -> None:
+def test_a_wrong_rate_ends_the_run_and_names_sim_rate_hz(fakes: Fakes) -> None:
     done = run(fakes, rate=1200)
     assert "the autopilot's frames come at 1200 Hz, but the period of 2.5 ms is 400 Hz" in done.failure
     assert "SIM_RATE_HZ to 400" in done.failure
     assert len(column(done, "autopilot.frame")[1]) >= 2
 
 
-def test_the_rate_is_that_of_the_period(fakes: list[FakeAutopilot]) -> None:
+def test_the_rate_is_that_of_the_period(fakes: Fakes) -> None:
     done = run(fakes, rate=100, period=Fraction(1, 100), stop=Fraction(1, 10))
     assert not done.failure and "11 frames, 0 lost" in told(done)
 
 
 def test_nobody_at_the_port_is_an_error_that_says_what_to_start() -> None:
     with pytest.raises(FmuError, match=r"autopilot: .*no autopilot was heard at UDP \S+ for 0\.05 s; start .*ArduSub"):
-        simulate(plan_of(free_port(), timeout=0.05), interpreted=True)
+        simulate(plan_of(timeout=0.05), interpreted=True)
 
 
-def test_a_state_that_is_no_number_is_not_told(fakes: list[FakeAutopilot]) -> None:
-    port = free_port()
-    fakes.append(FakeAutopilot(port))
-    fakes[0].start()
-    fmu = autopilot_fmu("autopilot", Options(port=port))
+def test_a_state_that_is_no_number_is_not_told(fakes: Fakes) -> None:
+    fakes.make()
+    fmu = autopilot_fmu("autopilot", Options(port=0))
     model = AutopilotModel(fmu.starts(), fmu.settings)
     model.set_up(0.0, None)
     model.initialized()

@@ -106,7 +106,7 @@ def test_garbage_alone_is_silence_that_names_it() -> None:
 
 
 def test_an_autopilot_that_stops_answering_is_named_with_its_last_frame(pair: Callable[..., Pair]) -> None:
-    link, _ = pair(Faults(silent=5), timeout=0.3)
+    link, _ = pair(Faults(silent=5), timeout=1.0)
     with pytest.raises(
         RunError, match=r"at 127\.0\.0\.1:\d+ stopped answering: .* after its frame 4 \(5 frames, 0 lost"
     ):
