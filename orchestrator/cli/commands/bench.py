@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, gym, pacing; all by default. "
-            "With --against: against, fmus.",
+            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, pacing; all by "
+            "default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -131,6 +131,19 @@ def print_solvers(rows: Rows) -> None:
     print_table("FMUs for Model Exchange: integration, least time of all rounds", ("model", "solver", ""), cells)
 
 
+def print_elsewhere(rows: Rows) -> None:
+    """Components here, in processes, at a server."""
+    costs = ("here_us", "process_us", "server_us")
+    cells = [
+        (r["component"], f"{r['inputs']}", f"{r['outputs']}", *(f"{r[key]:.1f}" for key in costs),
+         f"{r['server_us'] - r['here_us']:.0f}")
+        for r in rows
+    ]  # fmt: skip
+    title = f"FMUs elsewhere on this machine, microseconds per step with its exchange, {medians(rows)}"
+    headings = ("component", "inputs", "outputs", "here", "process", "server", "difference")
+    print_table(title, headings, cells)
+
+
 def print_gym(rows: Rows) -> None:
     """Environments: steps and resets."""
     if not rows:
@@ -187,6 +200,6 @@ def print_folders(rows: Rows) -> None:
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
-    "pacing": print_pacing,
+    "elsewhere": print_elsewhere, "pacing": print_pacing,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

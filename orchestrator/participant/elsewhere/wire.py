@@ -20,6 +20,9 @@ class Wire(Channel):
         connection.setblocking(False)
         self.number = 0
         self._came = bytearray()
+        self._polls = [select.poll(), select.poll()] if hasattr(select, "poll") else []
+        for poll, what in zip(self._polls, (getattr(select, "POLLIN", 0), getattr(select, "POLLOUT", 0)), strict=False):
+            poll.register(connection, what)
 
     def receive(self, end: float | None = None) -> tuple[int, bytes, bytes]:
         number, letter, body = super().receive(end)
@@ -35,10 +38,8 @@ class Wire(Channel):
         left = None if end is None else end - time.monotonic()
         if left is not None and left <= 0.0:
             raise ChannelSilentError
-        if hasattr(select, "poll"):
-            poll = select.poll()
-            poll.register(self.socket, select.POLLOUT if to_write else select.POLLIN)
-            ready = bool(poll.poll(None if left is None else 1000.0 * left))
+        if self._polls:
+            ready = bool(self._polls[to_write].poll(None if left is None else 1000.0 * left))
         else:
             ones = [self.socket]
             ready = any(select.select([] if to_write else ones, ones if to_write else [], [], left))

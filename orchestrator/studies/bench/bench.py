@@ -14,6 +14,7 @@ from ...files import prepare_folder, write_file, write_json
 from ...fmu.files.windows import how_to_install, wine
 from .against import against
 from .components import component_rows
+from .elsewhere import elsewhere_rows
 from .folders import folder_rows
 from .growth import growth_rows
 from .gym import gym_rows
@@ -45,6 +46,7 @@ PARTS = {
     "growth": Part("reader and plan of large systems", 40.0, 15.0),
     "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
+    "elsewhere": Part("FMUs in processes of their own, and at a server on this machine", 25.0, 8.0),
     "gym": Part("environments of Gymnasium: steps and resets", 25.0, 10.0),
     "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
     "against": Part("this installation against another one", 300.0, 60.0),
@@ -145,6 +147,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from growth_rows(folder, asked.quick)
         elif name == "solvers":
             yield from solver_rows(folder, asked.quick)
+        elif name == "elsewhere":
+            yield from elsewhere_rows(native_folder(asked.fmus), asked.quick)
         elif name == "gym":
             if not asked.parts and find_spec("gymnasium") is None:
                 tell("without environments: pip install 'rovbrush[gym]'")
