@@ -68,6 +68,9 @@ class DeclaredInstance(Participant):
         def answer(*arguments: Any) -> int:
             try:
                 return function(*arguments) or OK
+            except KeyboardInterrupt:
+                self._why = "interrupted by the user"
+                return ERROR
             except StepFailedError as error:
                 self._why = str(error)
                 return ERROR

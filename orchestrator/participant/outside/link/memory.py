@@ -14,10 +14,11 @@ from __future__ import annotations
 
 import os
 import struct
+import sys
 import time as wall
 import zlib
 from collections.abc import Sequence
-from multiprocessing import shared_memory
+from multiprocessing import resource_tracker, shared_memory
 from typing import Any
 
 from ....errors import FmuError
@@ -80,6 +81,19 @@ class Block:
         return counter, Packet(seq, time, step, values)
 
 
+def attached(name: str) -> shared_memory.SharedMemory:
+    """Memory of somebody else. Python before 3.13 takes away what a process has only looked at when that ends; this
+    does not. Raises OSError, ValueError."""
+    if sys.version_info >= (3, 13):
+        return shared_memory.SharedMemory(name, track=False)
+    register = resource_tracker.register
+    resource_tracker.register = lambda *_: None
+    try:
+        return shared_memory.SharedMemory(name)
+    finally:
+        resource_tracker.register = register
+
+
 def blocks_of(buffer: Any, to: Sequence[Signal], back: Sequence[Signal]) -> tuple[Block, Block]:
     """The block to the peer, and that from it."""
     return Block(buffer, FIRST, to), Block(buffer, FIRST + Block.size(len(to)), back)
@@ -112,7 +126,7 @@ class MemoryLink:
 
     def _remove_dead(self) -> None:
         """Take away what a run left that was killed. Raises FmuError for one that is alive, or that is none of ours."""
-        left = shared_memory.SharedMemory(self.name)
+        left = attached(self.name)
         try:
             head = bytes(left.buf or b"")[: HEAD.size]
             ours = len(head) == HEAD.size and head[:8] == MAGIC
@@ -123,11 +137,11 @@ class MemoryLink:
                 raise FmuError(
                     f"shared memory {self.name!r} is in use by the run of process {pid}; end that, or take another name"
                 )
-        except BaseException:
+        finally:
             left.close()
-            raise
-        left.close()
-        left.unlink()
+        ours_now = shared_memory.SharedMemory(self.name)
+        ours_now.close()
+        ours_now.unlink()
 
     def text(self) -> str:
         return f"shared memory {self.name}"

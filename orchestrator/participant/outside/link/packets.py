@@ -5,9 +5,10 @@
     binary, little-endian:  4s "RBX1", u16 flags, u16 n, u32 layout, u32 0, u64 seq, f64 time, f64 step, n x f64,
                             and where flags has bit 0 set the 32 bytes of the SHA-256 of the token
 
-`layout` is the CRC-32 of the names, joined by commas. To a peer: `seq` counts the packets from 1 (0: of the start),
-`time` and `step` are those of the step that begins [s]. From a peer: `time`, `step` may be left out. What comes is
-parsed strictly: a packet with a name too many or too few, with another type, out of range or not finite is refused
+`layout` is the CRC-32 of the names, joined by commas. To a peer: `seq` counts the steps from 1 (0: the start, where
+`first` waits), `time` and `step` are those of the step that begins [s]. From a peer: `time`, `step` may be left out;
+`seq` is its own count, and in lock-step the number of the packet that it answers. What comes is parsed strictly: a
+packet with a name too many or too few, with another type, out of range or not finite is refused
 whole.
 """
 
@@ -46,7 +47,8 @@ class Packet:
 
 @dataclass(frozen=True)
 class Signal:
-    """One declared variable, as a packet has it."""
+    """One declared variable, as a packet has it. `type`: as declared, or "any" on the side of a peer, which knows its
+    names only."""
 
     name: str
     type: str = "Real"
@@ -56,6 +58,8 @@ class Signal:
     def checked(self, value: Any) -> Any:
         """Of its type and in its range. Raises PacketError."""
         kind = type(value)
+        if self.type == "any" and kind in (bool, int, float):
+            return value
         if self.type == "Boolean":
             if kind is bool:
                 return value
@@ -71,7 +75,7 @@ class Signal:
 
     def of_double(self, value: float) -> Any:
         """From a double. Raises PacketError."""
-        if self.type == "Real" or not math.isfinite(value):
+        if self.type in ("Real", "any") or not math.isfinite(value):
             return self.checked(value)
         if value != int(value) or (self.type == "Boolean" and value not in (0.0, 1.0)):
             raise PacketError(f"{self.name} = {value:g} is not of type {self.type}")

@@ -90,10 +90,10 @@ class Peer(Model):
 
     def initialized(self) -> int | None:
         self.heard = wall.monotonic()
-        if self.waiting.mode == "free" and not self.waiting.first:
+        if not self.waiting.first:
             return None
         self._send(self.start, 0.0)
-        if self.waiting.first and self.comes and not self._wait(self.waiting.first):
+        if self.comes and not self._wait(self.waiting.first):
             raise FmuError(
                 f"nothing came at {self.link.text()} within {self.waiting.first:g} s (first){self._refused()}"
             )
