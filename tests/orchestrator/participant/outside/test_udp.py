@@ -268,5 +268,5 @@ def test_what_goes_back_refuses_a_peer_before_the_run(tmp_path: Path, algorithm:
 def test_a_checkpoint_refuses_a_peer(tmp_path: Path) -> None:
     with session(tmp_path, "udp = {}") as run:
         run.advance(cycles=1)
-        with pytest.raises(InputError, match="component peer: udp 127.0.0.1:0 cannot write its state to disk"):
+        with pytest.raises(InputError, match=r"component peer: udp 127.0.0.1:0 cannot write its state to disk"):
             write_checkpoint(run, tmp_path)
