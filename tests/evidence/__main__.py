@@ -39,6 +39,9 @@ def main(arguments: list[str] | None = None, folder: Path = HERE, kept: Path = F
         journal = Journal(claim, options.seed, kept, options.fresh)
         tried = {index: case for index, case in journal.read().items() if index < count}
         wanted = [index for index in range(count) if index not in tried]
+        for case in tried.values():
+            if case.said:
+                print(f"{claim.name} {case.index}: {case.said}")
         if options.only is not None:
             tried, wanted, count = {}, [options.only], 1
         try:
@@ -54,6 +57,8 @@ def main(arguments: list[str] | None = None, folder: Path = HERE, kept: Path = F
 def _noted(claim: Claim, journal: Journal, tried: dict[int, Tried], case: Tried) -> None:
     journal.add(case)
     tried[case.index] = case
+    if case.said:
+        print(f"{claim.name} {case.index}: {case.said}", flush=True)
     if case.wrong:
         again = f"python -m tests.evidence {claim.name} --seed {journal.head['seed']} --only {case.index}"
         print(f"BAD {claim.name} {case.index}: {case.wrong}\n    again: {again}", flush=True)

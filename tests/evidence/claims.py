@@ -27,6 +27,7 @@ class Claim:
     one: Callable[[int, Path], str]
     prepare: Callable[[Path], None] | None
     finite: bool  # there are no more cases than `count`
+    says: bool  # what a case prints is told
 
 
 def load(path: Path) -> Claim:
@@ -47,6 +48,7 @@ def load(path: Path) -> Claim:
         module.one,
         getattr(module, "prepare", None),
         getattr(module, "FINITE", False),
+        getattr(module, "SAYS", False),
     )
 
 

@@ -18,6 +18,7 @@ class Tried:
     index: int
     seconds: float
     wrong: str  # "": good
+    said: str = ""  # what it printed, of claims that say SAYS
 
 
 class Journal:
@@ -39,11 +40,13 @@ class Journal:
                 except ValueError:
                     continue  # the line that was being written when the last run was killed
                 if {key: row[key] for key in self.head} == self.head:
-                    tried[row["index"]] = Tried(row["index"], row["seconds"], row["wrong"])
+                    tried[row["index"]] = Tried(row["index"], row["seconds"], row["wrong"], row.get("said", ""))
         return tried
 
     def add(self, case: Tried) -> None:
         row = {**self.head, "index": case.index, "seconds": round(case.seconds, 4), "wrong": case.wrong}
+        if case.said:
+            row["said"] = case.said
         with self.path.open("a", encoding="utf-8") as file:
             file.write(json.dumps(row) + "\n")
 

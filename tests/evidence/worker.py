@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import shutil
 import signal
+import sys
 import tempfile
 import time
 import traceback
@@ -46,8 +47,8 @@ class Worker:
     def late(self) -> bool:
         return time.monotonic() - self.since > (self.claim.limit if self.prepared else PREPARATION)
 
-    def outcome(self) -> tuple[float, str] | None:
-        """Seconds and what is wrong ("": nothing), or None while the case goes on."""
+    def outcome(self) -> tuple[float, str] | tuple[float, str, str] | None:
+        """Seconds, what is wrong ("": nothing) and what was printed, or None while the case goes on."""
         seconds = time.monotonic() - self.since
         try:
             if self.pipe.poll():
@@ -110,7 +111,8 @@ def _work(path: Path, folder: Path, pipe: Connection) -> None:
             wrong = traceback.format_exc()
         seconds = time.monotonic() - before
         shutil.rmtree(case, ignore_errors=True)
-        pipe.send((seconds, wrong[-KEPT:]))
+        sys.stdout.flush()
+        pipe.send((seconds, wrong[-KEPT:], _tail(folder / "said").strip() if claim.says else ""))
 
 
 def _tail(path: Path) -> str:

@@ -11,37 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 from fixtures.fake_autopilot import Fakes, Faults, Keeper
-from helpers import column, rovbrush
+from helpers import FIXTURES, column, rovbrush
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
 
 G = 9.80665  # m/s2, of rov_sensors
-MOTION = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")
-WIRES = ",\n".join(f'"vehicle.{name} -> {to}.{name}"' for to in ("imu", "autopilot") for name in MOTION)
-VEHICLE_AND_AUTOPILOT = f"""
-format = 2
-stop_time = "1 s"
-order = ["vehicle", "imu", "autopilot"]
-connections = [
-  "autopilot.u_thruster -> vehicle.u_thruster", "vehicle.nu_dot -> imu.nu_dot", "imu.f_m -> autopilot.f",
-  {WIRES}
-]
-[components.vehicle]
-fmu = "rov_vehicle"
-period = "2.5 ms"
-parameters = {{ thrust_table = true, attitude_start = [0.1, -0.05, 0.4], rates_start = [0.3, 0.2, -0.1] }}
-inputs = {{ F_x = 0.0, F_y = 0.0, F_z = 0.0, M_x = 0.0, M_y = 0.0, M_z = 0.0, H_x = 0.0, H_y = 0.0, H_z = 0.0, \
-F_external = 0.0, M_external = 0.0, v_c = [0.1, 0.0, 0.0], V_thruster = 14.0 }}
-[components.imu]
-fmu = "rov_sensors"
-period = "2.5 ms"
-inputs = {{ F_tool = 0.0, M_tool = 0.0 }}
-[components.autopilot]
-period = "2.5 ms"
-ardusub = {{ timeout = "TIMEOUT", origin = [1.0, 2.0, 10.0] }}
-"""
+VEHICLE_AND_AUTOPILOT = (FIXTURES / "vehicle_and_autopilot.toml").read_text(encoding="utf-8")
 
 
 @pytest.fixture
@@ -58,7 +35,7 @@ def small(
 ) -> Run:  # fmt: skip
     """A run of a vehicle without a tool, whose depth and attitude the fake autopilot keeps."""
     path = folder / "small.toml"
-    path.write_text(VEHICLE_AND_AUTOPILOT.replace("TIMEOUT", timeout), encoding="utf-8")
+    path.write_text(VEHICLE_AND_AUTOPILOT.replace("60 s", timeout), encoding="utf-8")
     fakes.make(faults=faults, **({"pilot": Keeper(), "patience": 0.5} | keys))
     return simulate(make_plan(assemble(str(path), stop=stop, fmus=native / "fmi2")))
 
@@ -98,7 +75,7 @@ def test_a_vehicle_at_rest_and_level_feels_minus_g(native: Path, tmp_path: Path,
         "thrust_table = true", "thrust_table = true, net_buoyancy = 0.0"
     )
     path = tmp_path / "rest.toml"
-    path.write_text(text.replace("TIMEOUT", "60 s"), encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
     fakes.make(patience=0.5)
     simulate(make_plan(assemble(str(path), stop="0.1 s", fmus=native / "fmi2")))
     for state in fakes[0].states[:40]:

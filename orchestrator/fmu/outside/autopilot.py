@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from ...ardupilot.interface import Options, inputs_of, outputs_of
@@ -21,4 +22,5 @@ def autopilot_fmu(name: str, options: Options) -> DeclaredFmu:
     found: DeclaredFmu = declared_fmu(
         name, variables, path, "link to an autopilot", settings=options, saves=False, writes=False, varies=False
     )
-    return found
+    where = f"UDP {options.host}:{options.port}"
+    return replace(found, remark=f"{name} waits up to {options.timeout:g} s for an autopilot that sends to {where}")

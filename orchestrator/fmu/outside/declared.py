@@ -59,6 +59,7 @@ class DeclaredFmu(Fmu):
     what: str = "no FMU"
     settings: Any = None
     model: Callable[[Mapping[str, Any]], Model] | None = None
+    remark: str = ""  # what a person must know before a run
 
     @property
     def standard(self) -> str:

@@ -15,6 +15,7 @@ from ...errors import FmuError, InputError, nearest, shown
 from ...fmu.binary import beside
 from ...fmu.files.places import named_fmu
 from ...fmu.fmu import Fmu
+from ...fmu.outside.declared import DeclaredFmu
 from ...fmu.types import REALS, Value
 from ...sockets import TCP, tcp_address
 from ...toml_file import TomlFile
@@ -60,7 +61,8 @@ def component_of(
     except InputError as error:
         raise file.fail(str(error), "period", heading) from None
     own_process = _isolation(file, name, table, "timeout" in entry, heading)
-    component = Component(name, fmu, period, notes=file.notes.get(name, ()), **own_process)
+    remarks = (fmu.remark,) if isinstance(fmu, DeclaredFmu) and fmu.remark else ()
+    component = Component(name, fmu, period, notes=(*file.notes.get(name, ()), *remarks), **own_process)
     component = replace(component, logging=table.logging, tolerance=table.tolerance, direct=table.direct)
     component = replace(
         component,
