@@ -20,6 +20,8 @@ from .clock import seconds_text
 from .errors import InputError, RovbrushError
 from .markup import element, safe
 from .notebook import bar_unless
+from .observers.sink import Sink
+from .observers.watched import Watching, watched
 from .plan.diagram.draw import block_diagram, diagram_html
 from .plan.diagram.file import write_diagram
 from .plan.explain import explain
@@ -42,6 +44,7 @@ PUBLIC = (
 )  # fmt: skip
 DRAWN = 30  # components, in a notebook
 Observer = Callable[[float, dict[str, Any]], object]
+Observers = str | Sequence[str | Sink]
 
 
 def load(
@@ -170,7 +173,7 @@ class Model:
         start: Time = "",
         stop: Time = "",
         inputs: Inputs | None = None,
-        observe: Observer | None = None,
+        observe: Observer | Observers | None = None,
         every: Time | None = None,
         signals: Iterable[str] = ("*",),
         progress: Callable[[float], None] | bool = True,
@@ -180,7 +183,9 @@ class Model:
 
         `start`, `stop`, `inputs`: see `over` and `with_inputs`. `observe` is called with the time [s] and the values of
         `signals` (names of outputs, or patterns such as `motor.*`) by name, at the start and then `every` so often (a
-        multiple of the time in which the schedule repeats, which is the default); what it raises ends the run.
+        multiple of the time in which the schedule repeats, which is the default); what it raises ends the run. Or it
+        is a text such as "mcap=run.mcap", or several, as of `rovbrush run --observe`: rows of `signals` that are
+        recorded go there, `every` so often or all, and what happens there does not reach the run.
         `progress` is called now and then with the time reached [s]; in a notebook a run that takes long shows a bar,
         unless it is False. `pace`: in real time, see `Pace`; `result.summary()["real_time"]` tells how late it was.
         """
@@ -195,6 +200,9 @@ class Model:
         ):
             if observe is None:
                 session.finish(report)
+            elif not callable(observe):
+                with watched(session, _watching(observe, signals, every)):
+                    session.finish(report)
             else:
                 _observed(session, observe, every, session.names(signals), report)
             result = session.result()
@@ -212,6 +220,11 @@ class Model:
     def explain(self) -> str:
         """What `rovbrush plan` prints."""
         return explain(self.plan)
+
+
+def _watching(observe: Observers, signals: Iterable[str], every: Time | None) -> Watching:
+    given = (observe,) if isinstance(observe, str) else tuple(observe)
+    return Watching(given, tuple(signals), "" if every is None else str(every))
 
 
 def _observed(

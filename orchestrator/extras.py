@@ -10,6 +10,7 @@ from typing import Any
 
 from .errors import InputError
 
+OTHERWISE = {"foxglove": "foxglove-sdk", "rerun": "rerun-sdk", "paho": "paho-mqtt"}  # packages by their modules
 NOT_FOR_USERS = ("all", "test")  # extras that only gather others
 
 
@@ -46,7 +47,8 @@ def extra_of(module: str) -> str:
         found = re.match(r"""([\w.-]+).*;.*extra == ['"]([\w-]+)['"]""", text)
         if found and found[2] not in NOT_FOR_USERS:
             extras.setdefault(found[2], set()).add(_normal(found[1]))
-    holding = [extra for extra, names in extras.items() if _normal(module) in names]
+    package = _normal(OTHERWISE.get(module, module))
+    holding = [extra for extra, names in extras.items() if package in names]
     return min(holding, key=lambda extra: len(extras[extra]), default="")
 
 

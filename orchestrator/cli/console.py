@@ -67,6 +67,11 @@ console = Console(
 )
 
 
+def leave_stdout() -> None:
+    """From now on messages go to stderr: the rows of a run are what standard output is for."""
+    console.file = sys.stderr
+
+
 def tell(text: str) -> None:
     """Plain text: lines that are too long for the terminal are folded between words, and go on indented."""
     if FOLDING:

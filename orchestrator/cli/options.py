@@ -116,6 +116,22 @@ EventOption = Annotated[
         help='One more event: "2 s: motor.V_in = 0", "motor.i > 20 A: loss motor.T_load for 1 s"; repeatable.',
     ),
 ]
+ObserveOption = Annotated[
+    list[str],
+    typer.Option(
+        "--observe",
+        metavar="KIND=WHERE",
+        help="Rows as they come: csv=FILE or -, mcap=FILE, ros2=FILE, foxglove=PORT, rerun=FILE.rrd, udp=HOST:PORT, "
+        "mqtt=HOST; repeatable.",
+    ),
+]
+ObserveSignalsOption = Annotated[
+    list[str],
+    typer.Option("--observe-signals", metavar="PATTERN", help="What they see: motor.*; repeatable; else all."),
+]
+ObserveEveryOption = Annotated[
+    str, typer.Option("--observe-every", metavar="TIME", help='Only rows so far apart, for instance "20 ms".')
+]
 FmusOption = Annotated[Path | None, typer.Option("--fmus", help="Folder of the built FMUs.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder for the results.")]
 StopOption = Annotated[str, typer.Option("--stop", help='Another stop time, for instance "2 s".')]

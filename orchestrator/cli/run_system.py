@@ -9,6 +9,7 @@ from pathlib import Path
 from ..errors import InputError, RunError
 from ..exchange.recordings.write import boundary_files, write_boundary
 from ..loop.machine.compiled import is_compiled, require_loop
+from ..observers.watched import NOBODY, Watching, watched
 from ..participant.opening import require_compiler
 from ..plan.explain import last_steps
 from ..plan.plan import Plan
@@ -29,15 +30,18 @@ from .console import print_comparison, print_notes, print_summary, print_transfe
 from .progress import progress
 
 
-def run_system(request: Request, out: Path, check: bool, force: bool = False, strict: bool = False) -> None:
+def run_system(
+    request: Request, out: Path, check: bool, force: bool = False, strict: bool = False, watching: Watching = NOBODY
+) -> None:
     """Run, write and print. Raises RunError after an early end (what was computed is written) or a failed check.
 
-    `strict`: only if all FMUs keep to the standard, else FmuError.
+    `strict`: only if all FMUs keep to the standard, else FmuError. `watching`: who looks on.
     """
     system = assemble_request(request)
     pace = pace_of(request)
     plan = planned(strictly(system) if strict else system, request.record_boundary, pace.every if pace else None)
     checkpoint_ticks(plan, request.checkpoint)
+    watching.check(plan)
     require_loop()
     for component in plan.system.components.values():
         require_compiler(component.fmu, component.name)
@@ -48,10 +52,10 @@ def run_system(request: Request, out: Path, check: bool, force: bool = False, st
     for note in last_steps(plan):
         tell(note)
     print_transfers(plan, request)
-    _run(plan, request, folder, check, older)
+    _run(plan, request, folder, check, older, watching=watching)
 
 
-def resume_system(folder: Path, asked: Request, check: bool, force: bool = False) -> None:
+def resume_system(folder: Path, asked: Request, check: bool, force: bool = False, watching: Watching = NOBODY) -> None:
     """Go on from the checkpoint in a results folder, and write the results there. Errors as of `run_system`.
 
     Of `asked` only `fmus` and `checkpoint` may be given; they replace what was asked for then.
@@ -70,14 +74,16 @@ def resume_system(folder: Path, asked: Request, check: bool, force: bool = False
     plan = planned(assemble_request(request), request.record_boundary, pace.every if pace else None)
     require_unchanged(checkpoint.unchanged, plan, force)
     checkpoint_ticks(plan, request.checkpoint)
+    watching.check(plan)
     out, older = claim(folder, plan.system.name, force, "--resume")
     tell(f"going on from t = {checkpoint.at.time:.9g} s")
-    _run(plan, request, out, check, older, replace(checkpoint, folder=out / checkpoint.folder.name), force)
+    begin = replace(checkpoint, folder=out / checkpoint.folder.name)
+    _run(plan, request, out, check, older, begin, force, watching)
 
 
 def _run(
     plan: Plan, request: Request, out: Path, check: bool, older: Sequence[str], begin: Checkpoint | None = None,
-    force: bool = False,
+    force: bool = False, watching: Watching = NOBODY,
 ) -> None:  # fmt: skip
     tell(f"loading the FMUs{_first(plan)}")
     more = [_boundary(plan, component) for component in request.record_boundary]
@@ -90,7 +96,10 @@ def _run(
         def report(time: float) -> None:
             bar(time - origin)
 
-        finished = carry_out(plan, out, request, older, begin, force, report, more, pace_of(request))
+        finished = carry_out(
+            plan, out, request, older, begin, force, report, more, pace_of(request),
+            watched=lambda session: watched(session, watching, tell),
+        )  # fmt: skip
     show(finished)
     require_good(finished, check)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from math import ceil
 from pathlib import Path
@@ -74,13 +75,15 @@ def carry_out(
     more: Sequence[More] = (),
     pace: Pace | None = None,
     go: Callable[[Session], object] = Session.advance,
+    watched: Callable[[Session], AbstractContextManager[None]] = lambda _session: nullcontext(),
 ) -> Finished:
     """Run a plan, or go on with it from `begin`, and write everything into `out`, see `claim`.
 
     `older`: files that are removed when time 0 is reached. `request` is kept with checkpoints. `progress` is called
     now and then with the time reached [s]. `more`: products beside the usual ones. `pace`: in real time. `go` brings
-    the session to its end. Ctrl-C, SIGTERM and SIGHUP end the run in good order. Raises FmuError or InputError where
-    time 0 cannot be reached, RunError if nowhere is room for the rows; every other failure is in what is returned.
+    the session to its end, `watched` is there meanwhile. Ctrl-C, SIGTERM and SIGHUP end the run in good order. Raises
+    FmuError or InputError where time 0 cannot be reached, RunError if nowhere is room for the rows; every other failure
+    is in what is returned.
     """
     file = out / f".result.{os.getpid()}.tmp.nc"
     stop = StopRequests(ENDING)
@@ -89,7 +92,7 @@ def carry_out(
             if begin:
                 begin.restore(session, force)
             remove(out, older)
-            with scheduled(pace):
+            with scheduled(pace), watched(session):
                 _advance(session, out, request, progress, go)
             resume = _resume(session, out, request)
             run = session.run()

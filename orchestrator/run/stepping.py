@@ -114,6 +114,8 @@ class Stepping(Session):
             end = at.cycle + count
             while at.cycle < end and not self.over:
                 self._run_block(end - at.cycle)
+            if self.observers and not self.failure:
+                self._show(self.observers)
         else:
             self.advance(cycles=count)
         self._settle()

@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, pacing; all by "
-            "default. With --against: against, fmus.",
+            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, pacing, observers; all "
+            "by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -170,6 +170,18 @@ def print_pacing(rows: Rows) -> None:
         print_table("The same in real time, one run", told, [(*kept, f"{r['missed']}")])
 
 
+def print_observers(rows: Rows) -> None:
+    """Observers: what they cost the loop, and what became of the rows."""
+    alone = rows[0]["us_per_step"]
+    cells = [
+        (r["observer"], f"{r['us_per_step']:.3f}", f"{r['us_per_step'] - alone:+.3f}", f"{r['end_s']:.2f}", r["told"])
+        for r in rows
+    ]
+    headings = ("observer", "macro step [us]", "more [us]", "to its end [s]", "rows of the last run")
+    title = f"Four native FMUs, {medians(rows)} of 20000 steps as fast as they go"
+    print_table(title, headings, cells, words=(0, 4))
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -200,6 +212,6 @@ def print_folders(rows: Rows) -> None:
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
-    "elsewhere": print_elsewhere, "pacing": print_pacing,
+    "elsewhere": print_elsewhere, "pacing": print_pacing, "observers": print_observers,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

@@ -10,7 +10,7 @@ import typer
 
 from ...errors import InputError
 from .. import completion
-from ..console import tell
+from ..console import leave_stdout, tell
 from ..options import (
     SYSTEM_HELP,
     DeadlinesOption,
@@ -18,6 +18,9 @@ from ..options import (
     FmusOption,
     InputOption,
     MapOption,
+    ObserveEveryOption,
+    ObserveOption,
+    ObserveSignalsOption,
     OutOption,
     OutsideOption,
     ParametersOption,
@@ -201,6 +204,9 @@ def run(
     cores: Annotated[
         str, typer.Option("--cores", metavar="N,...", help="Hold the run on these processors, for instance 1 or 0,1.")
     ] = "",
+    observe: ObserveOption = [],  # noqa: B006
+    observe_signals: ObserveSignalsOption = [],  # noqa: B006
+    observe_every: ObserveEveryOption = "",
     check: Annotated[
         bool, typer.Option("--check", help="Exit with 1 if a compared value is outside its bound.")
     ] = False,
@@ -214,6 +220,7 @@ def run(
     ] = False,
 ) -> None:
     """Run a system and write results, figures and a summary."""
+    from ...observers.watched import Watching
     from ...system.request import Request
     from ..run_system import resume_system, run_system
 
@@ -223,9 +230,12 @@ def run(
         tuple(map(str, allow_outside)), start, parameters, real_time, realtime_policy, deadlines, fifo, cores,
         tuple(map(str, scenario)), tuple(event),
     )  # fmt: skip
+    watching = Watching(tuple(observe), tuple(observe_signals), observe_every)
+    if "csv=-" in observe:
+        leave_stdout()
     if resume is not None:
-        resume_system(resume, request, check, force)
+        resume_system(resume, request, check, force, watching)
     elif not system:
         raise InputError("which system? `rovbrush systems` lists the shipped ones; or go on with --resume DIR")
     else:
-        run_system(request, out, check, force, strict)
+        run_system(request, out, check, force, strict, watching)

@@ -18,6 +18,7 @@ from .elsewhere import elsewhere_rows
 from .folders import folder_rows
 from .growth import growth_rows
 from .gym import gym_rows
+from .observers import observer_rows
 from .pacing import pacing_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
@@ -49,6 +50,7 @@ PARTS = {
     "elsewhere": Part("FMUs in processes of their own, and at a server on this machine", 25.0, 8.0),
     "gym": Part("environments of Gymnasium: steps and resets", 25.0, 10.0),
     "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
+    "observers": Part("who looks on while a run goes", 60.0, 20.0),
     "against": Part("this installation against another one", 300.0, 60.0),
     "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
@@ -156,6 +158,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from gym_rows(folder, asked.quick)
         elif name == "pacing":
             yield from pacing_rows(folder, asked.quick)
+        elif name == "observers":
+            yield from observer_rows(folder, asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")

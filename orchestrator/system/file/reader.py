@@ -26,12 +26,13 @@ from .components import component_of
 from .connections import check_drivers, connections_of
 from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
+from .messages import check_message
 from .parameter_sets import sets_of, stated, with_parameter_sets
 from .recorded import recorded_names
 from .shipped import SYSTEMS, shipped_systems
 from .structure import given_for, with_resized_starts
 
-REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list}
+REPORTING = {"summary": dict, "balance": dict, "compare": list, "figures": list, "messages": list}
 
 
 def load_system(
@@ -81,7 +82,7 @@ def load_system(
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         events=events_of(file, components, connections, file.entry(list, "events")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
-        record=record, reporting=_reporting(file), settings=further, format=table.format,
+        record=record, reporting=_reporting(file, components), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip
     system = with_parameter_sets(system, sets, file.path.name)
@@ -135,7 +136,7 @@ def _recorded(
     return tuple(dict.fromkeys(found)), tuple(unknown)
 
 
-def _reporting(file: TomlFile) -> dict[str, Any]:
+def _reporting(file: TomlFile, components: dict[str, Component]) -> dict[str, Any]:
     """What the file wants reported, as it stands there, each entry of the right type; see `results/requested`."""
     origin, summary = file.path.name, file.entry(dict, "summary")
     for key, text in summary.items():
@@ -153,6 +154,8 @@ def _reporting(file: TomlFile) -> dict[str, Any]:
         checked(Comparison, entry, f"{origin}: compare {entry.get('label', '')}".rstrip(), file, "compare")
     for entry in file.entry(list, "figures"):
         _check_figure(file, entry, f"{origin}: figure {entry.get('file', '')}".rstrip())
+    for entry in file.entry(list, "messages"):
+        check_message(file, components, entry, f"{origin}: message {entry.get('topic', '')}".rstrip())
     return {key: file.entry(type_, key) for key, type_ in REPORTING.items()}
 
 

@@ -17,6 +17,7 @@ from ..file.figure_kinds import figure_kind, figure_kinds
 from ..file.merits import merit
 from ..inputs.series import Series
 from ..model import Component, Connection, System
+from ..schema.message import signals_of
 from .mapping import VariableMapping
 
 
@@ -151,4 +152,6 @@ def _reporting(reporting: Mapping[str, Any], missing: Missing, notes: list[str])
             figures.append(figure)
         elif shown and "signals" in figure:
             figures.append({**figure, "signals": shown})
-    return {**reporting, "summary": summary, "compare": compare, "balance": balance, "figures": figures}
+    messages = [m for m in reporting.get("messages", ()) if not lost(signals_of(m), f"message {m['topic']}")]
+    found = {"summary": summary, "compare": compare, "balance": balance, "figures": figures, "messages": messages}
+    return {**reporting, **found}

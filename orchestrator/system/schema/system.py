@@ -14,6 +14,7 @@ from ...fmu.kinds import Kind
 from .ardusub import ArduSubTable
 from .bonds import BondTable, RequirementTable
 from .event import EventTable
+from .message import MessageTable
 from .outside import DeclareTable, SharedMemoryTable, UdpTable
 from .report import Balance, Comparison, Figure, Window
 from .solving import Loops, Solver
@@ -196,6 +197,9 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     balance: Annotated[Balance, Meta(description="energies that components count, over the whole run")] = Balance()
     compare: Annotated[list[Comparison], Meta(description="figures of merit beside reference values")] = []
     figures: Annotated[list[Figure], Meta(description="what is drawn")] = []
+    messages: Annotated[
+        list[MessageTable], Meta(description="poses, wrenches and twists that signals make together, for observers")
+    ] = []
 
 
 KEYS = tuple(SystemTable.__struct_encode_fields__)
