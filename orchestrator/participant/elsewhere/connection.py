@@ -120,7 +120,7 @@ class Connection:
                 if isinstance(found, str):
                     self.kill()
                     raise ProcessLostError(f"{found[:500]} at {self.where}")
-        if answered != letter:
+        if answered != letter or (letter == b"J" and not _is_answer(answer)):
             raise ChannelBrokenError
         return answer
 
@@ -135,3 +135,12 @@ class Connection:
     def fell_down(self) -> str:
         """What becomes of the process is told at the server."""
         return ""
+
+
+def _is_answer(content: bytes) -> bool:
+    """Whether it answers a call by name: with a result or an error."""
+    try:
+        found = from_json(content)
+    except (ValueError, TypeError, RecursionError):
+        return False
+    return isinstance(found, dict) and ("ok" in found or isinstance(found.get("error"), str))

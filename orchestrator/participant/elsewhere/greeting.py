@@ -118,8 +118,12 @@ def _received(channel: Channel, end: float, texts: tuple[str, ...]) -> dict[str,
     _, letter, body = channel.receive(end)
     try:
         found = from_json(body)
-    except (ValueError, RecursionError, AttributeError):
+    except (ValueError, TypeError, RecursionError):
         raise ChannelBrokenError from None
-    if letter != LETTER or not isinstance(found, dict) or not all(isinstance(found.get(key), str) for key in texts):
+    if letter != LETTER or not isinstance(found, dict):
         raise ChannelBrokenError
+    for key in texts:
+        text = found.get(key)
+        if not isinstance(text, str) or not (text.isascii() or key == "component"):
+            raise ChannelBrokenError
     return found

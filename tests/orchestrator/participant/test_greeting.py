@@ -16,6 +16,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.elsewhere import greeting
 from rovbrush.orchestrator.participant.elsewhere.connection import TOKEN, Connection, token_of
 from rovbrush.orchestrator.participant.elsewhere.server import Server
+from rovbrush.orchestrator.participant.elsewhere.wire import Wire
 from rovbrush.orchestrator.participant.isolated.channel import CALL
 from rovbrush.orchestrator.participant.isolated.child_process import ProcessLostError
 from rovbrush.orchestrator.sockets import Address, listening, tcp_address
@@ -104,6 +105,46 @@ def test_garbage_from_strangers_is_refused_and_the_server_goes_on(garbage: bytes
         started(tmp_path, native, server.address)
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        b"[]",
+        b'{"nonce": 1, "proof": "", "digest": "", "component": ""}',
+        b'{"nonce": "\\ud800", "proof": "\\ud800", "digest": "", "component": ""}',
+        b'{"nonce": {"base64": 5}}',
+        b"[" * 4000,
+        b'{"nonce": "", "proof": "", "digest": "x", "component": "' + 3900 * b"a" + b'"}',
+    ],
+)
+def test_wrong_words_in_a_right_message_are_refused_too(words: bytes, native: Path, tmp_path: Path) -> None:
+    with serving(native / "feedthrough2.fmu", token=WORD) as server:
+        stranger = socket.create_connection((server.address.host, server.address.port))
+        Wire(stranger, greeting.LONGEST).send(greeting.LETTER, words, 0)
+        server.says("refused 127.0.0.1:")
+        stranger.close()
+
+
+def test_a_server_that_answers_nonsense_is_an_error_that_names_it(native: Path) -> None:
+    """One that has greeted as it should."""
+    fmu = Fmu.open(native / "feedthrough2.fmu")
+    for answer in (b"[]", b"{}", b'{"ok"', b'{"error": 5}'):
+        with listening("127.0.0.1", 0, "") as listener:
+
+            def speak(listener: socket.socket = listener, answer: bytes = answer) -> None:
+                wire = Wire(listener.accept()[0], 1 << 20)
+                greeting.welcome(wire, "", {fmu.digest: "f.fmu"}, lambda: "")
+                number, letter, _ = wire.receive()
+                wire.send(letter, answer, number)
+
+            thread = threading.Thread(target=speak)
+            thread.start()
+            there = Connection(fmu, "a", Address("127.0.0.1", listener.getsockname()[1]), "")
+            with pytest.raises(ProcessLostError, match=r"the server at tcp://\S+ sent what is no answer"):
+                there.ask(b"J", b"[]", 10.0)
+            thread.join()
+            there.close()
+
+
 def test_strangers_who_say_nothing_keep_nobody_out(
     native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -125,6 +166,7 @@ def test_strangers_who_say_nothing_keep_nobody_out(
         CALL.pack(0, 1 << 60, 1 << 60, 0.0, 0.0, False) + 64 * b"\0",
         b"\0",
     ],
+    ids=["no function", "no values", "many values", "no call"],
 )
 def test_a_call_that_no_master_makes_ends_its_own_instance_alone(call: bytes, native: Path, tmp_path: Path) -> None:
     fmu = Fmu.open(native / "feedthrough2.fmu")
