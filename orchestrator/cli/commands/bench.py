@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, pacing, observers; all "
-            "by default. With --against: against, fmus.",
+            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, outside, pacing, observers; "
+            "all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -158,6 +158,15 @@ def print_gym(rows: Rows) -> None:
     print_table(f"Environments of Gymnasium, nothing recorded, {medians(rows)}", headings, cells)
 
 
+def print_outside(rows: Rows) -> None:
+    """Components that are no FMU."""
+    if not rows:
+        return
+    cells = [(r["kind"], f"{r['us_per_step']:.3g}", f"{r['best_us_per_step']:.3g}") for r in rows]
+    title = f"A step with {rows[0]['signals']} signals each way, microseconds, {medians(rows)}"
+    print_table(title, ("component", "step", "best"), cells)
+
+
 def print_pacing(rows: Rows) -> None:
     """Deadlines: what they cost, and how they are kept."""
     for r in rows:
@@ -212,6 +221,7 @@ def print_folders(rows: Rows) -> None:
 PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
-    "elsewhere": print_elsewhere, "pacing": print_pacing, "observers": print_observers,
+    "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,
+    "observers": print_observers,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

@@ -38,6 +38,7 @@ class DeclaredInstance(Participant):
         self._why = ""  # the last step failed
         self._callbacks: dict[str, Any] = {}
         self._closed = False
+        self._known: dict[bytes, list[str]] = {}
 
     @property
     def pointer(self) -> int:
@@ -82,8 +83,8 @@ class DeclaredInstance(Participant):
 
     def _setter(self, cell: Any, read: Callable[[Any], Any]) -> Callable[..., int | None]:
         def set_(_instance: int, references: int, count: int, values: int) -> int | None:
-            given = map(read, (cell * count).from_address(values))
-            found = dict(zip(self._named(references, count), given, strict=True))
+            given = (cell * count).from_address(values)[:]
+            found = dict(zip(self._named(references, count), given if read is float else map(read, given), strict=True))
             self.model.told("set", found)
             return self.model.set(found)
 
@@ -97,7 +98,12 @@ class DeclaredInstance(Participant):
         return get
 
     def _named(self, references: int, count: int) -> list[str]:
-        return [self.names[r] for r in (ctypes.c_uint32 * count).from_address(references)]
+        """The variables at value references; the loop asks for the same ones again and again."""
+        content = ctypes.string_at(references, 4 * count)
+        found = self._known.get(content)
+        if found is None:
+            found = self._known[content] = [self.names[r] for r in (ctypes.c_uint32 * count).from_address(references)]
+        return found
 
     def _step(self, _instance: int, time: float, length: float, _final: int) -> int | None:
         self.model.told("step", time, length)

@@ -19,6 +19,7 @@ from .folders import folder_rows
 from .growth import growth_rows
 from .gym import gym_rows
 from .observers import observer_rows
+from .outside import outside_rows
 from .pacing import pacing_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
@@ -49,6 +50,7 @@ PARTS = {
     "windows": Part("FMUs for Windows under wine", 20.0, 10.0),
     "elsewhere": Part("FMUs in processes of their own, and at a server on this machine", 25.0, 8.0),
     "gym": Part("environments of Gymnasium: steps and resets", 25.0, 10.0),
+    "outside": Part("components that are no FMU: Python functions, and peers by UDP and shared memory", 10.0, 5.0),
     "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
     "observers": Part("who looks on while a run goes", 60.0, 20.0),
     "against": Part("this installation against another one", 300.0, 60.0),
@@ -156,6 +158,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
                 tell("without environments: pip install 'rovbrush[gym]'")
                 return
             yield from gym_rows(folder, asked.quick)
+        elif name == "outside":
+            yield from outside_rows(folder, asked.quick)
         elif name == "pacing":
             yield from pacing_rows(folder, asked.quick)
         elif name == "observers":

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import copy
 import inspect
-import math
 import operator
 from collections.abc import Callable, Mapping
+from math import isfinite
 from typing import Any
 
 from ....errors import InputError
@@ -37,6 +37,7 @@ class PythonFunction(Model):
         self.code, self.line = code, line_of(found)
         self.types = {name: v.type for name, v in fmu.variables.items()}
         self.outputs = [*fmu.names("output"), *dict(code.states)]
+        self.reals = {name for name in self.outputs if self.types.get(name, "Real") == "Real"}
         self.arguments = [a.name for a in arguments_of(found, code.name)]
         self.function: Callable[..., Any] = self._function(found)
 
@@ -44,10 +45,11 @@ class PythonFunction(Model):
         return found  # type: ignore[no-any-return]
 
     def step(self, time: float, length: float) -> int | None:
-        known = {**self.values, "t": time, "h": length}
+        values = self.values
+        values["t"], values["h"] = time, length
         try:
-            answer = self.function(*[known[name] for name in self.arguments])
-        except Exception as error:
+            answer = self.function(*[values[name] for name in self.arguments])
+        except (Exception, SystemExit) as error:
             raise StepFailedError(f"{where(error, self.code.path)}: {named(error)}") from error
         self.values |= self._outputs(answer)
         return None
@@ -63,7 +65,10 @@ class PythonFunction(Model):
             answer = answer.tolist() if getattr(answer, "ndim", 0) == 1 else [answer]
         if len(answer) != len(names):
             raise self._wrong(f"{len(answer)} value{'s' * (len(answer) != 1)}")
-        return {name: self._value(name, value) for name, value in zip(names, answer, strict=True)}
+        return {
+            name: value if type(value) is float and name in self.reals and isfinite(value) else self._value(name, value)
+            for name, value in zip(names, answer, strict=True)
+        }
 
     def _value(self, name: str, value: Any) -> Any:
         kind = self.types.get(name, "Real")
@@ -74,7 +79,7 @@ class PythonFunction(Model):
             elif kind == "Integer":
                 if -INT32 <= operator.index(value) < INT32:
                     return int(value)
-            elif not isinstance(value, (str, bytes)) and math.isfinite(found := float(value)):
+            elif not isinstance(value, (str, bytes)) and isfinite(found := float(value)):
                 return found
         except (TypeError, ValueError, OverflowError):
             pass
