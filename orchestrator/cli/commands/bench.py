@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, outside, pacing, observers; "
-            "all by default. With --against: against, fmus.",
+            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, outside, pacing, "
+            "observers; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
