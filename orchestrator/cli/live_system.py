@@ -34,6 +34,7 @@ def live_system(
             require_compiler(component.fmu, component.name)
         folder, older = claim(out, system.name, force)
         print_notes(system)
+        server.wait()
         tell(f"the page is at {server.url} (Ctrl-C ends the run and writes its results)")
         last: list[Finished] = []
 

@@ -12,11 +12,12 @@ from contextlib import suppress
 
 import msgspec
 
-from ..errors import InputError
+from ..errors import InputError, RunError
 from .wire import Meeting, Wire
 
 STARTS = 5  # of a server that dies, in one run
 APART = 2.0  # s between two of them
+PATIENCE = 60.0  # s until the first one can be reached
 SHORTEST = 8  # characters of a token
 
 
@@ -97,6 +98,14 @@ class PageServer:
         with suppress(OSError):  # it is gone already
             self._process.stdin.write(msgspec.json.encode(settings) + b"\n")
             self._process.stdin.flush()  # and left open: its end tells the server that the run is gone
+
+    def wait(self) -> None:
+        """Until the page can be opened. Raises RunError where that does not come to pass."""
+        until = time.monotonic() + PATIENCE
+        while self.wire() is None:
+            if self._process is None or self._process.poll() is not None or time.monotonic() > until:
+                raise RunError(f"the page's server did not start at {self.host}, port {self.port}")
+            time.sleep(0.02)
 
     def wire(self) -> Wire | None:
         """The way to the server, if it is there now; one that has died is started again, a few times."""

@@ -94,7 +94,7 @@ def carry_out(
             remove(out, older)
             with scheduled(pace), watched(session):
                 _advance(session, out, request, progress, go)
-            resume = _resume(session, out, request)
+            resume = _resume(session, out, request) if go is Session.advance else ""  # another one is not known again
             run = session.run()
             written = write_rows(run, out)
             stop.insist()

@@ -48,9 +48,21 @@ def serve(settings: Settings) -> None:
 
 
 async def _listen(link: Link, settings: Settings) -> None:
+    while not await _reachable(settings):  # whoever is told of the page finds it
+        await asyncio.sleep(0.05)
     await link.listen(settings)
     await asyncio.sleep(LINGER)
     app.shutdown()
+
+
+async def _reachable(settings: Settings) -> bool:
+    host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(settings.host, settings.host)
+    try:
+        _, writer = await asyncio.open_connection(host, settings.port)
+    except OSError:
+        return False
+    writer.close()
+    return True
 
 
 async def _look(viewers: Viewers) -> None:
