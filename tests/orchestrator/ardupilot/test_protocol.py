@@ -66,6 +66,17 @@ def test_a_state_is_one_line_of_json_between_newlines_without_spaces() -> None:
     }
 
 
+def test_a_reader_that_searches_for_names_finds_those_that_are_told_and_no_others() -> None:
+    """The firmware looks for a name anywhere in the line, and reads what is two characters behind it (SIM_JSON.cpp)."""
+    line = state_line(VehicleState(0.0, *[(0.0, 0.0, 0.0)] * 5, distances=(0.5,), battery=(14.8, 3.0))).decode()
+    told = ["timestamp", "imu", "gyro", "accel_body", "position", "attitude", "velocity", "rng_1", "battery"]
+    for name in told:
+        behind = line[line.index(name) + len(name) :]
+        assert line.count(name) == 1 and behind[:2] == '":' and behind[2] in "[{0"
+    others = ["latitude", "longitude", "altitude", "quaternion", "rng_2", "velocity_wind", "windvane", "airspeed"]
+    assert not any(name in line for name in [*others, "no_time_sync", "no_lockstep", "rc"])
+
+
 def test_rangefinders_and_battery_are_told_where_there_are_any() -> None:
     state = VehicleState(0.0, *[(0.0, 0.0, 0.0)] * 5, distances=(0.5, 1.5), battery=(14.8, 3.0))
     told = json.loads(state_line(state))

@@ -11,7 +11,7 @@ import pytest
 from fixtures.fake_autopilot import Fakes, Faults
 from helpers import column
 from rovbrush.orchestrator.ardupilot.interface import Options
-from rovbrush.orchestrator.errors import FmuError
+from rovbrush.orchestrator.errors import FmuError, RunError
 from rovbrush.orchestrator.fmu.mock import Model, mock_fmu
 from rovbrush.orchestrator.fmu.outside.autopilot import autopilot_fmu
 from rovbrush.orchestrator.participant.ardusub.model import AutopilotModel
@@ -135,6 +135,22 @@ def test_a_state_that_is_no_number_is_not_told(fakes: Fakes) -> None:
     model.set_up(0.0, None)
     model.initialized()
     model.set({"z_n": float("nan")})
-    with pytest.raises(Exception, match="position is nan, which cannot be told to the autopilot"):
+    with pytest.raises(RunError, match="position is nan, which cannot be told to the autopilot"):
+        model.step(0.0, 0.0025)
+    model.close()
+
+
+def test_a_second_interrupt_ends_a_wait_in_good_order(fakes: Fakes, monkeypatch: pytest.MonkeyPatch) -> None:
+    fakes.make()
+    fmu = autopilot_fmu("autopilot", Options(port=0))
+    model = AutopilotModel(fmu.starts(), fmu.settings)
+    model.set_up(0.0, None)
+    model.initialized()
+
+    def insist(_line: bytes) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(model.link, "exchange", insist)
+    with pytest.raises(RunError, match="interrupted while it waited for the autopilot"):
         model.step(0.0, 0.0025)
     model.close()

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+import signal
 import socket
 import struct
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from fixtures.fake_autopilot import FakeAutopilot, Faults
+from helpers import FIXTURES
 from rovbrush.orchestrator.ardupilot.state_line import VehicleState, state_line
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.participant.ardusub.link import Link
@@ -144,6 +148,16 @@ def test_waits_are_counted_by_doublings() -> None:
     waits.add(900e-6)
     waits.add(0.25)
     assert waits.text() == "half below 64 us, 99 % below 1.02 ms, worst 250 ms"
+
+
+def test_the_tool_of_the_guide_answers_and_says_how_often() -> None:
+    link = Link(400, port=0, timeout=60.0)
+    command = [sys.executable, FIXTURES / "fake_autopilot.py", "--port", str(link.port), "--channels", "32"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as tool:
+        steps(link, 20)
+        tool.send_signal(signal.SIGINT)
+        assert "frames answered, 0 of them twice, 0 at an odd time" in tool.communicate(timeout=60.0)[0]
+    link.close()
 
 
 def test_the_states_are_json(pair: Callable[..., Pair]) -> None:
