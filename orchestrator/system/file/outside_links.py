@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ipaddress
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,6 +11,7 @@ from ...clock import duration, instant
 from ...errors import InputError
 from ...fmu.outside.declared import Declared, DeclaredFmu, declared_fmu
 from ...fmu.outside.links import Host, SharedMemory, Udp, Waiting
+from ...sockets import is_loopback
 from ...toml_file import TomlFile
 from ..schema.checked import checked
 from ..schema.outside import SharedMemoryTable, UdpTable
@@ -63,14 +63,6 @@ def link_component(
         settings, path, what = Udp(waiting, listen, send, table.format, token), Path(f"udp {table.listen}"), "UDP peer"
     made: DeclaredFmu = declared_fmu(name, variables, path, what, settings, saves=False)
     return made
-
-
-def is_loopback(host: str) -> bool:
-    """Whether an address is this machine's own loopback; a name of another kind than localhost is none."""
-    try:
-        return host == "localhost" or ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
 
 
 def _host(text: str, key: str) -> Host:
