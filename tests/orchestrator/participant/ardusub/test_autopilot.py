@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
@@ -32,9 +33,9 @@ class Sinking(Model):
         return None
 
 
-def plan_of(stop: Fraction = 8 * STEP, period: Fraction = STEP, **options: Any) -> Plan:
+def plan_of(port: int = 0, stop: Fraction = 8 * STEP, period: Fraction = STEP, **options: Any) -> Plan:
     """An autopilot and a body that sinks."""
-    fmu = autopilot_fmu("autopilot", Options(port=0, **options))
+    fmu = autopilot_fmu("autopilot", Options(port=port, **options))
     body = mock_fmu("sinking", Sinking, ["u1"], ["z_n", "w"])
     wires = (
         Connection(("autopilot", "u_thruster[1]"), ("body", "u1"), transfer="hold"),
@@ -126,6 +127,16 @@ def test_the_rate_is_that_of_the_period(fakes: Fakes) -> None:
 def test_nobody_at_the_port_is_an_error_that_says_what_to_start() -> None:
     with pytest.raises(FmuError, match=r"autopilot: .*no autopilot was heard at UDP \S+ for 0\.05 s; start .*ArduSub"):
         simulate(plan_of(timeout=0.05), interpreted=True)
+
+
+def test_a_port_in_use_is_an_error_before_time_0() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("127.0.0.1", 0))
+        port = other.getsockname()[1]
+        with pytest.raises(
+            FmuError, match=rf"component autopilot: .* cannot listen at UDP 127\.0\.0\.1:{port} \(Address"
+        ):
+            simulate(plan_of(port), interpreted=True)
 
 
 def test_a_state_that_is_no_number_is_not_told(fakes: Fakes) -> None:
