@@ -7,6 +7,7 @@ it changes anything but these rows, which are written anew.
 from __future__ import annotations
 
 from collections import Counter
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -51,4 +52,5 @@ def _again(session: Session) -> None:
     at.cycle, at.operation = at.cycle - 1, pause
     assert session.events.handler is not None
     session.events.handler.plan_next()
-    session.one_block()
+    with session.pacer.over() if session.pacer else nullcontext():
+        session.one_block()

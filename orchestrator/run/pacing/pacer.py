@@ -82,6 +82,16 @@ class Pacer:
         while (wall := now()) < until and not control[cells.STOP_REQUEST]:
             time.sleep(min(until - wall, LONGEST_SLEEP) / SECOND)
 
+    @contextmanager
+    def over(self) -> Iterator[None]:
+        """Deadlines that come meanwhile were waited for before: they are neither waited for nor counted again."""
+        kept, begun, self._begun = self.control[cells.CONTROL_CELLS :].copy(), self._begun, True
+        self.control[[cells.ORIGIN, cells.NANOSECONDS, cells.PER_TICKS, cells.POLICY]] = 0, 0, 1, cells.WARN
+        try:
+            yield
+        finally:
+            self.control[cells.CONTROL_CELLS :], self._begun = kept, begun
+
     def lateness(self) -> Lateness:
         """How late its deadlines were kept until now."""
         control, plan = self.control, self.plan

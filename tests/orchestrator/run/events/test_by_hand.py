@@ -10,9 +10,11 @@ from typing import Any
 import pytest
 from event_cases import INTEGRAL, KEEP, RAMP, SUM, bonded, planned
 from rovbrush.orchestrator.errors import InputError, RunError
+from rovbrush.orchestrator.loop.cells import POLICY, STOP_LATE
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.recording.observers import NEVER, Piece
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
@@ -222,3 +224,18 @@ def test_a_run_without_a_hand_does_nothing_of_it_and_the_plan_says_who_waits() -
     later = {"at": "1 s", "fault": "hold", "on": "s.u"}  # behind the stop
     assert bits(simulate(plan)) == bits(simulate(several_rates([later], "jacobi")))
     assert "broken: by hand: s.u stays as it is (hold)" in explain(plan)
+
+
+def test_a_deadline_that_was_waited_for_is_not_waited_for_or_counted_again() -> None:
+    """With a policy that would end the run for it."""
+    fault = {"name": "broken", "by_hand": True, "fault": "bias", "on": "s.u", "value": 1.0}
+    system = several_rates([fault], "jacobi").system
+    with Stepping(make_plan(system, ""), pace=Pace(FASTEST)) as session:
+        assert session.pacer is not None
+        session.step()
+        session.pacer.control[POLICY] = STOP_LATE
+        before = session.pacer.lateness().deadlines
+        session.happen("broken")
+        assert session.get("s.u") == session.get("r.y") + 1.0
+        assert session.pacer.lateness().deadlines == before > 0
+        assert session.pacer.control[POLICY] == STOP_LATE and not session.failure
