@@ -37,7 +37,14 @@ class PythonCode:
 
     def found(self) -> Any:
         """The function or class, of a module that is loaded afresh. Raises InputError with file and line."""
-        module = _module(self)
+        return self.loaded()[0]
+
+    def loaded(self) -> tuple[Any, bytes]:
+        """The same, and what stands in the files of its folder that it imports."""
+        module, helpers = _module(self)
+        return self._checked(module), b"".join(path.read_bytes() for path in helpers)
+
+    def _checked(self, module: Any) -> Any:
         if not hasattr(module, self.name):
             known = [name for name, value in vars(module).items() if callable(value) and not name.startswith("_")]
             raise InputError(f"{self.path.name} has no '{self.name}'{nearest(self.name, known)}")
@@ -49,30 +56,40 @@ class PythonCode:
         return found
 
 
-def _module(code: PythonCode) -> Any:
+def _module(code: PythonCode) -> tuple[Any, list[Path]]:
+    """The module, and the files of its folder that it has imported, which the next one imports afresh too."""
     name = f"rovbrush_{code.path.stem}_{hashlib.sha256(str(code.path).encode()).hexdigest()[:8]}"
     spec = spec_from_file_location(name, code.path)
     assert spec is not None
-    module = module_from_spec(spec)
-    with _beside(code.path.parent):
+    module = sys.modules[name] = module_from_spec(spec)  # where dataclasses look for it
+    helpers: list[Path] = []
+    with _beside(code.path.parent, helpers):
         try:
             exec(compile(code.content, str(code.path), "exec", dont_inherit=True), vars(module))
         except SyntaxError as error:
             raise InputError(f"{code.path.name}, line {error.lineno}: {error.msg}") from None
         except (Exception, SystemExit) as error:
             raise InputError(f"{where(error, code.path)}: {named(error)}") from error
-    return module
+    return module, sorted(helpers)
 
 
 @contextmanager
-def _beside(folder: Path) -> Iterator[None]:
-    """Files in the same folder may be imported."""
+def _beside(folder: Path, helpers: list[Path]) -> Iterator[None]:
+    """Files in the same folder may be imported; those that are come to `helpers`, and are forgotten again."""
+    before, writes = set(sys.modules), sys.dont_write_bytecode
+    sys.dont_write_bytecode = True  # which is as old as its source only to the second
     sys.path.insert(0, str(folder))
     try:
         yield
     finally:
+        sys.dont_write_bytecode = writes
         if str(folder) in sys.path:
             sys.path.remove(str(folder))
+        for name in set(sys.modules) - before:
+            file = getattr(sys.modules[name], "__file__", None)
+            if file and Path(file).is_relative_to(folder):
+                helpers.append(Path(file))
+                del sys.modules[name]
 
 
 def where(error: BaseException, path: Path) -> str:

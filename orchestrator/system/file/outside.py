@@ -130,14 +130,14 @@ def _python(
     if any(v.type != "Real" for v in stated["states"]):
         raise InputError("declare.states must be real numbers; a class may keep what it likes")
     code = PythonCode(path, what, content, tuple((v.name, float(v.start or 0.0)) for v in stated["states"]))
-    found = code.found()
+    found, helpers = code.loaded()
     label = f"{path.name}, line {line_of(found)}: {what}" + (".step" if isinstance(found, type) else "")
     if isinstance(found, type) and code.states:
         raise InputError(f"{label}: declare.states goes with a function; a class keeps its own in self")
     variables = _interface(found, label, stated)
     kind = "compiled Python function" if is_compiled(found) else "Python function"
     kind = "Python class" if isinstance(found, type) else kind
-    made: DeclaredFmu = declared_fmu(name, variables, Path(path.name), kind, settings=code, content=content)
+    made: DeclaredFmu = declared_fmu(name, variables, Path(path.name), kind, settings=code, content=content + helpers)
     return made
 
 

@@ -81,8 +81,13 @@ def reference(algorithms: Algorithms) -> str:
         if isinstance(stripped(declared), inspect.DictType):  # names of your own, and nothing else
             parts.append(f"{_described(declared)}\n")
             continue
+        headings: dict[type[Any], list[str]] = {}
         for heading, table in _tables(kind, ""):
+            headings.setdefault(table, []).append(heading)
+        for table, several in headings.items():  # what stands in several places is described once
             rows = [_row(key, entry) for key, (entry, _) in fields_of(table).items()]
+            shown = ", ".join(f"`{heading}`" for heading in several if heading)
+            heading = f"### {shown}\n\n" if shown else ""
             parts.append(f"{heading}{(table.__doc__ or '').strip()}\n\n{_page_table(rows)}")
         if name == "system":
             parts.append(f"`algorithm` is one of {', '.join(algorithms.names)}. Some have settings:\n")
@@ -104,7 +109,7 @@ def _settings(kind: type[Any]) -> dict[str, Any]:
 
 def _tables(kind: type[Any], heading: str) -> Iterator[tuple[str, type[Any]]]:
     """A table and those within it, each with how it is headed."""
-    yield (f"### `{heading}`\n\n" if heading else ""), kind
+    yield heading, kind
     for key, (declared, _) in fields_of(kind).items():
         plain = stripped(declared.type)
         if isinstance(plain, inspect.StructType | inspect.DataclassType):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -56,6 +55,3 @@ def in_thread(work: Callable[[threading.Event], None]) -> Iterator[None]:
     finally:
         done.set()
         thread.join()
-
-
-OTHER_PROCESS = [sys.executable, "-c"]

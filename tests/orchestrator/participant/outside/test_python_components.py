@@ -302,3 +302,44 @@ def test_two_runs_share_no_module(tmp_path: Path) -> None:
     function = "n = [0]\n\ndef step(omega) -> {'V': 'V'}:\n    n[0] += 1\n    return float(n[0])\n"
     plan = planned(written(tmp_path, function, CLASS, NO_STATE))
     assert ran(plan)[0]["c.V"].values.tolist() == ran(plan)[0]["c.V"].values.tolist()
+
+
+def test_files_beside_it_are_imported_afresh_and_count_for_the_digest(tmp_path: Path) -> None:
+    function = """
+from __future__ import annotations
+from dataclasses import dataclass
+from gains_of_test import GAIN
+
+@dataclass
+class Gains:
+    k: float = GAIN
+
+def step(omega, k=1.0) -> {"V": "V"}:
+    return Gains().k
+"""
+    path = written(tmp_path, function, CLASS, NO_STATE)
+    (tmp_path / "gains_of_test.py").write_text("GAIN = 2.0\n")
+    first = planned(path)
+    assert ran(first)[0]["c.V"].values[-1] == 2.0
+    (tmp_path / "gains_of_test.py").write_text("GAIN = 3.0\n")
+    second = planned(path)
+    assert ran(second)[0]["c.V"].values[-1] == 3.0
+    assert first.system.components["c"].fmu.digest != second.system.components["c"].fmu.digest
+
+
+@pytest.mark.parametrize("compiled", [False, True], ids=["plain", "njit"])
+def test_an_event_sets_a_tunable_parameter(tmp_path: Path, compiled: bool) -> None:
+    function = "def step(omega, k=1.0) -> {'V': 'V'}:\n    return k\n"
+    function = f"from numba import njit\n\n@njit\n{function}" if compiled else function
+    declared = 'declare.parameters.k = { start = 1.5, unit = "V", tunable = true }\n'
+    system = NO_STATE.replace('python = "c.py:step"\n', f'python = "c.py:step"\n{declared}')
+    system += '[[events]]\nat = "0.1 s"\nset = { "c.k" = 4.0 }\n'
+    found, failure = ran(planned(written(tmp_path, function, CLASS, system)), interpreted=False)
+    assert not failure
+    assert found["c.V"].values.tolist() == [0.0, *[1.5] * 10, *[4.0] * 40]
+
+
+def test_a_step_that_exits_ends_the_run_and_not_the_process(tmp_path: Path) -> None:
+    function = "import sys\n\ndef step(omega) -> {'V': 'V'}:\n    sys.exit(3)\n"
+    _, failure = ran(planned(written(tmp_path, function, CLASS, NO_STATE)), interpreted=False)
+    assert "component c: c.py, line 4, in step: SystemExit: 3" in failure
