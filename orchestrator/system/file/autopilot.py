@@ -12,6 +12,7 @@ from ...clock import duration
 from ...errors import InputError
 from ...fmu.outside.autopilot import autopilot_fmu
 from ...fmu.outside.declared import DeclaredFmu
+from ...sockets import is_loopback
 from ...units import parse_unit
 from ..schema.ardusub import ArduSubTable, ServoTable
 from ..schema.checked import checked
@@ -40,17 +41,18 @@ def autopilot_of(name: str, entry: dict[str, Any], period: object) -> DeclaredFm
 
 def _addresses(table: ArduSubTable) -> tuple[str, str]:
     """`host` and `peer`, checked. Raises InputError."""
-    for key, stated in (("host", table.host), ("peer", table.peer)):
+    host = "127.0.0.1" if table.host == "localhost" else table.host
+    for key, stated in (("host", host), ("peer", table.peer or host)):
         try:
-            address = ip_address(stated) if stated or key == "host" else None
+            ip_address(stated)
         except ValueError:
             raise InputError(f'ardusub: {key} = {stated!r} is no address; write one such as "127.0.0.1"') from None
-        if key == "host" and address is not None and not address.is_loopback and not table.peer:
-            raise InputError(
-                f"ardusub: host = {stated!r} can be reached by others, and the protocol knows no token; state the one "
-                f'address that is listened to, peer = "192.168.2.2"'
-            )
-    return table.host, table.peer
+    if not is_loopback(host) and not table.peer:
+        raise InputError(
+            f"ardusub: host = {host!r} can be reached by others, and the protocol knows no token; state the one "
+            f'address that is listened to, peer = "192.168.2.2"'
+        )
+    return host, table.peer
 
 
 def servo_of(entry: dict[str, Any], label: str) -> Servo:

@@ -59,7 +59,7 @@ def test_all_that_can_be_said_of_it(tmp_path: Path) -> None:
         ('port = "9002"', "port"),
         ('timeout = "0 s"', "timeout"),
         ('timeout = "soon"', "timeout"),
-        ('host = "localhost"', "host = 'localhost' is no address"),
+        ('host = "my vehicle"', "host = 'my vehicle' is no address"),
         ('host = "0.0.0.0"', "host = '0.0.0.0' can be reached by others, and the protocol knows no token; .*peer ="),
         ('host = "0.0.0.0", peer = "all"', "peer = 'all' is no address"),
         ("origin = [0, 0]", "origin"),
@@ -82,6 +82,11 @@ def test_what_cannot_be_is_an_error_with_its_place(what: str, said: str, tmp_pat
     with pytest.raises(InputError, match=said) as caught:
         read(tmp_path, what)
     assert "autopilot" in str(caught.value) and "s.toml" in str(caught.value)
+
+
+def test_localhost_is_the_loopback(tmp_path: Path) -> None:
+    settings = read(tmp_path, 'host = "localhost"').components["autopilot"].fmu.settings  # type: ignore[attr-defined]
+    assert settings.host == "127.0.0.1"
 
 
 @pytest.mark.parametrize("period", ["3 ms", "0.2 s", "1/70000 s"])
