@@ -31,7 +31,7 @@ ON_A_PHONE = r"""
     "scene.camera.eye": {x: 0.95, y: -1.75, z: 0.7}};
   ["", "2", "3", "4"].forEach(function (k, row) {
     one["xaxis" + k + ".domain"] = [0.16, 1];
-    one["yaxis" + k + ".domain"] = [0.325 - 0.105 * row, 0.415 - 0.105 * row];
+    one["yaxis" + k + ".domain"] = [0.305 - 0.1 * row, 0.39 - 0.1 * row];
     one["yaxis" + k + ".title.font.size"] = 11;
   });
   var other = {};
