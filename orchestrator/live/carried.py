@@ -43,7 +43,7 @@ def run_live(
         record = Record(plan.system.name)
         driver = Driver(server.wire, record, diagram, speed, paused or attempt > 1, attempt, str(out))
         more = [((SCENARIO,), partial(_write_record, record))]
-        finished = carry_out(plan, out, request, older, more=more, pace=Pace(speed or 1.0), go=driver.go)
+        finished = carry_out(plan, out, request, older, more=more, pace=Pace(speed or 1.0, "skip"), go=driver.go)
         found.append(finished)
         show(finished)
         speed, again = driver.speed, driver.wants == "reset"

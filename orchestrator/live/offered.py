@@ -11,6 +11,7 @@ from ..system.event import Key
 from ..system.model import System
 from .messages import Hello, Input
 from .posts import Posts
+from .scene import scene_of, scene_signals
 from .touch import KINDS, Touch
 
 CHARTS, TOGETHER = 4, 6  # without any that are stated: how many, and signals in each
@@ -18,20 +19,27 @@ CHARTS, TOGETHER = 4, 6  # without any that are stated: how many, and signals in
 
 def hello_of(session: Session, touch: Touch, posts: Posts, diagram: str) -> Hello:
     system, clock = session.plan.system, session.plan.clock
+    names = [signal.name for signal in posts.signals]
+    inputs = sorted((_input(system, key) for key in touch.inputs), key=lambda entry: not entry.first)
     return Hello(
         system.name, system.description, clock.time(0), clock.time(clock.stop),
-        float(clock.seconds(clock.hyperperiod)), posts.signals, [_input(system, key) for key in touch.inputs],
-        touch.breakable, touch.happenings, charts_of(system, [signal.name for signal in posts.signals]), diagram,
+        float(clock.seconds(clock.hyperperiod)), posts.signals, inputs, touch.breakable, touch.happenings,
+        charts_of(system, names), diagram, scene_of(system, names),
     )  # fmt: skip
 
 
 def first_signals(system: System) -> list[str]:
-    """The signals that are posted whatever there is beside them: those of the figures."""
-    return [str(name) for figure in system.reporting.get("figures", ()) for name in figure.get("signals", ())]
+    """The signals that are posted whatever there is beside them: those of charts, scene and figures."""
+    figures = [str(name) for figure in system.reporting.get("figures", ()) for name in figure.get("signals", ())]
+    charts = [name for chart in (system.live.charts if system.live else ()) for name in chart]
+    return [*charts, *scene_signals(system), *figures]
 
 
 def charts_of(system: System, names: list[str]) -> list[list[int]]:
     """Signals by their number, chart by chart: those of the figures over time, else the first ones."""
+    stated = system.live.charts if system.live else []
+    if chosen := [numbers for chart in stated if (numbers := [names.index(n) for n in chart if n in names])]:
+        return chosen
     found = []
     for figure in system.reporting.get("figures", ()):
         signals = [] if figure.get("along") else [str(name) for name in figure.get("signals", ())]
@@ -49,7 +57,13 @@ def _input(system: System, key: Key) -> Input:
     low, high = _ends(value if not isinstance(value, str | bytes) else 0.0, variable.min, variable.max)
     name = ".".join(key)
     plain: Any = value.item() if hasattr(value, "item") else value
-    return Input(name, name, variable.unit or "", variable.description or "", kind, plain, low, high)
+    about = (variable.unit or "", variable.description or "", kind, plain)
+    for stated in system.live.controls if system.live else ():
+        if stated.input == name:
+            low = low if stated.low is None else stated.low
+            high = high if stated.high is None else stated.high
+            return Input(name, stated.label or name, *about, low, high, True, stated.choices)
+    return Input(name, name, *about, low, high)
 
 
 def _ends(value: float, low: str | None, high: str | None) -> tuple[float, float]:

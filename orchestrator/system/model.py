@@ -23,6 +23,7 @@ from ..fmu.types import Value
 from ..sockets import TCP
 from .event import Event
 from .inputs.series import Series
+from .schema.live import LiveTable
 from .schema.solving import Loops, Solver
 from .values import checked_values
 
@@ -216,6 +217,7 @@ class System:
     remarks: tuple[str, ...] = ()  # what the user must know of how its file was taken
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
     parameter_set: ParameterSet | None = None
+    live: LiveTable | None = None  # the page of a live run
     clock_connections: tuple[Connection, ...] = ()  # from a clock to another one that ticks with it
 
     @property

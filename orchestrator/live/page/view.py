@@ -126,6 +126,10 @@ class View:
     def _fill_left(self) -> None:
         hello = self.link.hello
         assert hello is not None
+        if hello.scene:
+            with ui.element("div").classes("box scene"):
+                ui.scene(width=600, height=380, grid=False, background_color="#dcebf3", fps=20).classes("w-full h-full")
+            ui.run_javascript('import("/live/scene.js")')
         ui.element("div").props('id="charts"').classes("flex flex-col gap-3")
         with ui.element("div").classes("bar"):
             names = [signal.name for signal in hello.signals]

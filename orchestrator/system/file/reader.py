@@ -26,6 +26,7 @@ from .components import component_of
 from .connections import check_drivers, connections_of
 from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
+from .live import live_of
 from .messages import check_message
 from .parameter_sets import sets_of, stated, with_parameter_sets
 from .recorded import recorded_names
@@ -82,6 +83,7 @@ def load_system(
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         events=events_of(file, components, connections, file.entry(list, "events")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
+        live=live_of(file, components),
         record=record, reporting=_reporting(file, components), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip

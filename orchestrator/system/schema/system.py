@@ -14,6 +14,7 @@ from ...fmu.kinds import Kind
 from .ardusub import ArduSubTable
 from .bonds import BondTable, RequirementTable
 from .event import EventTable
+from .live import LiveTable
 from .message import MessageTable
 from .outside import DeclareTable, SharedMemoryTable, UdpTable
 from .report import Balance, Comparison, Figure, Window
@@ -197,6 +198,7 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     balance: Annotated[Balance, Meta(description="energies that components count, over the whole run")] = Balance()
     compare: Annotated[list[Comparison], Meta(description="figures of merit beside reference values")] = []
     figures: Annotated[list[Figure], Meta(description="what is drawn")] = []
+    live: Annotated[LiveTable, Meta(description="the page of `rovbrush live`")] = LiveTable()
     messages: Annotated[
         list[MessageTable], Meta(description="poses, wrenches and twists that signals make together, for observers")
     ] = []
