@@ -5,6 +5,8 @@ The operations FAULT of the loop do the same with every input that they form: se
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from ...fmu.types import Value
@@ -43,8 +45,11 @@ def begin_events(plan: Plan, memory: Memory) -> None:
                 begin_fault(plan, memory, number, name, event)
 
 
-def begin_fault(plan: Plan, memory: Memory, number: int, component: str, event: Event) -> None:
-    """Break the inputs of a component that an event, of this number in the plan, breaks."""
+def begin_fault(
+    plan: Plan, memory: Memory, number: int, component: str, event: Event, before: Mapping[int, int] | None = None
+) -> None:
+    """Break the inputs of a component that an event, of this number in the plan, breaks; `before`: what cells were
+    before anything happened at this instant, which `hold` keeps."""
     fault = event.fault
     assert fault is not None
     for key, value in fault.values.items():
@@ -52,7 +57,8 @@ def begin_fault(plan: Plan, memory: Memory, number: int, component: str, event: 
             continue
         first, z = plan.layout.faults[number, key], memory.z
         if fault.kind == "hold":
-            memory.whole[first + OFFSET_OR_VALUE] = memory.whole[plan.layout.inputs[key]]
+            cell = plan.layout.inputs[key]
+            memory.whole[first + OFFSET_OR_VALUE] = (before or {}).get(cell, memory.whole[cell])
         elif fault.kind == "loss":
             assert value is not None
             memory.put(key, first + OFFSET_OR_VALUE, value)

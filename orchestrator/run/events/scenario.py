@@ -43,6 +43,9 @@ class Scenario:
         self.words: list[str] = []  # what is there from the start
         self.acted = False  # whether anything was done at the last instant
         self.to_set: dict[Key, tuple[Value, Fraction]] = {}  # by hand: the value, and when [s]
+        broken = {key for event in self.events if event.fault for key in event.fault.values}
+        self._breakable = sorted(plan.layout.inputs[key] for key in broken)
+        self._before: tuple[float, dict[int, int]] = -inf, {}  # an instant, and what these cells were before it
         early = from_start(plan.system)
         for number, event in enumerate(self.events):
             if event in early:
@@ -62,6 +65,8 @@ class Scenario:
         if now >= self.stop:  # no step is behind it
             return "; ".join(words)
         self._look(passed)
+        if self._before[0] != float(now):
+            self._before = float(now), {cell: int(self.memory.whole[cell]) for cell in self._breakable}
         for number, cell in self.plan.layout.watches.items():
             if self.memory.z[cell + CROSSED] > 0.0:
                 self.memory.z[cell + CROSSED] = 0.0
@@ -169,7 +174,7 @@ class Scenario:
     def _begin(self, due: Due) -> None:
         event = self.events[due.number]
         if event.fault:
-            begin_fault(self.plan, self.memory, due.number, due.component, event)
+            begin_fault(self.plan, self.memory, due.number, due.component, event, self._before[1])
         for key, value in event.settings.items():
             if key[0] == due.component:
                 self.memory.put(key, self.plan.layout.inputs[key], value)
@@ -177,7 +182,9 @@ class Scenario:
     def content(self) -> dict[str, Any]:
         """What a checkpoint keeps of it, ready for JSON; the faults themselves are cells of the run."""
         pending = [[str(entry.time), *entry[1:]] for entry in self.pending]
-        return {"pending": pending, "seen": sorted(self.seen), "words": list(self.words)}
+        time, cells = self._before
+        before = [time if time > -inf else None, [[cell, value] for cell, value in cells.items()]]
+        return {"pending": pending, "seen": sorted(self.seen), "words": list(self.words), "before": before}
 
     def restore(self, content: Mapping[str, Any]) -> None:
         """Go on where another one was. Raises ValueError, TypeError or LookupError for what none can have held."""
@@ -185,3 +192,5 @@ class Scenario:
         if not all(e.component in self.events[e.number].components for e in self.pending):
             raise ValueError("its events are others")
         self.seen, self.words = set(content["seen"]), list(content["words"])
+        time, cells = content["before"]
+        self._before = -inf if time is None else float(time), {int(cell): int(value) for cell, value in cells}

@@ -239,3 +239,15 @@ def test_a_deadline_that_was_waited_for_is_not_waited_for_or_counted_again() -> 
         assert session.get("s.u") == session.get("r.y") + 1.0
         assert session.pacer.lateness().deadlines == before > 0
         assert session.pacer.control[POLICY] == STOP_LATE and not session.failure
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+@pytest.mark.parametrize("kind", FAULTS)
+def test_what_is_done_where_something_else_happened_is_as_if_both_happened_at_once(kind: str, algorithm: str) -> None:
+    """Another fault ends at that instant: what is held is what was there before all of it."""
+    other = {"name": "other", "at": "0.006", "fault": "bias", "on": "r.y", "value": 0.5, "until": "0.018"}
+    fault = {"name": "broken", "fault": kind, "on": "k.u", **FAULTS[kind]}
+    acts = {"0.018": lambda session: session.happen("broken")}
+    by_hand, _ = stepped(several_rates([other, {**fault, "by_hand": True}], algorithm), acts)
+    by_time = simulate(several_rates([other, {**fault, "at": "0.018"}], algorithm))
+    assert bits(by_hand) == bits(by_time)
