@@ -1,0 +1,125 @@
+"""`python -m tests.evidence.live_numbers [SECONDS]`: what a page of `hull_pass` costs, and how soon it is there.
+
+It needs chromium and chromedriver, and built native FMUs (ROVBRUSH_FMUS). The browser draws by software.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--window-size=1200,900"]
+
+
+def resident(pid: int) -> float:
+    """MB of a process."""
+    found = re.search(r"VmRSS:\s+(\d+)", Path(f"/proc/{pid}/status").read_text())
+    return int(found[1]) / 1000 if found else 0.0
+
+
+def below(pid: int) -> dict[int, str]:
+    """The processes below one, with their commands."""
+    found: dict[int, str] = {}
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            if int(stat.read_text().rpartition(")")[2].split()[1]) == pid:
+                child = int(stat.parent.name)
+                found[child] = (stat.parent / "cmdline").read_bytes().replace(b"\0", b" ").decode()
+                found |= below(child)
+        except (OSError, ValueError):
+            continue
+    return found
+
+
+def browser() -> Any:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    options.binary_location = str(shutil.which("chromium"))
+    for argument in ARGUMENTS:
+        options.add_argument(argument)
+    return webdriver.Chrome(options=options, service=Service(str(shutil.which("chromedriver"))))
+
+
+def counts(opened: Any) -> tuple[float, ...]:
+    script = "return [rig.received, rig.drawn, rig.scenes || 0, performance.now() / 1000, rig.time]"
+    return tuple(map(float, opened.execute_script(script)))
+
+
+def late(opened: Any) -> tuple[int, int]:
+    """Missed deadlines and all of them, as the page says."""
+    text = opened.find_element("css selector", '[data-test="how"]').text
+    found = re.search(r"(\d+) of (\d+) deadlines", text)
+    return (int(found[1]), int(found[2])) if found else (0, 0)
+
+
+def measure(seconds: float) -> None:
+    opened = browser()  # it takes a while by itself
+    with tempfile.TemporaryDirectory() as folder:
+        said = Path(folder) / "said"
+        begun = time.monotonic()
+        command = [
+            sys.executable,
+            "-m",
+            "rovbrush.orchestrator",
+            "live",
+            "hull_pass",
+            "--stop",
+            "3600 s",
+            "--port",
+            "0",
+        ]
+        with said.open("wb") as target:
+            run = subprocess.Popen([*command, "--out", f"{folder}/out"], stdout=target, stderr=subprocess.STDOUT)
+        try:
+            while not (found := re.findall(r"http://\S+", said.read_text())):
+                time.sleep(0.02)
+                assert run.poll() is None, said.read_text()
+            opened.get(found[0])
+            while not opened.execute_script("return !!(window.rig && rig.scenes)"):
+                time.sleep(0.02)
+            print(f"first picture after the command: {time.monotonic() - begun:.2f} s")
+            opened.execute_script("rig.add(rig.signals.slice(0, 20).map((signal) => signal.name))")
+            time.sleep(3.0)
+            processes = {pid: text for pid, text in below(run.pid).items() if "live" in text}
+            memory = {pid: resident(pid) for pid in processes}
+            before, missed = counts(opened), late(opened)
+            time.sleep(seconds)
+            after, missed_then = counts(opened), late(opened)
+            span = after[3] - before[3]
+            posted = opened.execute_script("return rig.signals.length")
+            print(f"over {span:.0f} s, {posted} signals posted, 20 in a chart:")
+            print(f"  updates per second that arrive: {(after[0] - before[0]) / span:.1f}")
+            print(f"  charts drawn per second: {(after[1] - before[1]) / span:.1f}")
+            print(f"  frames of the scene per second, by software: {(after[2] - before[2]) / span:.1f}")
+            print(f"  real-time factor: {(after[4] - before[4]) / span:.3f}")
+            print(f"  deadlines missed with the page: {missed_then[0] - missed[0]} of {missed_then[1] - missed[1]}")
+            for pid, text in processes.items():
+                what = "page's server" if "live.page" in text else "run"
+                print(f"  memory of the {what}: {memory[pid]:.0f} MB, then {resident(pid):.0f} MB")
+            opened.get("about:blank")
+            time.sleep(1.0)
+            opened.quit()
+            time.sleep(seconds)
+            run.send_signal(signal.SIGTERM)
+            run.wait(60.0)
+            lines = [line for line in said.read_text().splitlines() if line.startswith(("real time", "lateness"))]
+            print("of the whole run, half of it without a browser:", *lines, sep="\n  ")
+        finally:
+            if run.poll() is None:
+                run.kill()
+    opened.quit()
+
+
+if __name__ == "__main__":
+    os.environ.pop("PYTEST_CURRENT_TEST", None)
+    measure(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0)
