@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 from ..clock import duration, instant, seconds_text
-
-BARE = re.compile(r"[A-Za-z0-9_-]+")  # keys that TOML takes without quotes
+from ..toml_text import toml_value
 
 
 class Record:
@@ -63,10 +60,10 @@ class Record:
 
     def toml(self) -> str:
         """The scenario, for `rovbrush run SYSTEM --scenario FILE`."""
-        found = [f"description = {_value(f'what was done by hand in a run of {self.system}')}\n"]
+        found = [f"description = {toml_value(f'what was done by hand in a run of {self.system}')}\n"]
         for count, (_, entry) in enumerate(self._entries, 1):
             found.append("[[events]]")
-            found += [f"{key} = {_value(value)}" for key, value in {"name": f"by hand {count}", **entry}.items()]
+            found += [f"{key} = {toml_value(value)}" for key, value in {"name": f"by hand {count}", **entry}.items()]
             found.append("")
         return "\n".join(found)
 
@@ -83,17 +80,3 @@ def _words(entry: Mapping[str, Any]) -> str:
     value = f" {entry['value']}" if "value" in entry else ""
     until = f" until {entry['until']}" if "until" in entry else ""
     return f"{entry['on']}: {entry['fault']}{value}{until}"
-
-
-def _value(value: Any) -> str:
-    """A value in TOML: texts, numbers that come back bit for bit, truth values, lists and tables of such."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int | float):
-        return repr(value)
-    if isinstance(value, Mapping):
-        inside = (f"{k if BARE.fullmatch(k) else json.dumps(k)} = {_value(v)}" for k, v in value.items())
-        return f"{{ {', '.join(inside)} }}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_value, value))}]"
-    return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import ipaddress
 import socket
 import subprocess
 import sys
@@ -13,6 +12,7 @@ from contextlib import suppress
 import msgspec
 
 from ..errors import InputError, RunError
+from ..sockets import is_loopback
 from .wire import Meeting, Wire
 
 STARTS = 5  # of a server that dies, in one run
@@ -29,16 +29,6 @@ class Settings(msgspec.Struct, frozen=True):
     host: str
     port: int
     token: str = ""
-
-
-def is_loopback(host: str) -> bool:
-    """Whether a host is this machine alone."""
-    if host == "localhost":
-        return True
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
 
 
 def checked_place(host: str, port: int, token: str) -> int:

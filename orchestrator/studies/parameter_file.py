@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
+
+from ..toml_text import toml_key, toml_value
 
 
 def set_text(about: str, base: str, values: Mapping[str, tuple[object, str]], folder: Path) -> str:
@@ -18,10 +19,9 @@ def set_text(about: str, base: str, values: Mapping[str, tuple[object, str]], fo
     tables: dict[str, list[str]] = {}
     for name, (value, comment) in values.items():
         component, _, variable = name.partition(".")
-        key = variable if variable.replace("_", "a").isalnum() and variable.isascii() else json.dumps(variable)
-        line = f"{key} = {json.dumps(value)}"
+        line = f"{toml_key(variable)} = {toml_value(value)}"
         tables.setdefault(component, []).append(f"{line}  # {comment}" if comment else line)
-    lines = [f"description = {json.dumps(about)}", f"base = {json.dumps(below)}"]
+    lines = [f"description = {toml_value(about)}", f"base = {toml_value(below)}"]
     for component, entries in tables.items():
         lines += ["", f"[{component}]", *entries]
     return "\n".join(lines) + "\n"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 from ...clock import seconds_text
 from ...plan.plan import Plan
+from ...toml_text import toml_value
 from .hands import Done, Hands
 
 OWN = ("name", "by_hand", "for", "until")  # keys that are others in the scenario
@@ -17,9 +16,13 @@ OWN = ("name", "by_hand", "for", "until")  # keys that are others in the scenari
 def as_scenario(plan: Plan, hands: Hands, reached: Fraction) -> str:
     """The text of the file; `reached`: the time [s] until which the run has gone."""
     begin, end = (seconds_text(time) for time in (plan.system.start, reached))
-    lines = [f"description = {_toml(f'done by hand in {plan.system.name}, from {begin} to {end}')}"]
+    lines = [f"description = {toml_value(f'done by hand in {plan.system.name}, from {begin} to {end}')}"]
     for done, ends in hands.spans():
-        lines += ["", "[[events]]", *(f"{key} = {_toml(value)}" for key, value in _table(plan, done, ends).items())]
+        lines += [
+            "",
+            "[[events]]",
+            *(f"{key} = {toml_value(value)}" for key, value in _table(plan, done, ends).items()),
+        ]
     return "\n".join([*lines, ""])
 
 
@@ -34,16 +37,3 @@ def _table(plan: Plan, done: Done, ends: Fraction | None) -> dict[str, Any]:
         return {**found, "set": {done.name: done.value}}
     found |= {key: value for key, value in event.stated.items() if key not in OWN}
     return {**found, "until": seconds_text(ends)} if ends is not None else found
-
-
-def _toml(value: Any) -> str:
-    """A value as TOML has it, exactly."""
-    if isinstance(value, Mapping):
-        return f"{{ {', '.join(f'{json.dumps(key)} = {_toml(each)}' for key, each in value.items())} }}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml, value))}]"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, bytes):
-        return json.dumps(value.hex())
-    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
