@@ -80,7 +80,7 @@ class Driver:
     def obey(self, patience: float = 0.0) -> None:
         """Do what has been asked for meanwhile."""
         wire = self._wire()
-        if wire is None:
+        if wire is None or wire.closed:
             time.sleep(patience)
             return
         if wire is not self._told:

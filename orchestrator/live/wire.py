@@ -28,10 +28,11 @@ class Wire:
         end.setblocking(False)
         self._end, self._out, self._in = end, bytearray(), bytearray()
         self.dropped, self.closed = 0, False
+        self._deaf = False  # the other side takes nothing any more; what it has sent can still be read
 
     def post(self, message: bytes, waiting: int = ALL) -> bool:
         """Send a message, or keep it until it can be; whether it was not dropped."""
-        if self.closed or len(self._out) > waiting:
+        if self.closed or self._deaf or len(self._out) > waiting:
             self.dropped += 1
             return False
         self._out += len(message).to_bytes(HEAD, "little") + message
@@ -46,7 +47,8 @@ class Wire:
         except BlockingIOError:
             pass
         except OSError:
-            self.close()
+            self._deaf = True
+            self._out.clear()
 
     def take(self, patience: float = 0.0) -> list[bytes]:
         """The messages that have come, waiting for them at most so long [s]. One that is too long ends it all."""

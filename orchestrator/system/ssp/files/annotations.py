@@ -44,10 +44,12 @@ def system_keys(system: System) -> dict[str, Any]:
     )
     return {
         **_stated(
-            system, (*in_ssp, "format", "loops", "solver", "bonds", "events", "requirements", "reporting", "settings")
+            system,
+            (*in_ssp, "format", "loops", "solver", "bonds", "events", "requirements", "reporting", "settings", "live"),
         ),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
         **({"solver": to_builtins(system.solver)} if system.solver != Solver() else {}),
+        **({"live": to_builtins(system.live)} if system.live else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         **({CLOCKS: [c.label for c in system.clock_connections]} if system.clock_connections else {}),
