@@ -11,7 +11,7 @@ from .values import Number, Positive
 Place = Number | str
 
 
-class LiveControl(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+class LiveControl(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A free input or a tunable parameter that the page shows first."""
 
     input: Annotated[str, Meta(description="its name, `component.variable`")]
@@ -21,7 +21,7 @@ class LiveControl(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True,
     choices: Annotated[dict[str, Number], Meta(description="in place of a slider: values by what they are called")] = {}
 
 
-class LivePart(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+class LivePart(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A part of the scene. Numbers may be names: of outputs, which it follows, or parameters; an array stands for all
     of its elements. Lengths in metres, in the frame of the part that it is `on`; the world is north, east, down."""
 
@@ -53,7 +53,7 @@ class LivePart(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, om
     follow: Annotated[bool, Meta(description="the eye goes with it")] = False
 
 
-class LiveTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+class LiveTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What `rovbrush live` shows of a system beside what it shows of any."""
 
     charts: Annotated[list[list[str]], Meta(description="outputs, chart by chart; else those of the figures")] = []

@@ -49,7 +49,7 @@ def system_keys(system: System) -> dict[str, Any]:
         ),
         **({"loops": to_builtins(system.loops)} if system.loops != Loops() else {}),
         **({"solver": to_builtins(system.solver)} if system.solver != Solver() else {}),
-        **({"live": to_builtins(system.live)} if system.live else {}),
+        **({"live": _without_none(to_builtins(system.live))} if system.live else {}),
         **system.settings,
         "bonds": [_bond(bond) for bond in system.bonds],
         **({CLOCKS: [c.label for c in system.clock_connections]} if system.clock_connections else {}),
@@ -58,6 +58,13 @@ def system_keys(system: System) -> dict[str, Any]:
         **{key: table for key, table in system.reporting.items() if table},
         "format": FORMATS[-1],
     }
+
+
+def _without_none(value: Any) -> Any:
+    """As a system file has it, where what is not stated is left out."""
+    if isinstance(value, dict):
+        return {key: _without_none(each) for key, each in value.items() if each is not None}
+    return [_without_none(each) for each in value] if isinstance(value, list) else value
 
 
 def component_keys(component: Component) -> dict[str, Any]:
