@@ -52,8 +52,8 @@ class Session:
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
     `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. `pace`:
-    how it keeps pace with the clock on the wall, of a plan that has deadlines. Raises
-    FmuError or InputError if the start cannot be reached.
+    how it keeps pace with the clock on the wall, of a plan that has deadlines. Raises FmuError or InputError if the
+    start cannot be reached.
     """
 
     def __init__(
@@ -71,6 +71,8 @@ class Session:
         self.stop_requests = stop_requests or StopRequests()
         if pace:
             self.stop_requests.make_room(room_for(plan))
+        elif plan.deadlines:
+            raise InputError("this plan has deadlines: give the run a pace, or make the plan without them")
         self.control = self.stop_requests.control
         self.pacer = Pacer(plan, pace, self.control) if pace else None
         self.control[cells.PROMISED], self.control[cells.START] = plan.clock.stop, plan.clock.start
@@ -101,7 +103,7 @@ class Session:
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
                 self._blocks.pacer = self.pacer
                 self.events.begin(self.instances, self._blocks)
-                self.recorder = Recorder(plan, self.memory, file)
+                self.recorder = Recorder(plan, self.memory, file, pace is not None)
             except BaseException:
                 self.participants.abandon()
                 raise

@@ -46,11 +46,10 @@ class Stepping(Session):
                 session.step()
 
     A step is `period` [s] long, that in which the schedule repeats, the last one maybe shorter; with ECCO it is a macro
-    step. What is set counts
-    from the step that comes next; outputs are those of the end of the last one. A name costs more the first time than
-    later. With `pace` each step ends no earlier than the clock on the wall, which began with the first of them; `pacer`
-    tells how late it was. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are those of a
-    run: RunError, FmuError.
+    step. What is set counts from the step that comes next; outputs are those of the end of the last one. A name costs
+    more the first time than later. With `pace` each step ends no earlier than the clock on the wall, which began with
+    the first of them; `pacer` tells how late it was. Ctrl-C between steps raises KeyboardInterrupt as ever. Errors are
+    those of a run: RunError, FmuError.
     """
 
     def __init__(self, plan: Plan, interpreted: bool = False, pace: Pace | None = None) -> None:

@@ -127,8 +127,7 @@ def compiled_run(waits: bool = False) -> Callable[..., int]:
     """`run.run` as machine code, for one session: from the library that came with the package, or else by Numba.
 
     `waits`: other threads go on while it runs. Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the
-    interpreter. Raises InputError where
-    there is neither.
+    interpreter. Raises InputError where there is neither.
     """
     if shipped.switched_off():
         return loop.run

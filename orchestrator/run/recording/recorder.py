@@ -16,17 +16,19 @@ from .stream import Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
 IN_MEMORY = 30_000_000  # bytes of tables that are kept in memory where a file is given for more
+IN_REAL_TIME = 500_000_000  # the same of a run that keeps pace: a piece takes the disk a tenth of a second and more
 PIECE = 8_000_000  # bytes that go to the file at once
 
 
 class Recorder:
     """Buffer and counters as `loop.run` wants them.
 
-    Without `file` all tables stay in memory. With it those that are larger than IN_MEMORY go there, chunk by chunk.
-    Chunks end where they end whatever the blocks in which the loop is called.
+    Without `file` all tables stay in memory. With it those that are larger than IN_MEMORY go there, chunk by chunk;
+    where `paced` those that are larger than IN_REAL_TIME, the others at the end. Chunks end where they end whatever the
+    blocks in which the loop is called.
     """
 
-    def __init__(self, plan: Plan, memory: Memory, file: Path | None = None) -> None:
+    def __init__(self, plan: Plan, memory: Memory, file: Path | None = None, paced: bool = False) -> None:
         self.plan, self.memory, self.file = plan, memory, file
         self.stream: Stream | None = None
         self.per_cycle = [1 if plan.adaptive else -(-plan.clock.hyperperiod // group.period) for group in plan.groups]
@@ -37,7 +39,8 @@ class Recorder:
         self._given = False  # whether somebody has tables that lie in the buffer
         self._taken = False  # and keeps them
         wanted = CHUNK if plan.adaptive else -(-plan.clock.stop // plan.clock.hyperperiod)
-        self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
+        held = max(IN_MEMORY, IN_REAL_TIME) if paced and not plan.adaptive else IN_MEMORY
+        self._reserve(wanted if wanted <= self._cycles_in(held) else self._cycles_in(PIECE))
         self._first_row()
 
     def _first_row(self) -> None:
@@ -140,7 +143,7 @@ class Recorder:
     def recorded(self, rows: list[int]) -> list[np.ndarray] | Stored:
         """The first `rows` rows of every table, counted from time 0. What the disk refuses is pending in the file."""
         here = [count - gone for count, gone in zip(rows, self.before, strict=True)]
-        if self.stream is None:
+        if self.stream is None and self.held <= self._cycles_in(IN_MEMORY):
             self._given = self._taken = True
             return self.tables(here)
         try:
