@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import count
 from pathlib import Path
 
 from ..files import write_file
@@ -34,12 +35,11 @@ def run_live(
     """
     diagram = block_diagram(plan) if len(plan.system.components) <= BIGGEST else ""
     found: list[Finished] = []
-    again = True
+    again, first = True, out
     while again:
         attempt = len(found) + 1
         if attempt > 1:
-            out, older = claim(out.parent / f"{out.name}_{attempt}" if attempt == 2 else _following(out, attempt),
-                               plan.system.name, force=True)  # fmt: skip
+            out, older = claim(_free(first), plan.system.name)
         record = Record(plan.system.name)
         driver = Driver(server.wire, record, diagram, speed, paused or attempt > 1, attempt, str(out))
         more = [((SCENARIO,), partial(_write_record, record))]
@@ -52,8 +52,9 @@ def run_live(
     return found
 
 
-def _following(out: Path, attempt: int) -> Path:
-    return out.with_name(f"{out.name.rpartition('_')[0]}_{attempt}")
+def _free(first: Path) -> Path:
+    """A folder beside the first one that is not there yet: what an earlier run left stays."""
+    return next(path for k in count(2) if not (path := first.with_name(f"{first.name}_{k}")).exists())
 
 
 def _write_record(record: Record, run: Run, folder: Path) -> list[Path]:
