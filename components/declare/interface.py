@@ -76,18 +76,11 @@ def parameter(
     return dataclasses.field(default=default, metadata=metadata)
 
 
-def tunable(
-    default: float | bool | tuple[float, ...],
-    unit: str,
-    description: str,
-    source: str,
-    minimum: float = -INF,
-    maximum: float = INF,
-) -> Any:
+def tunable(*declared: Any, **named: Any) -> Any:
     """As `parameter`, of one that may be set between two steps too, and counts from the next one on: setup derives
     nothing from it."""
-    metadata = {"unit": unit, "description": description, "source": source, "minimum": minimum, "maximum": maximum}
-    return dataclasses.field(default=default, metadata={**metadata, "tunable": True})
+    field = parameter(*declared, **named)
+    return dataclasses.field(default=field.default, metadata={**field.metadata, "tunable": True})
 
 
 def parameter_variables(parameters: type[Any]) -> tuple[Variable, ...]:

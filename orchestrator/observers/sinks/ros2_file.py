@@ -5,34 +5,25 @@ those of `[[messages]]` of the system file, of geometry_msgs. No ROS is needed.
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from ..asked import file_of
 from ..layout import Column, Layout, Rows
 from ..ros2.cdr import Writer as Cdr
 from ..ros2.definitions import OF_KIND, TOGETHER
 from ..ros2.together import Message, left_out, messages_of
-from ..sink import FILE_PATIENCE, FILE_ROOM
+from .mcap_writer import McapWriter
 
 
-class Ros2File:
-    room, patience = FILE_ROOM, FILE_PATIENCE
+class Ros2File(McapWriter):
+    profile = "ros2"
 
     def __init__(self, path: str) -> None:
-        self.path = path
-        self._writer: Any = None
-        self._file: Any = None
+        super().__init__(path)
         self._schemas: dict[str, int] = {}
         self._signals: list[list[tuple[int, int, str]]] = []  # by table: channel, column, code of its number
         self._messages: list[list[tuple[int, Message]]] = []
 
-    def open(self, layout: Layout) -> str:
-        from mcap.writer import Writer
-
-        self.layout = layout
-        self._file = open(self.path, "wb")  # noqa: SIM115 (as long as the run)
-        self._writer = Writer(self._file)
-        self._writer.start(profile="ros2", library="rovbrush")
+    def begin(self, layout: Layout) -> str:
         for number, table in enumerate(layout.tables):
             signals = []
             for k, column in enumerate(table.columns):
@@ -49,28 +40,19 @@ class Ros2File:
 
     def _channel(self, topic: str, kind: str, definition: str) -> int:
         if kind not in self._schemas:
-            self._schemas[kind] = self._writer.register_schema(kind, "ros2msg", definition.encode())
-        return int(self._writer.register_channel(topic, "cdr", self._schemas[kind]))
+            self._schemas[kind] = self.writer.register_schema(kind, "ros2msg", definition.encode())
+        return int(self.writer.register_channel(topic, "cdr", self._schemas[kind]))
 
     def write(self, rows: Rows) -> int:
         times = self.layout.nanoseconds(rows.times)
         for channel, k, code in self._signals[rows.table]:
             for time, value in zip(times, rows.values[k].tolist(), strict=True):
                 cdr = Cdr().number(code, value) if code else Cdr().text(str(value))
-                self._writer.add_message(channel, time, cdr.message, time)
+                self.writer.add_message(channel, time, cdr.message, time)
         for channel, message in self._messages[rows.table]:
             for time, values in zip(times, rows.each(), strict=True):
-                self._writer.add_message(channel, time, message.bytes(time, values), time)
+                self.writer.add_message(channel, time, message.bytes(time, values), time)
         return 0
-
-    def close(self) -> None:
-        if self._file is None:
-            return
-        try:
-            if self._writer is not None:
-                self._writer.finish()
-        finally:
-            self._file.close()
 
 
 def topic_of(column: Column) -> str:
