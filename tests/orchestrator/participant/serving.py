@@ -2,18 +2,38 @@
 
 from __future__ import annotations
 
+import os
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import pytest
 from helpers import read_system
+from native_build import built, needs_gcc
 from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.participant.elsewhere import greeting
+from rovbrush.orchestrator.participant.elsewhere.connection import TOKEN
 from rovbrush.orchestrator.participant.elsewhere.server import Server
 from rovbrush.orchestrator.participant.opening import start
 
 PATIENCE = 20.0  # s, of which a test that passes needs a fraction
+SERVERS = [needs_gcc, pytest.mark.skipif(os.name != "posix", reason="the servers of the tests need fork")]
+PARTS = {"a": ("feedthrough2", "1 ms", {"=u": 1.5}), "b": ("feedthrough2", "1 ms")}
+
+
+@pytest.fixture(scope="module")
+def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """FMUs of C."""
+    return built(tmp_path_factory.mktemp("native"))
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No token but that of the test, and no waiting behind a wrong one."""
+    monkeypatch.delenv(TOKEN, raising=False)
+    monkeypatch.setattr(greeting, "SLOWED", 0.0)
 
 
 class Serving(Server):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import socket
 import threading
 from pathlib import Path
@@ -10,7 +9,6 @@ from typing import Any
 
 import pytest
 from helpers import read_system
-from native_build import built, needs_gcc
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.participant.elsewhere import greeting
@@ -20,22 +18,12 @@ from rovbrush.orchestrator.participant.elsewhere.wire import Wire
 from rovbrush.orchestrator.participant.isolated.channel import CALL
 from rovbrush.orchestrator.participant.isolated.child_process import ProcessLostError
 from rovbrush.orchestrator.sockets import Address, listening, tcp_address
-from serving import serving, started, wait_for
+from serving import SERVERS, serving, started, wait_for
+from serving import native as native  # a fixture, as the next one is
+from serving import quick as quick
 
-pytestmark = [needs_gcc, pytest.mark.skipif(os.name != "posix", reason="the servers of the tests need fork")]
+pytestmark = SERVERS
 WORD, OTHER = "a token of the tests", "quite another token"
-PARTS = {"a": ("feedthrough2", "1 ms", {"=u": 1.5}), "b": ("feedthrough2", "1 ms")}
-
-
-@pytest.fixture(scope="module")
-def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return built(tmp_path_factory.mktemp("native"))
-
-
-@pytest.fixture(autouse=True)
-def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv(TOKEN, raising=False)
-    monkeypatch.setattr(greeting, "SLOWED", 0.0)
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@ and when, and rows that are kept."""
 
 from __future__ import annotations
 
-import os
 import re
 import signal
 import subprocess
@@ -15,28 +14,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers import column, plan_of
-from native_build import FAULTS2, FREE2, WIRES2, built, needs_gcc
+from native_build import FAULTS2, FREE2, WIRES2
 from rovbrush.orchestrator.errors import FmuError, RunError
-from rovbrush.orchestrator.participant.elsewhere import greeting
-from rovbrush.orchestrator.participant.elsewhere.connection import TOKEN
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
-from serving import serving, started
+from serving import PARTS as PARTS
+from serving import SERVERS, serving, started
+from serving import native as native  # a fixture, as the next one is
+from serving import quick as quick
 
-pytestmark = [needs_gcc, pytest.mark.skipif(os.name != "posix", reason="the servers of the tests need fork")]
-WORD, OTHER = "a token of the tests", "quite another token"
-PARTS = {"a": ("feedthrough2", "1 ms", {"=u": 1.5}), "b": ("feedthrough2", "1 ms")}
-
-
-@pytest.fixture(scope="module")
-def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return built(tmp_path_factory.mktemp("native"))
-
-
-@pytest.fixture(autouse=True)
-def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv(TOKEN, raising=False)
-    monkeypatch.setattr(greeting, "SLOWED", 0.0)
+pytestmark = SERVERS
 
 
 @pytest.mark.parametrize(
