@@ -210,7 +210,7 @@ class Session:
         if code != cells.WAITING or self.pacer is None:
             return False
         self.at.cycle, self.at.operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
-        self.pacer.wait(self._blocks.tick_at(self.at))
+        self.at.wall += self.pacer.wait(self._blocks.tick_at(self.at))
         return True
 
     def one_block(self) -> None:

@@ -75,12 +75,14 @@ class Pacer:
             control[cells.SLOWEST_TIME], control[cells.SLOWEST] = wall - control[cells.MARKED], -1
         control[cells.MARKED] = wall
 
-    def wait(self, tick: int) -> None:
-        """Sleep until shortly before the deadline of a tick, a piece at a time, as long as nobody asks to stop."""
-        control = self.control
+    def wait(self, tick: int) -> float:
+        """Sleep until shortly before the deadline of a tick, a piece at a time, as long as nobody asks to stop; how
+        long that was [s]."""
+        control, begin = self.control, now()
         until = int(deadline(control, tick)) - LONGEST_SLEEP // 2
         while (wall := now()) < until and not control[cells.STOP_REQUEST]:
             time.sleep(min(until - wall, LONGEST_SLEEP) / SECOND)
+        return (now() - begin) / SECOND
 
     @contextmanager
     def over(self) -> Iterator[None]:

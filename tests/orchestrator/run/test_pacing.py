@@ -188,18 +188,19 @@ def test_an_interrupt_ends_a_run_in_real_time_in_good_order(clock: Clock, tmp_pa
     assert (run.end, run.failure) == (0.006, "interrupted by the user at t = 0.006 s")
 
 
+@pytest.mark.parametrize(("period", "deadlines"), [("1 ms", 100), ("50 ms", 2)])
 def test_the_real_clock_is_kept_as_well(
-    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """How well is a matter of the machine: not earlier is one of ours."""
+    period: str, deadlines: int, tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    """How well is a matter of the machine: not earlier is one of ours, wherever it waits."""
     path = tmp_path / "case.toml"
-    path.write_text(system_text({"w": ("wave", "1 ms", {"c1": 1.0})}, [], stop="100 ms"))
+    path.write_text(system_text({"w": ("wave", period, {"c1": 1.0})}, [], stop="100 ms"))
     assert rovbrush(monkeypatch, "run", path, "--fmus", fmus, "--out", tmp_path / "out", "--real-time") == 0
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
-    assert (
-        summary["real_time"]["deadlines"] == 100 and summary["wall_s"] > 0.05
-    )  # without it about a thousandth of that
-    assert "real time x 1: 100 deadlines" in " ".join(capsys.readouterr().out.split())
+    assert summary["real_time"]["deadlines"] == deadlines
+    assert summary["wall_s"] > 0.05  # without it about a thousandth of that
+    assert f"real time x 1: {deadlines} deadlines" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.parametrize(
