@@ -13,9 +13,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+PATIENCE = 60.0  # s
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--window-size=1200,900"]
 
 
@@ -62,6 +64,16 @@ def late(opened: Any) -> tuple[int, int]:
     return (int(found[1]), int(found[2])) if found else (0, 0)
 
 
+def awaited(look: Callable[[], Any], run: subprocess.Popen[bytes], said: Path) -> Any:
+    """What `look` finds, as soon as it finds anything; the run must go on until then."""
+    end = time.monotonic() + PATIENCE
+    while not (found := look()):
+        time.sleep(0.02)
+        assert run.poll() is None, f"the run has ended: {said.read_text()}"
+        assert time.monotonic() < end, f"nothing within {PATIENCE:g} s: {said.read_text()}"
+    return found
+
+
 def measure(seconds: float) -> None:
     opened = browser()  # it takes a while by itself
     with tempfile.TemporaryDirectory() as folder:
@@ -81,12 +93,9 @@ def measure(seconds: float) -> None:
         with said.open("wb") as target:
             run = subprocess.Popen([*command, "--out", f"{folder}/out"], stdout=target, stderr=subprocess.STDOUT)
         try:
-            while not (found := re.findall(r"http://\S+", said.read_text())):
-                time.sleep(0.02)
-                assert run.poll() is None, said.read_text()
-            opened.get(found[0])
-            while not opened.execute_script("return !!(window.rig && rig.scenes)"):
-                time.sleep(0.02)
+            (place,) = awaited(lambda: re.findall(r"http://\S+", said.read_text()), run, said)
+            opened.get(place)
+            awaited(lambda: opened.execute_script("return !!(window.rig && rig.scenes)"), run, said)
             print(f"first picture after the command: {time.monotonic() - begun:.2f} s")
             opened.execute_script("rig.add(rig.signals.slice(0, 20).map((signal) => signal.name))")
             time.sleep(3.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Callable
 from typing import Any
@@ -137,7 +138,7 @@ class View:
             chosen.classes("min-w-48 grow")
 
             def add() -> None:
-                ui.run_javascript(f"rig.add({list(chosen.value)!r})")
+                ui.run_javascript(f"rig.add({json.dumps(list(chosen.value))})")
                 chosen.value = []
 
             ui.button("add a chart", on_click=add).props("dense outline").classes("px-3")
