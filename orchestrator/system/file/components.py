@@ -25,7 +25,7 @@ from ..model import Component
 from ..schema.checked import checked, checked_value
 from ..schema.system import ComponentTable
 from ..values import checked_values
-from .outside import outside_component
+from .outside.component import outside_component
 from .structure import Stated, is_structural, with_structure
 
 STATED = (bool, int, float, str)  # what a value in a file may be

@@ -6,16 +6,16 @@ from ipaddress import ip_address
 from itertools import pairwise
 from typing import Any
 
-from ...ardupilot.interface import Options, rate_of
-from ...ardupilot.servos import HEAVY, Servo
-from ...clock import duration
-from ...errors import InputError
-from ...fmu.outside.autopilot import autopilot_fmu
-from ...fmu.outside.declared import DeclaredFmu
-from ...sockets import is_loopback
-from ...units import parse_unit
-from ..schema.ardusub import ArduSubTable, ServoTable
-from ..schema.checked import checked
+from ....ardupilot.interface import Options, rate_of
+from ....ardupilot.servos import HEAVY, Servo
+from ....clock import duration
+from ....errors import InputError
+from ....fmu.outside.autopilot import autopilot_fmu
+from ....fmu.outside.declared import DeclaredFmu
+from ....sockets import is_loopback
+from ....units import parse_unit
+from ...schema.ardusub import ArduSubTable, ServoTable
+from ...schema.checked import checked
 
 
 def autopilot_of(name: str, entry: dict[str, Any], period: object) -> DeclaredFmu:

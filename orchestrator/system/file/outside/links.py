@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ...clock import duration, instant
-from ...errors import InputError
-from ...fmu.outside.declared import Declared, DeclaredFmu, declared_fmu
-from ...fmu.outside.links import Host, SharedMemory, Udp, Waiting
-from ...sockets import is_loopback
-from ...toml_file import TomlFile
-from ..schema.checked import checked
-from ..schema.outside import SharedMemoryTable, UdpTable
+from ....clock import duration, instant
+from ....errors import InputError
+from ....fmu.outside.declared import Declared, DeclaredFmu, declared_fmu
+from ....fmu.outside.links import Host, SharedMemory, Udp, Waiting
+from ....sockets import is_loopback
+from ....toml_file import TomlFile
+from ...schema.checked import checked
+from ...schema.outside import SharedMemoryTable, UdpTable
 
 MOST = 1000  # variables of one direction: a packet of JSON stays below 64 KB
 

@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ...errors import InputError, nearest
-from ...fmu.outside.declared import Causality, Declared, DeclaredFmu, declared_fmu
-from ...fmu.outside.python_file import EXAMPLE, PythonCode, annotated, arguments_of, is_compiled, line_of
-from ...toml_file import TomlFile
-from ..schema.checked import checked
-from ..schema.outside import DeclareTable, VariableTable
-from ..schema.system import ComponentTable
+from ....errors import InputError, nearest
+from ....fmu.outside.declared import Causality, Declared, DeclaredFmu, declared_fmu
+from ....fmu.outside.python_file import EXAMPLE, PythonCode, annotated, arguments_of, is_compiled, line_of
+from ....toml_file import TomlFile
+from ...schema.checked import checked
+from ...schema.outside import DeclareTable, VariableTable
+from ...schema.system import ComponentTable
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 DECLARING = ("python", "udp", "shared_memory")
@@ -52,7 +52,7 @@ def outside_component(
             from .autopilot import autopilot_of
 
             return autopilot_of(name, entry["ardusub"], table.period)
-        from .outside_links import link_component
+        from .links import link_component
 
         return link_component(file, name, entry, given[0], stated)
     except InputError as error:
