@@ -146,9 +146,13 @@ class Recorder:
         if self.stream is None and self.held <= self._cycles_in(IN_MEMORY):
             self._given = self._taken = True
             return self.tables(here)
+        refused = False
         try:
             self.flush(here)
         except RunError:
+            refused = True
+        assert self.stream is not None  # it is there since the first flush, also where that was refused
+        if refused:
             self.stream.pending = [table.copy() for table in self.tables(here)]
         return self.stream
 
