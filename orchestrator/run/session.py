@@ -18,12 +18,12 @@ from ..participant.base import AskedToEndError, Participant
 from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
+from .by_hand import act
 from .ends.asked import asked_to_end
 from .ends.failure import failure_of
 from .ends.interrupt import StopRequests
 from .events.events import Events
 from .exchange.apart import alone
-from .hands import act
 from .initialize import initialize
 from .memory.access import Access
 from .memory.algorithm_state import free_states, make_state

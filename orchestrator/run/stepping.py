@@ -16,8 +16,8 @@ from ..loop.cells import STOP_REQUEST
 from ..plan.plan import Plan
 from ..results.result import Result
 from ..system.file.recorded import matches
+from .by_hand import act
 from .events.as_scenario import as_scenario
-from .hands import act
 from .memory.ports import reader_of, writer_of
 from .pacing.pace import Pace
 from .session import Session
