@@ -122,7 +122,7 @@ def test_machine_code_that_gives_up_ends_the_run_with_words(
     tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plan = plan_of(tmp_path, fmus, {"a": ("integrator", "10 ms", {"=u": 0.3})}, stop="100 ms")
-    monkeypatch.setattr(session, "compiled_run", lambda: lambda *_: GAVE_UP)
+    monkeypatch.setattr(session, "compiled_run", lambda **_: lambda *_: GAVE_UP)
     assert "the compiled loop gave up" in simulate(plan).failure
 
 
