@@ -12,6 +12,7 @@ from urllib.parse import urlsplit
 from .errors import InputError, shown
 
 TCP = "tcp://"
+BY_FILE = "by --token-file or ROVBRUSH_TOKEN"
 SHORTEST_TOKEN = 16  # characters: who hears a proof can try short ones at leisure
 
 
@@ -48,13 +49,14 @@ def is_loopback(host: str) -> bool:
         return False
 
 
-def listening(host: str, port: int, token: str) -> socket.socket:
+def listening(host: str, port: int, token: str, how: str = BY_FILE) -> socket.socket:
     """A socket that listens; port 0: any that is free. Raises InputError for a host that others reach where there is no
-    token, for a port that is in use or out of range, for a host that is not of this machine."""
+    token (`how` says where it is given), for a port that is in use or out of range, for a host that is not of this
+    machine."""
     if not token and not is_loopback(host):
         raise InputError(
             f"--host {host}: others reach it, and there is no token; give one of at least {SHORTEST_TOKEN} characters "
-            f"by --token-file or ROVBRUSH_TOKEN, or stay on 127.0.0.1"
+            f"{how}, or stay on 127.0.0.1"
         )
     if not 0 <= port <= 65535:
         raise InputError(f"--port {port}: a port is 1 to 65535, or 0 for any that is free")
@@ -72,7 +74,7 @@ def listening(host: str, port: int, token: str) -> socket.socket:
         listener.close()
         if error.errno == errno.EADDRINUSE:
             raise InputError(f"port {port} of {host} is in use; choose another by --port, or 0 for any") from None
-        raise InputError(f"cannot listen at {Address(host, port)}: {error.strerror or error}") from None
+        raise InputError(f"cannot listen at {Address(host, port)}: {error.strerror or error}; see --host and --port") from None
     return listener
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..extras import require
 from ..live.carried import run_live
 from ..live.driver import checked_speed
 from ..live.server import PageServer
@@ -12,6 +11,8 @@ from ..live.touch import touchable
 from ..loop.machine.compiled import require_loop
 from ..participant.opening import require_compiler
 from ..run.carry_out import Finished, claim
+from ..run.pacing.asked import place_of
+from ..run.pacing.pace import Pace
 from ..run.planned import planned
 from ..system.assemble import assemble_request
 from ..system.request import Request
@@ -20,29 +21,27 @@ from .run_system import require_good, show
 
 
 def live_system(
-    request: Request, out: Path, speed: float, paused: bool, place: tuple[str, int, str], stay: bool, force: bool
+    request: Request, out: Path, server: PageServer, speed: float, paused: bool, stay: bool, force: bool
 ) -> None:
-    """Run, with a page at `place` (host, port, token). Errors as of `run_system`, and InputError for the place."""
-    require("nicegui", "rovbrush live")
+    """Run, with a page by that server. Errors as of `run_system`."""
     checked_speed(speed)
-    server = PageServer(*place)
-    try:
-        system = assemble_request(request)
-        plan = planned(touchable(system), deadlines="")
-        require_loop()
-        for component in system.components.values():
-            require_compiler(component.fmu, component.name)
-        folder, older = claim(out, system.name, force)
-        print_notes(system)
+    pace = Pace(speed or 1.0, "warn", "", *place_of(request))
+    system = assemble_request(request)
+    plan = planned(touchable(system), deadlines="")
+    require_loop()
+    for component in system.components.values():
+        require_compiler(component.fmu, component.name)
+    folder, older = claim(out, system.name, force)
+    print_notes(system)
+    last: list[Finished] = []
+
+    def ready() -> None:
         server.wait()
         tell(f"the page is at {server.url} (Ctrl-C ends the run and writes its results)")
-        last: list[Finished] = []
 
-        def ended(finished: Finished) -> None:
-            last[:] = [finished]
-            show(finished)
+    def ended(finished: Finished) -> None:
+        last[:] = [finished]
+        show(finished)
 
-        run_live(plan, request, server, folder, older, ended, speed, paused, stay)
-    finally:
-        server.close()
+    run_live(plan, request, server, folder, older, ended, pace, speed, paused, stay, ready)
     require_good(last[-1], check=False)

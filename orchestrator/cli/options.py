@@ -150,6 +150,12 @@ RealTimeOption = Annotated[
         help="Keep pace with the clock on the wall, or with a multiple of it: 1 where no number is given.",
     ),
 ]
+FifoOption = Annotated[
+    str, typer.Option("--fifo", metavar="PRIORITY", help="Run with SCHED_FIFO, 1 to 99, where that is allowed.")
+]
+CoresOption = Annotated[
+    str, typer.Option("--cores", metavar="N,...", help="Hold the run on these processors, for instance 1 or 0,1.")
+]
 DeadlinesOption = Annotated[
     str, typer.Option("--deadlines", metavar="TIME", help='Time between two deadlines, for instance "20 ms".')
 ]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import count
 from pathlib import Path
 
+from ..errors import RunError
 from ..files import write_file
 from ..plan.diagram.draw import block_diagram
 from ..plan.plan import Plan
@@ -14,24 +16,27 @@ from ..results.tables import Run
 from ..run.carry_out import Finished, carry_out, claim
 from ..run.ends.interrupt import ENDING, StopRequests
 from ..run.pacing.pace import Pace
+from ..run.session import Session
 from ..system.request import Request
 from .driver import IDLE, Driver
 from .record import Record
 from .server import PageServer
 
 SCENARIO = "scenario.toml"
+PACE = Pace()
 BIGGEST = 40  # components of a diagram
 
 
 def run_live(
     plan: Plan, request: Request, server: PageServer, out: Path, older: Sequence[str] = (),
-    show: Callable[[Finished], object] = lambda finished: None, speed: float = 1.0, paused: bool = True,
-    stay: bool = True,
+    show: Callable[[Finished], object] = lambda finished: None, pace: Pace = PACE, speed: float = 1.0,
+    paused: bool = True, stay: bool = True, ready: Callable[[], object] = lambda: None,
 ) -> list[Finished]:  # fmt: skip
     """Run a plan of a `touchable` system into `out`, and again, beside that, for every reset.
 
-    `show` is told of each run that has ended. `paused`: it waits at its start. `stay`: when a run has ended the page
-    is there until Ctrl-C, or until somebody ends it there. Errors as of `carry_out`.
+    `show` is told of each run that has ended. `pace`: all but its factor, which is `speed` (0: as fast as it goes).
+    `paused`: it waits at its start. `ready` is called there once, and a RunError of it ends the run. `stay`: when a
+    run has ended the page is there until Ctrl-C, or until somebody ends it there. Errors as of `carry_out`.
     """
     diagram = block_diagram(plan) if len(plan.system.components) <= BIGGEST else ""
     found: list[Finished] = []
@@ -42,14 +47,23 @@ def run_live(
             out, older = claim(_free(first), plan.system.name)
         record = Record(plan.system.name)
         driver = Driver(server.wire, record, diagram, speed, paused or attempt > 1, attempt, str(out))
+        go = driver.go if attempt > 1 else partial(_begin, driver, ready)
         more = [((SCENARIO,), partial(_write_record, record))]
-        finished = carry_out(plan, out, request, older, more=more, pace=Pace(speed or 1.0, "skip"), go=driver.go)
+        finished = carry_out(plan, out, request, older, more=more, pace=replace(pace, factor=speed or 1.0), go=go)
         found.append(finished)
         show(finished)
         speed, again = driver.speed, driver.wants == "reset"
         if not again and stay and not driver.interrupted:
             again = _rest(driver, finished, server)
     return found
+
+
+def _begin(driver: Driver, ready: Callable[[], object], session: Session) -> None:
+    try:
+        ready()
+    except RunError as error:
+        session.fail(str(error))
+    driver.go(session)
 
 
 def _free(first: Path) -> Path:

@@ -25,6 +25,7 @@ from .touch import Given, Touch
 from .wire import WAITING, Wire
 
 RATE = 30.0  # updates per second of wall time
+GIVEN_UP = 0.2  # s of wall time that a run is behind, beyond which it does not try to catch up
 NOTICED = 0.25  # s of wall time between two messages of how the run stands
 IDLE = 0.05  # s that a paused run waits for a command
 What = Literal["paused", "running", "writing", "ended", "failed"]
@@ -166,10 +167,12 @@ class Driver:
         self._factor = 0.0
 
     def _advance(self) -> None:
-        """The next piece, about as long as an update; it takes as long as the pace wants."""
+        """The next piece, no longer than an update; it takes as long as the pace wants."""
         pacer = self.session.pacer
         if self.speed and pacer is not None:
-            self.session.advance(cycles=max(round(self.speed / RATE / self._cycle), 1))
+            if pacer.behind(self.session.tick) > GIVEN_UP:
+                pacer.rebase()
+            self.session.advance(cycles=max(int(self.speed / RATE / self._cycle), 1))
             return
         begun = time.monotonic()
         with pacer.at_ease() if pacer is not None else nullcontext():
@@ -182,8 +185,8 @@ class Driver:
         wire, now = self._wire(), time.monotonic()
         if wire is None:
             return
-        if last or now - self._posted >= 0.9 / RATE:
-            self._posted = now
+        if last or now >= self._posted + 1.0 / RATE:
+            self._posted = max(self._posted + 1.0 / RATE, now - 1.0 / RATE)  # on a grid: as many as RATE says
             if self._posted_time != self.session.time or last:
                 self._posted_time = self.session.time
                 wire.post(self.posts.message(), WAITING)

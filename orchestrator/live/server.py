@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import errno
-import socket
 import subprocess
 import sys
 import time
 from contextlib import suppress
+from typing import Self
 
 import msgspec
 
 from ..errors import InputError, RunError
-from ..sockets import is_loopback
+from ..sockets import SHORTEST_TOKEN, listening
 from .wire import Meeting, Wire
 
 STARTS = 5  # of a server that dies, in one run
 APART = 2.0  # s between two of them
 PATIENCE = 60.0  # s until the first one can be reached
-SHORTEST = 8  # characters of a token
 
 
 class Settings(msgspec.Struct, frozen=True):
@@ -33,29 +31,10 @@ class Settings(msgspec.Struct, frozen=True):
 
 def checked_place(host: str, port: int, token: str) -> int:
     """The port that the page gets; a free one for 0. Raises InputError."""
-    if not 0 <= port <= 65535:
-        raise InputError(f"--port {port} is no port; take 1024 to 65535, or 0 for any that is free")
-    if token and (len(token) < SHORTEST or not token.isascii() or not token.isalnum()):
-        raise InputError(f"--token needs at least {SHORTEST} letters and digits, and no others")
-    if not is_loopback(host) and not token:
-        raise InputError(
-            f"--host {host} can be reached from other machines, where anybody could drive the run; give a token that "
-            "they must know, --token WORD, or leave --host out"
-        )
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    try:
-        with socket.socket(family) as probe:
-            if sys.platform != "win32":  # there it means something else
-                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            probe.bind((host, port))
-            return int(probe.getsockname()[1])
-    except OSError as error:
-        if error.errno == errno.EADDRINUSE:
-            raise InputError(
-                f"port {port} of {host} is in use, by another page maybe; take another with --port, 0 for any"
-            ) from None
-        why = error.strerror or str(error)
-        raise InputError(f"no page can be at {host}, port {port}: {why}; choose with --host and --port") from None
+    if token and (len(token) < SHORTEST_TOKEN or not token.isascii() or not token.isalnum()):
+        raise InputError(f"--token needs at least {SHORTEST_TOKEN} letters and digits, and no others")
+    with listening(host, port, token, "by --token WORD") as probe:
+        return int(probe.getsockname()[1])
 
 
 class PageServer:
@@ -69,6 +48,12 @@ class PageServer:
         self._process: subprocess.Popen[bytes] | None = None
         self._starts, self._started = 0, 0.0
         self.start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     @property
     def url(self) -> str:

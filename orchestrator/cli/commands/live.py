@@ -7,7 +7,10 @@ from typing import Annotated
 
 import typer
 
+from ...extras import require
 from ..options import (
+    CoresOption,
+    FifoOption,
     FmusOption,
     InputOption,
     MapOption,
@@ -45,6 +48,8 @@ def live(
     parameters: ParametersOption = "",
     step: StepOption = "",
     allow_outside: OutsideOption = [],  # noqa: B006
+    fifo: FifoOption = "",
+    cores: CoresOption = "",
     fmus: FmusOption = None,
     stay: Annotated[
         bool, typer.Option("--stay/--no-stay", help="Keep the page when the run has ended, until Ctrl-C.")
@@ -52,12 +57,16 @@ def live(
     force: Annotated[bool, typer.Option("--force", help="Replace results of others in the folder.")] = False,
 ) -> None:
     """Run a system in real time with a page in the browser: watch it, set its inputs, break its signals."""
+    require("nicegui", "rovbrush live")
+    from ...live.server import PageServer
     from ...system.request import Request
-    from ..live_system import live_system
 
     request = Request(
         system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
-        allow_outside=tuple(map(str, allow_outside)), parameters=parameters,
+        allow_outside=tuple(map(str, allow_outside)), parameters=parameters, fifo=fifo, cores=cores,
     )  # fmt: skip
-    live_system(request, out, speed=speed, paused=paused, place=(host, port, token), stay=stay, force=force)
+    with PageServer(host, port, token) as server:  # it begins while the rest is loaded
+        from ..live_system import live_system
+
+        live_system(request, out, server, speed=speed, paused=paused, stay=stay, force=force)

@@ -13,8 +13,10 @@ from .. import completion
 from ..console import leave_stdout, tell
 from ..options import (
     SYSTEM_HELP,
+    CoresOption,
     DeadlinesOption,
     EventOption,
+    FifoOption,
     FmusOption,
     InputOption,
     MapOption,
@@ -198,12 +200,8 @@ def run(
         ),
     ] = "",
     deadlines: DeadlinesOption = "",
-    fifo: Annotated[
-        str, typer.Option("--fifo", metavar="PRIORITY", help="Run with SCHED_FIFO, 1 to 99, where that is allowed.")
-    ] = "",
-    cores: Annotated[
-        str, typer.Option("--cores", metavar="N,...", help="Hold the run on these processors, for instance 1 or 0,1.")
-    ] = "",
+    fifo: FifoOption = "",
+    cores: CoresOption = "",
     observe: ObserveOption = [],  # noqa: B006
     observe_signals: ObserveSignalsOption = [],  # noqa: B006
     observe_every: ObserveEveryOption = "",

@@ -16,14 +16,14 @@ def pace_of(request: Request) -> Pace | None:
             if value:
                 raise InputError(f"{option} {value} is for a run in real time; add --real-time")
         return None
+    policy = request.realtime_policy or "warn"
+    return Pace(factor_of(request.real_time), policy, request.deadlines, *place_of(request))  # type: ignore[arg-type]
+
+
+def place_of(request: Request) -> tuple[int, tuple[int, ...]]:
+    """What is asked of the system: the priority of SCHED_FIFO, and processors. Raises InputError for no numbers."""
     cores = tuple(_whole("--cores", part) for part in request.cores.split(",")) if request.cores else ()
-    return Pace(
-        factor_of(request.real_time),
-        request.realtime_policy or "warn",  # type: ignore[arg-type]  # it is checked there
-        request.deadlines,
-        _whole("--fifo", request.fifo) if request.fifo else 0,
-        cores,
-    )
+    return (_whole("--fifo", request.fifo) if request.fifo else 0), cores
 
 
 def factor_of(text: str) -> float:

@@ -75,6 +75,10 @@ class Pacer:
             control[cells.SLOWEST_TIME], control[cells.SLOWEST] = wall - control[cells.MARKED], -1
         control[cells.MARKED] = wall
 
+    def behind(self, tick: int) -> float:
+        """How long ago the deadline of a tick was over [s]; 0 if it is yet to come, or nothing has begun."""
+        return max(now() - int(deadline(self.control, tick)), 0) / SECOND if self._begun else 0.0
+
     def wait(self, tick: int) -> float:
         """Sleep until shortly before the deadline of a tick, a piece at a time, as long as nobody asks to stop; how
         long that was [s]."""

@@ -1,4 +1,7 @@
-"""What the operating system is asked for while a run keeps pace: a place before others, and processors of its own."""
+"""What the operating system is asked for while a run keeps pace: a place before others, and processors of its own.
+
+Processes that are begun meanwhile get the usual scheduling.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ def scheduled(pace: Pace | None) -> Iterator[None]:
         if pace and pace.fifo:
             policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
             try:
-                os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(pace.fifo))
+                os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(pace.fifo))
             except OSError as error:
                 raise InputError(
                     f"SCHED_FIFO {pace.fifo} is not allowed here ({error.strerror}); it needs root, CAP_SYS_NICE, or a "

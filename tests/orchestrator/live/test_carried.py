@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from helpers import plan_of
+from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.live.carried import SCENARIO, run_live
 from rovbrush.orchestrator.live.messages import Do, packed_command
 from rovbrush.orchestrator.live.touch import touchable
@@ -19,7 +20,7 @@ from rovbrush.orchestrator.system.request import Request
 
 
 class Hands:
-    """In a server's place: who gives the next commands each time that somebody asks."""
+    """In a server's place: who gives the next commands each time that a run waits for some."""
 
     gone, closed, dropped = False, False, 0
 
@@ -29,7 +30,9 @@ class Hands:
     def wire(self) -> Any:
         return self
 
-    def take(self, _patience: float = 0.0) -> list[bytes]:
+    def take(self, patience: float = 0.0) -> list[bytes]:
+        if not patience:  # the run goes on meanwhile, faster or slower
+            return []
         return [packed_command(do) for do in next(self._coming, [])]
 
     def post(self, _message: bytes, _waiting: int = 0) -> bool:
@@ -67,6 +70,16 @@ def test_a_reset_begins_in_a_folder_that_nobody_has(plan: Plan, tmp_path: Path) 
 
 
 def test_a_run_that_has_ended_can_be_begun_again_and_ended_for_good(plan: Plan, tmp_path: Path) -> None:
-    folders = run(plan, tmp_path / "live", [Do("start")], [], [Do("step")], [Do("reset")], [Do("start")], [Do("end")])
+    folders = run(plan, tmp_path / "live", [Do("start")], [Do("step")], [Do("reset")], [Do("start")], [Do("end")])
     assert [folder.name for folder in folders] == ["live", "live_2"]
     assert all((folder / "result.nc").is_file() for folder in folders)
+
+
+def test_a_page_that_does_not_come_ends_the_run_with_words_and_its_first_row(plan: Plan, tmp_path: Path) -> None:
+    def ready() -> None:
+        raise RunError("the page's server did not start")
+
+    server: Any = Hands()
+    (finished,) = run_live(plan, Request("case"), server, tmp_path / "live", ready=ready, stay=False)
+    assert "the page's server did not start" in " ".join(finished.failures)
+    assert (tmp_path / "live" / "result.nc").is_file()

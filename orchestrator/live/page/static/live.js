@@ -1,5 +1,6 @@
 // Rows of the run as they come: kept for a while, drawn as strip charts, and given to the scene.
 const KEPT = 1500; // messages, about 50 s of them
+const LEAST = 60, MOST = 500, SHARE = 4; // ms between two drawings of the charts, and times what one takes
 const COLOURS = ["#2f7ebc", "#c77d0a", "#2a9d64", "#b3487f", "#7a5bc4", "#5f7d8c"];
 
 export const rig = { signals: [], frames: [], charts: [], window: 20, received: 0, drawn: 0, time: 0, listeners: [], about: null };
@@ -143,17 +144,20 @@ function draw(chart, frames, begin, end) {
   });
 }
 
-let last = 0;
+let last = 0, pause = LEAST, seen = 0;
 function loop(now) {
   requestAnimationFrame(loop);
-  if (now - last < 60 || !rig.frames.length || document.hidden) return;
+  if (now - last < (rig.received === seen ? MOST : pause) || !rig.frames.length || document.hidden) return;
   last = now;
+  seen = rig.received;
+  const begun = performance.now();
   const end = Math.max(rig.frames.at(-1).t, rig.frames[0].t + 1e-3), begin = Math.max(end - rig.window, rig.frames[0].t);
   const first = rig.frames.findIndex((frame) => frame.t >= begin), frames = rig.frames.slice(Math.max(first, 0));
   rig.charts.forEach((chart) => draw(chart, frames, begin, Math.max(end, begin + 1e-3)));
   const clock = document.getElementById("clock");
   if (clock) clock.textContent = `${rig.time.toFixed(3)} s`;
   rig.drawn += 1;
+  pause = Math.min(Math.max(LEAST, SHARE * (performance.now() - begun)), MOST);
 }
 
 function begin() {

@@ -121,19 +121,27 @@ async function begin() {
     }
   };
   rig.frames.forEach(move);
-  let waiting = null, drawn = 0;
+  let waiting = null, drawn = 0, moved = true;
+  element.controls.addEventListener("change", () => (moved = true));
+  new ResizeObserver(() => (moved = true)).observe(place);
   rig.listeners.push({
     rows: (rows) => {
       if (waiting === null) requestAnimationFrame(() => {
         move(waiting);
         waiting = null;
+        moved = true;
       });
       waiting = rows;
     },
-    begins: () => all.forEach(([, group]) => group.patches?.forEach((patch) => (patch.visible = true))),
+    begins: () => {
+      all.forEach(([, group]) => group.patches?.forEach((patch) => (patch.visible = true)));
+      moved = true;
+    },
   });
   const render = element.renderer.render.bind(element.renderer);
   element.renderer.render = (...what) => {
+    if (!moved) return;
+    moved = false;
     render(...what);
     rig.scenes = ++drawn;
   };
