@@ -74,7 +74,9 @@ def listening(host: str, port: int, token: str, how: str = BY_FILE) -> socket.so
         listener.close()
         if error.errno == errno.EADDRINUSE:
             raise InputError(f"port {port} of {host} is in use; choose another by --port, or 0 for any") from None
-        raise InputError(f"cannot listen at {Address(host, port)}: {error.strerror or error}; see --host and --port") from None
+        raise InputError(
+            f"cannot listen at {Address(host, port)}: {error.strerror or error}; see --host and --port"
+        ) from None
     return listener
 
 

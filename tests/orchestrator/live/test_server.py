@@ -31,7 +31,9 @@ def test_a_host_beyond_this_machine_needs_a_token(host: str) -> None:
         checked_place(host, 0, "")
 
 
-@pytest.mark.parametrize("token", ["short", "fifteenletters1", "with spaces in it", "ümlautsandmore17", "semi;colonequals1"])
+@pytest.mark.parametrize(
+    "token", ["short", "fifteenletters1", "with spaces in it", "ümlautsandmore17", "semi;colonequals1"]
+)
 def test_a_token_is_letters_and_digits_enough(token: str) -> None:
     with pytest.raises(InputError, match="--token needs at least 16"):
         checked_place("127.0.0.1", 0, token)
