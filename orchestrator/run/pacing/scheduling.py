@@ -1,22 +1,29 @@
 """What the operating system is asked for while a run keeps pace: a place before others, and processors of its own.
 
-Processes that are begun meanwhile get the usual scheduling.
+Processes that are begun meanwhile get the usual scheduling. Threads beside the run give up Python's lock after
+SWITCH_INTERVAL, for which a deadline may be late.
 """
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 
 from ...errors import InputError
 from .pace import Pace
 
+SWITCH_INTERVAL = 2e-4  # s
+
 
 @contextmanager
 def scheduled(pace: Pace | None) -> Iterator[None]:
     """As long as the block lasts. Raises InputError where the system does not allow it."""
     with ExitStack() as stack:
+        if pace:
+            stack.callback(sys.setswitchinterval, sys.getswitchinterval())
+            sys.setswitchinterval(SWITCH_INTERVAL)
         if pace and pace.cores:
             before = os.sched_getaffinity(0)
             try:

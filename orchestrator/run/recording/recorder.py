@@ -11,12 +11,13 @@ from ...errors import InputError, RunError
 from ...plan.plan import Plan
 from ...results.tables import Stored
 from ..memory.memory import Memory
+from .behind import WrittenBehind
 from .observers import NEVER, Piece
-from .stream import Stream
+from .read_back import type_of
+from .stream import WIDTH, Stream
 
 CHUNK = 4096  # rows that a table of unknown length begins with
 IN_MEMORY = 30_000_000  # bytes of tables that are kept in memory where a file is given for more
-IN_REAL_TIME = 500_000_000  # the same of a run that keeps pace: a piece takes the disk a tenth of a second and more
 PIECE = 8_000_000  # bytes that go to the file at once
 
 
@@ -24,8 +25,8 @@ class Recorder:
     """Buffer and counters as `loop.run` wants them.
 
     Without `file` all tables stay in memory. With it those that are larger than IN_MEMORY go there, chunk by chunk;
-    where `paced` those that are larger than IN_REAL_TIME, the others at the end. Chunks end where they end whatever the
-    blocks in which the loop is called.
+    where the run is `paced` while it goes on. Chunks end where they end whatever the blocks in which the loop is
+    called.
     """
 
     def __init__(self, plan: Plan, memory: Memory, file: Path | None = None, paced: bool = False) -> None:
@@ -39,8 +40,11 @@ class Recorder:
         self._given = False  # whether somebody has tables that lie in the buffer
         self._taken = False  # and keeps them
         wanted = CHUNK if plan.adaptive else -(-plan.clock.stop // plan.clock.hyperperiod)
-        held = max(IN_MEMORY, IN_REAL_TIME) if paced and not plan.adaptive else IN_MEMORY
-        self._reserve(wanted if wanted <= self._cycles_in(held) else self._cycles_in(PIECE))
+        texts = any(type_of(plan, key) in WIDTH for group in plan.groups for key in group.columns)
+        behind = paced and not plan.adaptive and not texts  # texts are shared with the loop
+        self._kind = WrittenBehind if behind else Stream
+        self._spare: np.ndarray | None = None  # a buffer whose rows are on their way
+        self._reserve(wanted if wanted <= self._cycles_in(IN_MEMORY) else self._cycles_in(PIECE))
         self._first_row()
 
     def _first_row(self) -> None:
@@ -62,7 +66,7 @@ class Recorder:
             here = min(int(self.rows[table]), count)
             self.rows[table] -= here
             if self.stream is not None:
-                self.stream.rows[table] -= count - here
+                self.stream.take_back(table, count - here)
             self._seen[table] = min(self._seen[table], self.before[table] + int(self.rows[table]))
 
     def _cycles_in(self, size: int) -> int:
@@ -127,18 +131,30 @@ class Recorder:
             for (_, columns, first), count in zip(self.groups.tolist(), rows, strict=False)
         ]
 
-    def flush(self, rows: list[int]) -> None:
-        """The first `rows` rows of every table in the buffer to the file; the others are dropped."""
+    def flush(self, rows: list[int], wait: bool = False) -> None:
+        """The first `rows` rows of every table in the buffer to the file, or on their way; the others are dropped."""
         assert self.file is not None
         if self.stream is None:
-            self.stream = Stream(self.file, self.plan, self.memory.texts)
-        self.stream.see(Piece(0.0, 0, list(self.before), self.tables(rows)))
+            self.stream = self._kind(self.file, self.plan, self.memory.texts)
+        if wait:
+            self.stream.append(self.tables(rows))
+        else:
+            self.stream.see(Piece(0.0, 0, list(self.before), self.tables(rows)))
         self.rows[:] = 0
+        self._turn_over()
+
+    def _turn_over(self) -> None:
+        """Another buffer while the rows of this one are on their way."""
+        if self._kind is WrittenBehind:
+            other, self._spare = self._spare, self.buffer
+            fits = other is not None and other.shape == self.buffer.shape
+            self.buffer = other if fits else np.zeros_like(self.buffer)  # type: ignore[assignment]
+            self.arrays = self.slots, self.groups, self.buffer, self.rows
 
     @property
     def before(self) -> list[int]:
         """Rows of every table that are no longer in the buffer."""
-        return self.stream.rows if self.stream else [0] * len(self.columns)
+        return self.stream.taken if self.stream else [0] * len(self.columns)
 
     def recorded(self, rows: list[int]) -> list[np.ndarray] | Stored:
         """The first `rows` rows of every table, counted from time 0. What the disk refuses is pending in the file."""
@@ -148,7 +164,7 @@ class Recorder:
             return self.tables(here)
         refused = False
         try:
-            self.flush(here)
+            self.flush(here, wait=True)
         except RunError:
             refused = True
         assert self.stream is not None  # it is there since the first flush, also where that was refused
@@ -196,4 +212,4 @@ class Recorder:
             if self.file is None:
                 raise InputError("this run was recorded to a file; go on with a file to record to")
             before = content["before"].tolist()
-            self.stream = Stream.going_on(file, self.file, self.plan, self.memory.texts, before)
+            self.stream = self._kind.going_on(file, self.file, self.plan, self.memory.texts, before)

@@ -34,8 +34,11 @@ REFUSED = (OSError, RuntimeError, ValueError, KeyError)  # what HDF5 raises wher
 class Stream:
     """An observer: a file that grows by chunks of rows; `rows` per table are in it.
 
-    `full` says why there is no room for another piece; `pending` holds rows that the disk refused.
+    `full` says why there is no room for another piece; `pending` holds rows that the disk refused. Room is reserved for
+    `AHEAD` pieces.
     """
+
+    AHEAD = 1
 
     def __init__(self, path: Path, plan: Plan, texts: Texts) -> None:
         self.path, self.plan, self.texts = path, plan, texts
@@ -53,6 +56,19 @@ class Stream:
         stream = cls(path, plan, texts)
         stream.rows, stream._file = rows, RowsFile(path)
         return stream
+
+    @property
+    def taken(self) -> list[int]:
+        """Rows per table that it has, here or in the file."""
+        return self.rows
+
+    def _unwritten(self) -> list[np.ndarray]:
+        """Rows that the disk refused; no tables if there are none."""
+        return self.pending
+
+    def take_back(self, table: int, count: int) -> None:
+        """The last rows of a table come again."""
+        self.rows[table] -= count
 
     def due(self, tick: int) -> int:
         return NEVER
@@ -113,7 +129,7 @@ class Stream:
                     * sum(WIDTH.get(type_of(self.plan, key), 0) for key in columns)
                     * (TEXT + self.texts.longest)
                 )
-            file.reserve(size)
+            file.reserve(self.AHEAD * size)
         except OSError as error:
             self.full = (
                 f"the rows cannot grow in {self.path.parent}: {reason(error)}; record less (--record) or make room"
@@ -175,15 +191,16 @@ class Stream:
         if self._finished:
             shutil.copyfile(self.path, path)
             return
-        assert self._file is not None or self.pending
+        unwritten = self._unwritten()
+        assert self._file is not None or unwritten
         if path.parent != self.path.parent or not self.path.exists():
             there = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
             if self._file is None:
                 self.path = there
             else:
                 self._move(there)
-        if self.pending and not partly:
-            self.append(self.pending)
+        if unwritten and not partly:
+            self.append(unwritten)
         self.pending = []
         if self._file is None:
             raise RunError(f"cannot write {path}: no row found room")

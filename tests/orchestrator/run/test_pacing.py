@@ -20,7 +20,6 @@ from rovbrush.orchestrator.loop.operations import PACE
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.pacing import pacer, wall
 from rovbrush.orchestrator.run.pacing.pace import Pace
-from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
@@ -237,30 +236,3 @@ def test_deadlines_and_a_pace_go_together(clock: Clock) -> None:
     plan = plan_of_mocks({"a": (worker(clock, lambda _: 0.0), "0.001")}, [], [], "0.005")
     with pytest.raises(InputError, match="this plan has no deadlines"):
         Session(plan, pace=Pace())
-
-
-def test_rows_are_written_behind_the_last_deadline_where_memory_holds_them(
-    clock: Clock, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A piece on its way to disk would hold the run for longer than a deadline waits."""
-    for name, size in (("IN_MEMORY", 100), ("PIECE", 60)):
-        monkeypatch.setattr(recorder, name, size)
-    plan, written = plan_with(clock, lambda _: 1.0), list[float]()
-    flush = recorder.Recorder.flush
-
-    def watched(own: recorder.Recorder, rows: list[int]) -> None:
-        written.append(clock.now)
-        flush(own, rows)
-
-    monkeypatch.setattr(recorder.Recorder, "flush", watched)
-    with Session(plan, file=tmp_path / "rows.nc", pace=Pace()) as session:
-        session.advance()
-        assert not written
-        run = session.run()
-        assert written == [5_100 * MS] and not isinstance(run.recorded, list)
-        assert same(run, simulate(make_plan(plan.system)))
-    monkeypatch.setattr(recorder, "IN_REAL_TIME", 100)
-    with Session(plan, file=tmp_path / "more.nc", pace=Pace()) as session:
-        session.advance()
-        assert len(written) > 2  # what is larger goes there piece by piece, as ever
-        assert same(session.run(), run)
