@@ -93,7 +93,7 @@ class Fmu(Capabilities):
         """Whether there is a file of it that another tool could take; see `outside.declared` for what has none."""
         return True
 
-    @property
+    @cached_property
     def version(self) -> int:
         """1, 2 or 3."""
         return int(self.description.fmiMajorVersion)

@@ -82,6 +82,8 @@ def figure_of_merit(operation: str, signals: list[Signal], begin: float, end: fl
 
 def as_numbers(signal: Signal) -> Signal:
     """The signal in floating point: the square or the magnitude of a whole number may not fit its own type."""
+    if signal.values.dtype == np.float64:
+        return signal
     return replace(signal, values=np.asarray(signal.values, dtype=float))
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..processes import peak_memory
 from ..system.file.merits import merit
 from ..system.model import System
-from .energy import balance, ledger, over_limits
+from .energy import Ledger, balance, ledger, over_limits, require_energy
 from .figures_of_merit import figure_of_merit, steady_window
 from .ranges import left_range
 from .signals import Signals
@@ -22,9 +22,7 @@ MOST_TOLD = 1000  # lines of what happened
 def summarize(run: Run) -> dict[str, Any]:
     """All figures of merit of a run, as JSON-ready numbers; incomplete runs say so."""
     signals = Signals(run)
-    specification = dict(run.plan.system.reporting["summary"])
-    window = specification.pop("window", {})
-    begin, end, turns, steady = steady_window(signals, window)
+    merits, window, (begin, end, turns, steady) = _merits(signals)
     result: dict[str, Any] = {"complete": not run.failure}
     if run.failure:
         result["failure"] = run.failure
@@ -38,13 +36,10 @@ def summarize(run: Run) -> dict[str, Any]:
         result["did_not_happen"] = waited
     if lines := left_range(run, signals):
         result["left_range"] = lines
-    for key, text in specification.items():
-        operation, names = merit(text)
-        result[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)
+    result |= merits
     ledgers = [ledger(signals, bond) for bond in run.plan.system.bonds]
     if ledgers:
-        carried = max(x.carried for x in ledgers)
-        result["coupling_energy_relative"] = max(abs(x.made) for x in ledgers) / carried if carried else 0.0
+        result["coupling_energy_relative"] = _relative(ledgers)
         result["coupling_energy"] = {
             x.name: {
                 "effort_side_J": x.effort_side, "flow_side_J": x.flow_side, "made_J": x.made,
@@ -71,6 +66,39 @@ def summarize(run: Run) -> dict[str, Any]:
     if run.lateness:
         result["real_time"] = run.lateness.content()
     return result | {"start_s": run.start, "peak_memory_MB": peak_memory(), "fmus": which_fmus(run.plan.system)}
+
+
+def figures(run: Run) -> dict[str, float]:
+    """The figures of merit of a complete run that are single numbers: those of `figure_units`, as `summarize` has them.
+
+    Raises RunError if the coupling made or lost more energy than the bonds of the system allow.
+    """
+    require_energy(run)
+    signals = Signals(run)
+    found, ledgers = _merits(signals)[0], [ledger(signals, bond) for bond in run.plan.system.bonds]
+    if ledgers:
+        found["coupling_energy_relative"] = _relative(ledgers)
+    if entry := run.plan.system.reporting["balance"]:
+        found["energy_balance_relative"] = balance(signals, entry, ledgers).relative
+    return found
+
+
+def _merits(signals: Signals) -> tuple[dict[str, float], Mapping[str, Any], tuple[float, float, int, bool]]:
+    """What `[summary]` asks for, its window as it is stated, and what that is in the run: see `steady_window`."""
+    specification = dict(signals.run.plan.system.reporting["summary"])
+    window = specification.pop("window", {})
+    begin, end, turns, steady = steady_window(signals, window)
+    found = {}
+    for key, text in specification.items():
+        operation, names = merit(text)
+        found[key] = figure_of_merit(operation, [signals[name] for name in names], begin, end)
+    return found, window, (begin, end, turns, steady)
+
+
+def _relative(ledgers: Sequence[Ledger]) -> float:
+    """What the coupling made at the worst bond, by the energy that the largest carried."""
+    carried = max(x.carried for x in ledgers)
+    return max(abs(x.made) for x in ledgers) / carried if carried else 0.0
 
 
 def which_fmus(system: System) -> str:

@@ -156,6 +156,12 @@ class Session:
                 if not self.failure:
                     self._show(watching)
 
+    def straight_on(self) -> None:
+        """To the stop of the plan with nobody looking on, and signals as the program has them."""
+        last = self.plan.clock.stop if self._adaptive else -(-self.plan.clock.stop // self._cycle_ticks)
+        while self.at.cycle < last and self.tick < self.plan.clock.stop and not self.over:
+            self._run_block(last - self.at.cycle)
+
     def _show(self, watching: Sequence[Observer]) -> None:
         """Let observers see the rows that are new."""
         if watching:
@@ -267,6 +273,11 @@ class Session:
     def tables_of_components(self) -> np.ndarray:
         """`components` as the loop has it; one that has asked to end is given nothing more."""
         return self._blocks.components
+
+    @property
+    def loop(self) -> Blocks:
+        """The loop with its arrays."""
+        return self._blocks
 
     def revive(self) -> None:
         """It is where it was once, and goes on whatever has ended it since."""

@@ -27,6 +27,7 @@ from .schema.live import LiveTable
 from .schema.solving import Loops, Solver
 from .values import checked_values
 
+Values = Mapping[str, Mapping[str, Value]]  # by component and scalar
 FORMATS = (1, 2)  # of system files; of one without `format` a run says what it holds that was extrapolated then
 
 
@@ -244,6 +245,18 @@ class System:
     def with_values(self, assignments: Mapping[str, object], origin: str) -> System:
         """A copy with `component.variable` set: a parameter, or an input that nothing drives.
 
+        Errors as of `checked`."""
+        return self.with_checked(self.checked(assignments, origin))
+
+    def with_checked(self, values: Values) -> System:
+        """A copy with values that `checked` has given."""
+        changed = {name: self.components[name].with_values(found) for name, found in values.items()}
+        return replace(self, components={**self.components, **changed})
+
+    def checked(self, assignments: Mapping[str, object], origin: str) -> Values:
+        """Values by component and scalar, from those of `component.variable`: parameters, and inputs that nothing
+        drives.
+
         Raises InputError for an unknown name, a driven input, a wrong type or a value out of range.
         """
         components, values = self.components, dict[str, dict[str, Value]]()
@@ -269,8 +282,7 @@ class System:
                     followed = tables[f"{name}.{scalar}"].origin
                     raise InputError(f"{origin}: {name}.{scalar} follows {followed}; remove that first")
                 values.setdefault(name, {})[scalar] = scalar_value
-        changed = {name: components[name].with_values(found) for name, found in values.items()}
-        return replace(self, components={**components, **changed})
+        return values
 
     def full_name(self, name: str) -> str:
         """`component.variable`; where there is one component its variables need no prefix."""

@@ -22,7 +22,7 @@ def bench(
         typer.Argument(
             metavar="[PART]...",
             help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, outside, pacing, "
-            "observers; all by default. With --against: against, fmus.",
+            "observers, sweeps; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -191,6 +191,21 @@ def print_observers(rows: Rows) -> None:
     print_table(title, headings, cells, words=(0, 4))
 
 
+def print_sweeps(rows: Rows) -> None:
+    """Points of sweeps."""
+    cells = [
+        (
+            r["system"], f"{r['points']}", f"{r['workers']}", f"{r['ms_per_point']:.3f}",
+            f"{r['worker_ms_per_point']:.3f}", f"{r['loaded_anew_ms']:.2f}", f"{r['bytes_per_point']:.0f}",
+        ) for r in rows
+    ]  # fmt: skip
+    headings = (
+        "system", "points", "workers", "a point,\nresults and all [ms]", "of a core [ms]", "FMUs loaded\nanew [ms]",
+        "bytes",
+    )  # fmt: skip
+    print_table("Sweeps: native FMUs that stay loaded, one run", headings, cells)
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -222,6 +237,6 @@ PRINTED = {
     "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
     "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,
-    "observers": print_observers,
+    "observers": print_observers, "sweeps": print_sweeps,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

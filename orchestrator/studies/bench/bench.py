@@ -25,6 +25,7 @@ from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
 from .solvers import solver_rows
 from .streaming import long_runs
+from .sweeps import sweep_rows
 from .systems import cases, native_folder
 from .windows import PLATFORM, windows_rows
 
@@ -53,6 +54,7 @@ PARTS = {
     "outside": Part("components that are no FMU: Python functions, and peers by UDP and shared memory", 10.0, 5.0),
     "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
     "observers": Part("who looks on while a run goes", 60.0, 20.0),
+    "sweeps": Part("points of a sweep with their results, by FMUs that stay loaded", 90.0, 15.0),
     "against": Part("this installation against another one", 300.0, 60.0),
     "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
@@ -164,6 +166,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from pacing_rows(folder, asked.quick)
         elif name == "observers":
             yield from observer_rows(folder, asked.quick)
+        elif name == "sweeps":
+            yield from sweep_rows(folder, native_folder(asked.fmus), asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")

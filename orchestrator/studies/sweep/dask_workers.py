@@ -5,11 +5,12 @@ from __future__ import annotations
 import logging
 import socket
 import threading
+from collections.abc import Sequence
 from concurrent.futures import Executor, Future
 from typing import Any, Self
 
 from ...errors import InputError, RunError
-from .point import Job, Record, load, run_point
+from .point import Job, Record, load, run_batch
 from .workers import AHEAD
 
 ANSWER = 5.0  # s that a scheduler has to answer, and then to have a worker
@@ -76,11 +77,11 @@ class DaskWorkers:
         except Exception as error:
             raise InputError(f"a worker of {self.address} cannot run this system: {error}") from error
 
-    def submit(self, job: Job, values: dict[str, Any]) -> Future[Record]:
-        return self.pool.submit(run_point, job, values)
+    def submit(self, job: Job, batch: Sequence[dict[str, Any]]) -> Future[list[Record]]:
+        return self.pool.submit(run_batch, job, batch)
 
     def room(self) -> int:
-        return AHEAD * max(1, len(self.client.nthreads()))  # a worker computes one point at a time
+        return AHEAD * max(1, len(self.client.nthreads()))  # a worker computes one batch at a time
 
     def check(self) -> None:
         if self.client.status != "running":

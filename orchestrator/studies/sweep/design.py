@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -43,6 +43,29 @@ class Design:
         """The values of point k by name."""
         at = [int(i) for i in np.unravel_index(k, self.shape)] if self.kind == "grid" else [k] * len(self.axes)
         return {axis.name: axis.values[i] for axis, i in zip(self.axes, at, strict=True)}
+
+    def points(self, numbers: Iterable[int]) -> PointsOf:
+        """Some of the points with their values, which are made when they are asked for."""
+        return PointsOf(self, list(numbers))
+
+
+class PointsOf(Sequence[tuple[int, dict[str, Value]]]):
+    """Numbers and values of points of a design."""
+
+    def __init__(self, design: Design, numbers: list[int]) -> None:
+        self._design, self._numbers = design, numbers
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, at: int) -> tuple[int, dict[str, Value]]: ...
+    @overload
+    def __getitem__(self, at: slice) -> list[tuple[int, dict[str, Value]]]: ...
+    def __getitem__(self, at: int | slice) -> Any:
+        if isinstance(at, slice):
+            return [(k, self._design.point(k)) for k in self._numbers[at]]
+        return self._numbers[at], self._design.point(self._numbers[at])
 
 
 def check_count(count: int, origin: str) -> None:

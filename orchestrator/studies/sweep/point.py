@@ -9,6 +9,7 @@ import os
 import signal
 import threading
 import time
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import astuple, dataclass, replace
 from functools import lru_cache
@@ -21,10 +22,9 @@ from ...errors import InputError, RunError
 from ...plan.algorithms.registry import algorithm_of
 from ...plan.plan import Plan, make_plan
 from ...processes import peak_memory
-from ...results.energy import require_energy
 from ...results.figures_of_merit import figure_units
 from ...results.requested import check_numeric, check_summary
-from ...results.summary import summarize
+from ...results.summary import figures
 from ...results.tables import require_complete
 from ...run.simulation import simulate
 from ...system.assemble import assemble
@@ -33,9 +33,11 @@ from ...system.file.recorded import reported_names
 from ...system.model import System
 from ...system.replace.view import crossings_of
 from ...system.request import UNCHANGED, Changes
+from .kept import Kept
 from .replanned import needs_plan
 
 Record = dict[str, Any]  # `figures` by name or `error`; `cpu_s`, `wall_s`, `memory_MB` of the worker
+_KEPT = Kept()
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads
 
 
@@ -148,26 +150,47 @@ def digest(system: System) -> str:
     return hashlib.sha256(json.dumps(content, default=str).encode()).hexdigest()
 
 
-def run_point(job: Job, values: dict[str, Any]) -> Record:
-    """Run one point. A failure of any kind becomes its `error`."""
-    record: Record = {}
+def run_batch(job: Job, batch: Sequence[Mapping[str, Any]]) -> list[Record]:
+    """Run points one after the other. A failure of any kind becomes the `error` of its point."""
     with _ONE_AT_A_TIME:
-        cpu, wall = time.process_time(), time.perf_counter()
-        try:
-            plan = load(job)
-            names = figure_units(plan.system)
-            if first := tuple((name, value) for name, value in values.items() if needs_plan(plan.system, name)):
-                plan = planned(job, first)
-            others = {name: value for name, value in values.items() if (name, value) not in first}
-            run = require_complete(simulate(replace(plan, system=plan.system.with_values(others, "--vary"))))
-            summary = summarize(require_energy(run))
-            figures = {name: summary.get(name, math.nan) for name in names}  # with other sizes some may not be there
-            record["figures"] = {name: value if math.isfinite(value) else None for name, value in figures.items()}
-        except Exception as error:
-            expected = isinstance(error, (InputError, RunError)) or hasattr(error, "exit_code")
-            record["error"] = str(error) if expected else f"{type(error).__name__}: {error}"
-        record |= {"cpu_s": time.process_time() - cpu, "wall_s": time.perf_counter() - wall}
-    return record | {"memory_MB": peak_memory()}
+        records = [_record(job, values) for values in batch]
+    memory = peak_memory()
+    return [record | {"memory_MB": memory} for record in records]
+
+
+def run_point(job: Job, values: Mapping[str, Any]) -> Record:
+    """Run one point."""
+    return run_batch(job, [values])[0]
+
+
+def _record(job: Job, values: Mapping[str, Any]) -> Record:
+    record: Record = {}
+    cpu, wall = time.process_time(), time.perf_counter()
+    try:
+        found = _figures(job, values)
+        merits = {name: found.get(name, math.nan) for name in _names(job)}  # with other sizes some may not be there
+        record["figures"] = {name: value if math.isfinite(value) else None for name, value in merits.items()}
+    except Exception as error:
+        expected = isinstance(error, (InputError, RunError)) or hasattr(error, "exit_code")
+        record["error"] = str(error) if expected else f"{type(error).__name__}: {error}"
+    return record | {"cpu_s": time.process_time() - cpu, "wall_s": time.perf_counter() - wall}
+
+
+def _figures(job: Job, values: Mapping[str, Any]) -> dict[str, float]:
+    plan = load(job)
+    if first := tuple((name, value) for name, value in values.items() if needs_plan(plan.system, name)):
+        plan = planned(job, first)
+    others = {name: value for name, value in values.items() if (name, value) not in first}
+    checked = plan.system.checked(others, "--vary")
+    found = None if first else _KEPT.figures(job, plan, checked)
+    if found is None:
+        found = figures(require_complete(simulate(replace(plan, system=plan.system.with_checked(checked)))))
+    return found
+
+
+@lru_cache(maxsize=4)
+def _names(job: Job) -> tuple[str, ...]:
+    return tuple(figure_units(load(job).system))
 
 
 def begin_worker(leash: Connection) -> None:

@@ -134,8 +134,8 @@ def run_points(
 ) -> Cost | None:
     """Compute and keep what is missing; what that cost."""
     done = points.done()
-    tasks = [(k, design.point(k)) for k in range(len(design)) if k not in done]
-    if not tasks:
+    tasks = design.points(k for k in range(len(design)) if k not in done)
+    if not len(tasks):
         return None
     begin, cpu, memory = time.perf_counter(), 0.0, 0.0
     progress(len(done), len(design))

@@ -1,6 +1,7 @@
 """Where the points of a sweep are computed: one process per core here, or the workers of a Dask scheduler.
 
-Both take the same calls, so that outgrowing a machine means changing one option. Points come back as they finish.
+Both take the same calls, so that outgrowing a machine means changing one option. Points are handed out in batches that
+take about BATCH seconds, and come back as these finish.
 """
 
 from __future__ import annotations
@@ -8,16 +9,18 @@ from __future__ import annotations
 import os
 import signal
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Protocol, Self
 
-from .point import Job, Record, begin_worker, run_point
+from .point import Job, Record, begin_worker, run_batch
 
-AHEAD = 2  # points handed out per worker, so that none waits for this process
+BATCH = 0.2  # s of a worker
+MOST = 1000  # points of a batch
+AHEAD = 2  # batches handed out per worker, so that none waits for this process
 DIED = "the process that computed this point died (a crash of an FMU, or the system ended it)"
 
 Task = tuple[int, dict[str, Any]]  # number and values of a point
@@ -44,9 +47,9 @@ def _without_interrupt() -> Iterator[None]:
 class Workers(Protocol):
     """What computes points: as context manager it ends its work at the end of the block."""
 
-    def submit(self, job: Job, values: dict[str, Any]) -> Future[Record]: ...
+    def submit(self, job: Job, batch: Sequence[dict[str, Any]]) -> Future[list[Record]]: ...
     def room(self) -> int:
-        """How many points it can have in hand."""
+        """How many batches it can have in hand."""
         ...
 
     def check(self) -> None:
@@ -82,9 +85,9 @@ class LocalWorkers:
         self.reader, self.writer = context.Pipe(duplex=False)
         self.pool = ProcessPoolExecutor(self.count, context, begin_worker, (self.reader,))
 
-    def submit(self, job: Job, values: dict[str, Any]) -> Future[Record]:
+    def submit(self, job: Job, batch: Sequence[dict[str, Any]]) -> Future[list[Record]]:
         with _without_interrupt():
-            return self.pool.submit(run_point, job, values)
+            return self.pool.submit(run_batch, job, batch)
 
     def room(self) -> int:
         return AHEAD * self.count
@@ -110,42 +113,92 @@ class LocalWorkers:
         self.stop()
 
 
-def computed(workers: Workers, job: Job, tasks: Iterable[Task]) -> Iterator[tuple[int, Record]]:
+def computed(workers: Workers, job: Job, tasks: Sequence[Task]) -> Iterator[tuple[int, Record]]:
     """Number and record of each point as it finishes, in any order. Raises RunError if the scheduler goes away.
 
-    Where a local process dies, the points that were handed out are computed again, each alone in a fresh process; one
-    that kills its process again is recorded as failed.
+    Where a process dies, the points that were handed out are computed again, those of a batch by themselves, and by
+    halves until it is known which point kills its process; that one is recorded as failed.
     """
-    waiting, running = deque(tasks), dict[Future[Record], Task]()
+    waiting, running = Batches(tasks, workers.room()), dict[Future[list[Record]], Sequence[Task]]()
     while waiting or running:
         broken = False
         while waiting and not broken and len(running) < workers.room():
+            batch = waiting.take()
             try:
-                running[workers.submit(job, waiting[0][1])] = waiting[0]
-                waiting.popleft()
+                running[workers.submit(job, [values for _, values in batch])] = batch
             except BrokenProcessPool:
+                waiting.put_back(batch)
                 broken = True
         done, _ = wait(running, timeout=1.0, return_when=FIRST_COMPLETED)
         workers.check()
         for future in done:
             if isinstance(future.exception(), BrokenProcessPool):
                 broken = True
-            else:
-                yield running.pop(future)[0], outcome(future)
+                continue
+            batch = running.pop(future)
+            if future.exception() and len(batch) > 1:  # Dask gives one up whose workers have died
+                waiting.halve(batch)
+                continue
+            records = outcome(future, len(batch))
+            waiting.took(records)
+            yield from zip((k for k, _ in batch), records, strict=True)
         if broken:
             suspects = list(running.values())
             running.clear()
-            for k, values in suspects:
+            while suspects:
+                batch = suspects.pop(0)
                 workers.stop()
                 workers.start()
-                yield k, outcome(workers.submit(job, values))
+                future = workers.submit(job, [values for _, values in batch])
+                if future.exception() and len(batch) > 1:
+                    middle = len(batch) // 2
+                    suspects[:0] = [batch[:middle], batch[middle:]]
+                    continue
+                yield from zip((k for k, _ in batch), outcome(future, len(batch)), strict=True)
             workers.stop()
             workers.start()
 
 
-def outcome(future: Future[Record]) -> Record:
-    """The record of a finished point, also where its worker could not give one."""
+class Batches:
+    """The points that wait, in batches of about BATCH seconds by those that are done, the first of one point; at the
+    end in smaller ones, so that all workers come to it together. `room`: how many batches are in hand."""
+
+    def __init__(self, tasks: Sequence[Task], room: int) -> None:
+        self._tasks, self._next, self._room = tasks, 0, room
+        self._back = deque[Sequence[Task]]()
+        self._size = 1
+
+    def __bool__(self) -> bool:
+        return self._next < len(self._tasks) or bool(self._back)
+
+    def take(self) -> Sequence[Task]:
+        """The next batch."""
+        if self._back:
+            return self._back.popleft()
+        left = len(self._tasks) - self._next
+        size = max(1, min(self._size, -(-left // self._room)))
+        self._next += size
+        return self._tasks[self._next - size : self._next]
+
+    def put_back(self, batch: Sequence[Task]) -> None:
+        """One that was not handed out."""
+        self._back.appendleft(batch)
+
+    def halve(self, batch: Sequence[Task]) -> None:
+        """Do one again, in halves."""
+        middle = len(batch) // 2
+        self._back.extend((batch[:middle], batch[middle:]))
+
+    def took(self, records: Sequence[Record]) -> None:
+        """What a batch took decides the size of others: at most twice as many points as it had."""
+        seconds = sum(record.get("wall_s", BATCH) for record in records) / len(records)
+        self._size = max(1, min(int(BATCH / max(seconds, 1e-9)), 2 * max(len(records), self._size // 2), MOST))
+
+
+def outcome(future: Future[list[Record]], count: int) -> list[Record]:
+    """The records of a batch that is done, also where its worker could not give any."""
     error = future.exception()
     if error is None:
         return future.result()
-    return {"error": DIED if isinstance(error, BrokenProcessPool) else f"{type(error).__name__}: {error}"}
+    why = DIED if isinstance(error, BrokenProcessPool) else f"{type(error).__name__}: {error}"
+    return [{"error": why} for _ in range(count)]
