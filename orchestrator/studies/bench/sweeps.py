@@ -27,10 +27,9 @@ inputs = { i_other = 0.0 }
 [components.motor]
 fmu = "dc_motor"
 period = "1 ms"
-inputs = { T_brush = 0.0 }
 [summary]
 i_peak = "peak motor.i"
-omega_last = "last motor.omega_b"
+i_last = "last motor.i"
 V_mean = "mean battery.V"
 """
 
