@@ -65,11 +65,18 @@ def replay_and_print(
 def export(
     system: SystemName,
     ssp: Annotated[bool, typer.Option("--ssp", help="As an SSP, for tools that read system structures.")] = False,
+    fmu: Annotated[
+        bool, typer.Option("--fmu", help="As one native FMU: the plan in C, with the bits of `run`.")
+    ] = False,
+    c: Annotated[
+        Path | None, typer.Option("--c", metavar="DIR", help="As a C library and a program, with no FMI around it.")
+    ] = None,
     container: Annotated[bool, typer.Option("--container", help="As one FMU that holds all the others.")] = False,
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="SYSTEM.ssp or SYSTEM.fmu if not given.")
     ] = None,
     ssp_version: Annotated[str, typer.Option("--ssp-version", help="1.0 or 2.0.")] = "1.0",
+    fmi: Annotated[str, typer.Option("--fmi", help="2.0 or 3.0, of --fmu.")] = "2.0",
     set_: SetOption = [],  # noqa: B006
     parameters: ParametersOption = "",
     start: StartOption = "",
@@ -78,16 +85,27 @@ def export(
     allow_outside: OutsideOption = [],  # noqa: B006
     fmus: FmusOption = None,
 ) -> None:
-    """Write a whole system as one file for other tools."""
+    """Write a whole system for other tools: as one file, or as C."""
     from ...exchange.export import export_container, export_ssp
     from ...run.planned import planned
     from ...system.assemble import assemble
     from ...system.request import assignments, changes_of
 
-    if ssp == container:
-        raise InputError("export: choose one of --ssp and --container")
+    if [ssp, fmu, c is not None, container].count(True) != 1:
+        raise InputError("export: choose one of --ssp, --fmu, --c DIR and --container")
+    if c is not None and out is not None:
+        raise InputError(f"export: --c {c} is where the files go; leave out --out")
     changes = changes_of((), (), (), allow_outside, parameters)
-    plan = planned(assemble(system, assignments(set_), stop, fmus, changes, step=step, start=start))
+    assembled = assemble(system, assignments(set_), stop, fmus, changes, step=step, start=start)
+    if fmu or c is not None:
+        from ...emit.export import export_c, export_fmu
+
+        made = export_c(assembled, c) if c is not None else export_fmu(assembled, out, fmi)
+        tell(f"wrote {made.path} ({made.kind})")
+        for note in made.notes:
+            tell(note)
+        return
+    plan = planned(assembled)
     if ssp:
         found = export_ssp(plan, out or Path(f"{plan.system.name}.ssp"), ssp_version)
     else:

@@ -78,7 +78,7 @@ class Memory:
             again = {variable: slot for variable, slot in taken.items() if variable in answering}
             for table, verb in ((given, "Set"), (taken, "Get"), (again, "Get")):
                 row.append(len(blocks))
-                for kind, found in self._together(name, table):
+                for kind, found in self.together(name, table):
                     block, used = self._block(instance, kind, verb, found, raw)
                     blocks.append(block)
                     raw += used
@@ -103,7 +103,7 @@ class Memory:
         whole = {key for key in inside if inside.issuperset((key[0], e) for e in arrays[key[0]][key[1]])}
         return sampled | whole
 
-    def _together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
+    def together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
         """What one call can exchange: of one type, in cells one behind the other."""
         places = self.plan.system.components[name].fmu.places
         numbered = [(slot - k, slot, (name, variable)) for k, (variable, slot) in enumerate(table.items())]

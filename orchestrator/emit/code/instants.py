@@ -1,0 +1,134 @@
+"""The instants of a cycle as functions of C, alike ones once; and what each costs at most.
+
+What is listed at an instant up to its rows ends the steps to it; behind them begin the steps from it. A host stops
+between the two, so that what it sets there is seen by all that begins there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import groupby, pairwise
+
+import numpy as np
+
+from ...clock import seconds_text
+from ...loop.operations import GET, RECORD, SAMPLE, SERIES, SOLVE, STEP
+from ...plan.schedule.operation_text import OperationText
+from .beginning import CELLS
+from .exchange import Names, indented
+from .names import comment, number
+from .rows import Cost, Row, Rows
+
+
+@dataclass
+class Functions:
+    """Functions of C, and the tables of instants that name them."""
+
+    texts: list[str] = field(default_factory=list)
+    known: dict[tuple[str, tuple[Row, ...]], str] = field(default_factory=dict)
+    costs: dict[str, Cost] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """The instants of a cycle: where each is [ticks], the function that begins steps there, that which ends them."""
+
+    instants: tuple[tuple[int, str, str], ...]  # the first has nothing that ends, the last nothing that begins
+    step: Cost  # of the dearest step from an instant to the next
+    whole: Cost
+
+
+class Instants:
+    """Cycles as C."""
+
+    def __init__(self, names: Names, rows: Rows) -> None:
+        self.names, self.rows, self.plan = names, rows, names.plan
+        self.found = Functions()
+        self.text = OperationText(names.plan)
+        self.solvers: list[str] = []  # tables of settings of loops
+
+    def cycle(self, operations: np.ndarray) -> Cycle:
+        """The functions of a cycle's instants, made where they are not known."""
+        listed: list[tuple[int, list[Row]]] = [
+            (tick, [tuple(row) for row in rows])
+            for tick, rows in groupby(operations.tolist(), key=lambda row: int(row[1]))
+        ]
+        if not listed or listed[0][0] != 0:
+            listed.insert(0, (0, []))
+        instants: list[tuple[int, str, str]] = []
+        for tick, rows in listed:
+            split = max((k for k, row in enumerate(rows) if row[0] == RECORD), default=len(rows) - 1) + 1
+            split = split if tick else 0
+            ends = self._function("end", rows[:split], tick) if tick else ""
+            instants.append((tick, self._function("begin", rows[split:], tick), ends))
+        costs = self.found.costs | {"": Cost()}
+        steps = [costs[here[1]] + costs[there[2]] for here, there in pairwise(instants)]
+        dearest, whole = Cost(), Cost()
+        for cost in steps:
+            dearest, whole = dearest.most(cost), whole + cost
+        return Cycle(tuple(instants), dearest, whole)
+
+    def _function(self, what: str, rows: list[Row], tick: int) -> str:
+        """The name of the function that does these rows; empty where there are none."""
+        if not rows:
+            return ""
+        key = what, tuple(_from_here(row, tick) for row in rows)
+        if key in self.found.known:
+            return self.found.known[key]
+        name = f"{what}_{sum(known.startswith(f'{what}_') for known in self.found.known.values()) + 1}"
+        self.found.known[key] = name
+        lines, cost = self._body(rows, tick)
+        first = seconds_text(self.plan.clock.seconds(tick))
+        words = "What ends" if what == "end" else "What begins"
+        self.found.texts.append("\n".join([
+            f"/* {words} at an instant, as {first} behind the beginning of a cycle. */",
+            f"static int {name}({self.names.system} *s, int64_t at) {{",
+            *CELLS, "    (void)at;", *indented(lines), "    return 0;", "}",
+        ]))  # fmt: skip
+        self.found.costs[name] = cost
+        return name
+
+    def _body(self, rows: list[Row], tick: int) -> tuple[list[str], Cost]:
+        """The lines of rows; those that a loop repeats stand in one."""
+        again = {k - row[3]: (k, row) for k, row in enumerate(rows) if row[0] == SOLVE}
+        lines: list[str] = []
+        cost, k = Cost(), 0
+        while k < len(rows):
+            if k in again:
+                end, solve = again[k]
+                inside, once = self._body(rows[k:end], tick)
+                more, passes = self._solve(solve)
+                lines += ["for (int again = 1; again;) {", *indented([*inside, *more]), "}"]
+                cost, k = cost + once.times(passes) + Cost(passes * (20 * solve[6] + solve[6] ** 3)), end + 1
+                continue
+            said = " ".join(self.text.text(list(rows[k])).split(None, 1)[1:])
+            made = self.rows.lines(rows[k], tick)
+            if rows[k][0] in (STEP, GET, SOLVE):
+                lines.append("")
+            if made:
+                lines += [f"/* {comment(said.strip())} */", *made]
+            cost, k = cost + self.rows.cost(rows[k]), k + 1
+        return lines, cost
+
+    def _solve(self, row: Row) -> tuple[list[str], int]:
+        """Newton on a loop: whether its rows are done again, and how often at most."""
+        _, _, memory, _, unknowns, images, n, k = row
+        settings = self.plan.coefficients[k : k + 3 + n].tolist()
+        table = f"SOLVER_{len(self.solvers)}"
+        self.solvers.append(f"static const double {table}[] = {{{', '.join(map(number, settings))}}};")
+        u, g = self.names.cells[unknowns], self.names.cells[images]
+        lines = [
+            f"again = iterate(z, {u}, {g}, {n}, {table}, s->now.solver + {memory});",
+            f"if (again < 0) return not_converged(s, {u});",
+        ]
+        return lines, int(settings[1]) * (n + 1)
+
+
+def _from_here(row: Row, tick: int) -> Row:
+    """A row with its times from its instant on."""
+    code, _, c, a, b, p, q, k = row
+    if code == STEP:
+        b -= tick
+    if code in (SERIES, SAMPLE):
+        p -= tick
+    return (code, 0, c, a, b, p, q, k)

@@ -1,0 +1,221 @@
+"""One operation of a plan as lines of C, and what it costs: the same arithmetic in the same order as `loop/run.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import ceil, log2
+
+from ...loop.operations import (
+    ACCUMULATE,
+    AT_AN_INSTANT,
+    COPY,
+    FIT,
+    GET,
+    LEDGER,
+    LINEAR,
+    MEAN,
+    MIX,
+    MOVE,
+    NUMBER,
+    PUSH,
+    QUADRATIC,
+    RECORD,
+    RISE,
+    SAMPLE,
+    SERIES,
+    SET,
+    STEP,
+    WORK,
+)
+from .exchange import Names, indented
+from .names import number, whole
+
+Row = tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Cost:
+    """At most so many: operations on floating-point numbers, calls of FMI functions, cells that are moved."""
+
+    arithmetic: int = 0
+    calls: int = 0
+    moves: int = 0
+
+    def __add__(self, other: Cost) -> Cost:
+        return Cost(self.arithmetic + other.arithmetic, self.calls + other.calls, self.moves + other.moves)
+
+    def times(self, factor: int) -> Cost:
+        """As often as that."""
+        return Cost(self.arithmetic * factor, self.calls * factor, self.moves * factor)
+
+    def most(self, other: Cost) -> Cost:
+        """What is enough for either."""
+        return Cost(max(self.arithmetic, other.arithmetic), max(self.calls, other.calls), max(self.moves, other.moves))
+
+
+class Rows:
+    """Rows of a plan as C. `at` is the instant [ticks from time 0]; rows know how far they are from it."""
+
+    def __init__(self, names: Names) -> None:
+        self.names, self.plan = names, names.plan
+        self.tables: dict[int, str] = {}  # where a table lies in the coefficients, and its name in C
+        self.items: dict[tuple[int, ...], str] = {}
+        self._known: dict[int, Callable[[Row, int], list[str]]] = {
+            SET: self._set, GET: self._get, STEP: self._step, RECORD: self._record, NUMBER: self._number,
+            FIT: self._fit, SERIES: self._series, SAMPLE: self._sample, MEAN: self._mean, LEDGER: self._ledger,
+            COPY: self._sum, LINEAR: self._sum, QUADRATIC: self._sum, MIX: self._sum, ACCUMULATE: self._sum,
+            RISE: self._sum, WORK: self._sum, MOVE: self._move, PUSH: self._move,
+        }  # fmt: skip
+
+    def lines(self, row: Row, tick: int) -> list[str]:
+        """The lines of an operation that is listed at `tick`."""
+        return self._known[row[0]](row, tick)
+
+    def cost(self, row: Row) -> Cost:
+        """What an operation costs at most."""
+        code, _, component, a, _, _, q, k = row
+        if code in (SET, GET):
+            name = self.names.components[component]
+            blocks = self.names.given(name) if code == SET else self.names.taken(name, a == AT_AN_INSTANT)
+            return Cost(0, len(blocks), sum(block.size for block in blocks))
+        if code == STEP:
+            return Cost(8, 1)
+        if code == RECORD:
+            return Cost()  # of the program, not of the system
+        if code in (SERIES, SAMPLE):
+            rows = int(self.plan.coefficients[k])
+            return Cost(2 * ceil(log2(rows + 1)) + (8 * rows + 16) * (code == SERIES), 0, 1)
+        arithmetic = {COPY: 2, LINEAR: 5, ACCUMULATE: 3, RISE: 3, MEAN: 7, NUMBER: 3, FIT: 5 + 2 * q, WORK: 6}
+        arithmetic |= {LEDGER: 2, QUADRATIC: 10, MIX: 6, MOVE: 0, PUSH: 0}
+        return Cost(arithmetic[code], 0, 1)
+
+    # --- FMUs ---
+
+    def _set(self, row: Row, _tick: int) -> list[str]:
+        name = self.names.components[row[2]]
+        return [line for block in self.names.given(name) for line in self.names.set_block(name, block)]
+
+    def _get(self, row: Row, _tick: int) -> list[str]:
+        name = self.names.components[row[2]]
+        blocks = self.names.taken(name, row[3] == AT_AN_INSTANT)
+        return [line for block in blocks for line in self.names.get_block(name, block)]
+
+    def _step(self, row: Row, tick: int) -> list[str]:
+        _, _, component, a, b, *_ = row
+        name = self.names.components[component]
+        begin = [f"const double t = seconds({_at(b - tick)});", f"const double h = length_of(s, t, seconds({a}));"]
+        if self.names.units[name].version == 2:
+            lines = [*begin, self.names.call(name, "make a step", "DoStep", "t, h, s->final")]
+        else:
+            arguments = "t, h, s->final != 0, &event, &end, &early, &last"
+            lines = [
+                *begin, "fmi3Boolean event = 0, end = 0, early = 0;", "fmi3Float64 last = t;",
+                self.names.call(name, "make a step", "DoStep", arguments),
+                f"if (end || early || event) return asks(s, {self.names.parts[name]}, end, early);",
+            ]  # fmt: skip
+        return ["{", *indented(lines), "}"]
+
+    def _record(self, row: Row, _tick: int) -> list[str]:
+        return [f"if (s->record) s->record(s->user, s, {row[3]}, at);"]
+
+    # --- cells ---
+
+    def _move(self, row: Row, _tick: int) -> list[str]:
+        return [f"{self.names.cell(row[4])} = {self.names.cell(row[3])};"]
+
+    def _sum(self, row: Row, _tick: int) -> list[str]:
+        code, _, _, a, b, p, q, k = row
+        c = [number(value) for value in self.plan.coefficients[k : k + 4].tolist()]
+        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
+        if code == COPY:
+            return [f"{zb} = {c[0]} * {za} + {c[1]};"]
+        if code == LINEAR:
+            return [f"{zb} = {c[0]} * ({za} + {c[2]} * ({za} - {zp})) + {c[1]};"]
+        if code == ACCUMULATE:
+            return [f"{zb} += {c[0]} * ({zp} + {za});"]
+        if code == RISE:
+            return [f"{zb} += {c[0]} * ({za} - {zp});"]
+        if code == WORK:
+            return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {c[2]};"]
+        if code == QUADRATIC:
+            value = f"{za} + {c[2]} * ({za} - {zp}) + {c[3]} * ({za} - 2.0 * {zp} + {zq})"
+            return [f"{zb} = {c[0]} * ({value}) + {c[1]};"]
+        return [f"{zb} = {c[0]} * {zb} + {c[1]} * {za} + {c[2]} * {zp} + {c[3]};"]  # MIX
+
+    def _mean(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, k = row
+        gain, offset, own, before = (number(value) for value in self.plan.coefficients[k : k + 4].tolist())
+        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
+        lines = [
+            f"const double tail = {own} * {za} + {before} * {zp};",
+            f"{zb} = {gain} * ({zq} + tail) + {offset};",
+            f"{zq} = -tail;",
+        ]
+        return ["{", *indented(lines), "}"]
+
+    def _ledger(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, _ = row
+        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
+        return ["{", *indented([f"const double total = {za} - {zp};", f"{zb} = total - {zq};", f"{zq} = total;"]), "}"]
+
+    def _number(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, _, k = row
+        gain, offset = (number(value) for value in self.plan.coefficients[k : k + 2].tolist())
+        source = f"(double){'(uint64_t)' if p else ''}w[{self.names.cells[a]}]"
+        return [f"z[{self.names.cells[b]}] = {gain} * {source} + {offset};"]
+
+    def _fit(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, k = row
+        c = self.plan.coefficients[k : k + 4 + 2 * q].tolist()
+        source = self.names.cells[a]
+        value = f"rint({number(c[0])} * z[{source}] + {number(c[1])})" if p else f"(double)w[{source}]"
+        cell = "n >= 0x1p63 ? (int64_t)(n - 0x1p64) : (int64_t)n" if p else f"w[{source}]"
+        lines = [f"const double n = {value};",
+                 f"if (!({number(c[2])} <= n && n < {number(c[3])})) return unfit(s, {self.names.cells[b]});",
+                 f"const int64_t found = {cell};"]  # fmt: skip
+        if q:
+            items = tuple((int(c[4 + 2 * j]) << 32) | int(c[5 + 2 * j]) for j in range(q))
+            name = self.items.setdefault(items, f"ITEMS_{len(self.items)}")
+            lines.append(f"if (!among(found, {name}, {q})) return unfit(s, {self.names.cells[b]});")
+        return ["{", *indented([*lines, f"w[{self.names.cells[b]}] = found;"]), "}"]
+
+    def _series(self, row: Row, tick: int) -> list[str]:
+        _, _, _, _, b, p, q, k = row
+        begin, end = f"seconds({_at(p - tick)})", f"seconds({_at(p + q - tick)})"
+        return [f"z[{self.names.cells[b]}] = mean_over({self._table(k)}, {begin}, {end});"]
+
+    def _sample(self, row: Row, tick: int) -> list[str]:
+        _, _, _, _, b, p, _, k = row
+        found = f"held_at({self._table(k)}, seconds({_at(p - tick)}))"
+        if self.names.whole[b]:
+            return [
+                "{",
+                f"    const double found = {found};",
+                f"    memcpy(&w[{self.names.cells[b]}], &found, 8);",
+                "}",
+            ]
+        return [f"z[{self.names.cells[b]}] = {found};"]
+
+    def _table(self, k: int) -> str:
+        return self.tables.setdefault(k, f"TABLE_{len(self.tables)}")
+
+    def constants(self) -> list[str]:
+        """The tables that rows look into."""
+        c = self.plan.coefficients
+        lines = [
+            f"static const double {name}[] = {{{', '.join(_bits(v) for v in c[k : k + 1 + 2 * int(c[k])])}}};"
+            for k, name in self.tables.items()
+        ]
+        lines += [
+            f"static const int64_t {name}[] = {{{', '.join(map(whole, items))}}};" for items, name in self.items.items()
+        ]
+        return lines
+
+
+def _bits(value: float) -> str:
+    return number(float(value))
+
+
+def _at(ticks: int) -> str:
+    return "at" if ticks == 0 else f"at {'+' if ticks > 0 else '-'} {abs(ticks)}"

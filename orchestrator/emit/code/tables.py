@@ -1,0 +1,138 @@
+"""The tables of a system in C: sizes, components, cells, variables, instants, and what is recorded."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from ...fmu.types import BOOLEAN, TEXT, FmiType
+from ...plan.plan import Plan
+from ...results.files.csv import rate_names
+from ..units import Unit
+from .exchange import Names
+from .exposed import Exposed
+from .instants import Cycle
+from .names import comment, number, text, whole
+
+SOURCES = Path(__file__).parent.parent / "sources"
+TYPES = {"Real": "FLOAT64", "Integer": "INT32", "Boolean": "BOOLEAN", "String": "STRING"}
+
+
+def sizes(plan: Plan, names: Names, shown: Sequence[Exposed], versions: set[int], instants: int, last: int) -> str:
+    clock, layout, name = plan.clock, plan.layout, names.system
+    arrays = [place.count for c in plan.system.components.values() for place in c.fmu.places.values()]
+    loops = [len(block.connections) for block in plan.start if block.loop]
+    loops += [len(b.connections) for b in plan.instants.blocks(frozenset(names.components) - set(plan.early)) if b.loop]
+    sizes = {
+        "CELLS": max(layout.size, 1), "VARIABLES": max(len(shown), 1), "PARTS": len(names.components),
+        "BLOCKS": len(plan.start), "LOOPS": len(layout.loops), "SOLVER": max(layout.loop_cells, 1),
+        "LARGEST_LOOP": max([1, *loops]), "LARGEST_ARRAY": max([1, *arrays]), "INSTANTS": instants,
+        "LAST_INSTANTS": last, "TABLES": max(len(plan.groups), 1),
+        "FMI2": int(2 in versions), "FMI3": int(3 in versions),
+    }  # fmt: skip
+    times = {
+        "NUMERATOR": clock.numerator, "DENOMINATOR": clock.denominator, "HYPERPERIOD": clock.hyperperiod,
+        "START": clock.start, "STOP": clock.stop, "CYCLES": clock.cycles,
+    }  # fmt: skip
+    lines = [f"#define {name}_TITLE {text(plan.system.name)}"]
+    lines += [f"#define {name}_{key} {value}" for key, value in sizes.items()]
+    lines += [f"#define {name}_{key} {whole(value)}" for key, value in times.items()]
+    lines.append(f"#define {name}_TICK {number(float(clock.seconds(1)))} /* s */")
+    return "\n".join(lines)
+
+
+def token(plan: Plan, shown: Sequence[Exposed]) -> str:
+    """What a state begins with, so that another system's is refused."""
+    digest = hashlib.sha256(repr([plan.layout.size, plan.clock, [e.name for e in shown]]).encode())
+    for component in plan.system.components.values():
+        digest.update(component.fmu.digest.encode())
+    digest.update(plan.cycle.tobytes() + plan.coefficients.tobytes())
+    return digest.hexdigest()[:32]
+
+
+def parts_table(plan: Plan, names: Names, units: Sequence[Unit]) -> str:
+    lines = ["enum { " + ", ".join(names.parts.values()) + " };", ""]
+    for unit in units:
+        members = re.findall(r"\*(\w+);", (SOURCES / f"functions{unit.version}.h").read_text(encoding="utf-8"))
+        lines.append(f"/* {unit.fmu.path.name}, {unit.fmu.standard}, sha256 {unit.fmu.digest[:12]} */")
+        there = [m for m in members if f"fmi{unit.version}{m}" in unit.functions]
+        lines += [f"extern fmi{unit.version}{m}TYPE {unit.function(m)};" for m in there]
+        inside = [f"    {unit.function(m) if m in there else 'NULL'}," for m in members]
+        lines += [f"static const Functions{unit.version} {unit.prefix}_functions = {{", *inside, "};", ""]
+    lines.append(f"const Part {names.system}_parts[{names.system}_PARTS] = {{")
+    for name, component in plan.system.components.items():
+        unit, fmu = names.units[name], component.fmu
+        experiment = fmu.description.defaultExperiment
+        stated = float(experiment.tolerance) if experiment is not None and experiment.tolerance else 0.0
+        tolerance = component.tolerance if component.tolerance is not None else stated
+        folder = text(unit.prefix) if (fmu.folder / "resources").is_dir() else "NULL"
+        token = fmu.description.guid if unit.version == 2 else fmu.description.instantiationToken
+        saves, writes = int(fmu.can_save_state), int(fmu.can_serialize_state)
+        load = "NULL" if unit.in_c else f"{unit.prefix}_load"
+        lines.append(
+            f"    {{{text(name)}, {text(token)}, {folder}, {unit.version}, &{unit.prefix}_functions, "
+            f"{number(tolerance)}, {saves}, {writes}, {load}}},"
+        )
+    return "\n".join([*lines, "};"])
+
+
+def cells_table(names: Names) -> str:
+    lines = [f"    {cell}, /* {comment(words)} */" for cell, words in zip(names.cells, names.words, strict=True)]
+    return "\n".join(["/* The vector of signals. */", "enum {", *lines, "};"])
+
+
+def references_table(names: Names) -> str:
+    return "\n".join(
+        f"static const unsigned {name}[] = {{{', '.join(map(str, references))}}};"
+        for references, name in names.references.items()
+    )
+
+
+def instants_table(name: str, which: str, cycle: Cycle, size: str) -> str:
+    entries = [f"    {{{tick}, {begin or 'NULL'}, {end or 'NULL'}}}," for tick, begin, end in cycle.instants]
+    return "\n".join([f"const Instant {name}_{which}[{name}_{size}] = {{", *entries, "};"])
+
+
+def variables_table(name: str, shown: Iterable[Exposed]) -> str:
+    lines = [f"const {name}_Variable {name}_variables[{name}_VARIABLES] = {{"]
+    for e in shown:
+        kind = f"{name}_{_kind(e.kind)}"
+        causality = f"{name}_{e.causality.upper()}"
+        said = text(e.start) if isinstance(e.start, str) else "NULL"
+        start = "{0.0}"
+        if not isinstance(e.start, (str, bytes)):
+            start = f"{{{number(float(e.start))}}}" if e.kind.real else f"{{.whole = {whole(int(e.start))}}}"
+        lines.append(
+            f"    {{{text(e.name)}, {text(e.unit or '')}, {kind}, {causality}, {e.component}, {_type(e.kind)}, "
+            f"{e.slot}, {e.reference}, {e.index}, {e.count}, {int(e.given)}, {start}, {said}}},"
+        )
+    return "\n".join([*lines, "};"])
+
+
+def _kind(kind: FmiType) -> str:
+    return "REAL" if kind.real else "BOOLEAN" if kind.code == BOOLEAN else "TEXT" if kind.code == TEXT else "WHOLE"
+
+
+def _type(kind: FmiType) -> str:
+    if kind.name == "Enumeration":
+        return "T_INT64" if kind.size == 8 else "T_INT32"
+    return f"T_{TYPES.get(kind.name, kind.name.upper())}"
+
+
+def words_table(name: str, names: Names) -> str:
+    lines = [f"    {text(words)}," for words in names.words]
+    return "\n".join([f"const char *const {name}_cells[{name}_CELLS] = {{", *lines, "};"])
+
+
+def tables_table(plan: Plan, names: Names) -> str:
+    lines, entries = [], []
+    for g, (group, file) in enumerate(zip(plan.groups, rate_names(plan), strict=True)):
+        slots = group.slots.tolist()
+        lines.append(f"static const int CELLS_{g}[] = {{{', '.join(map(str, slots))}}};")
+        lines.append(f"static const bool WHOLE_{g}[] = {{{', '.join(str(int(names.whole[s])) for s in slots)}}};")
+        entries.append(f"    {{{text(file)}, {len(slots)}, CELLS_{g}, WHOLE_{g}}},")
+    if not entries:
+        return 'static const Table TABLES[] = {{"nothing.csv", 0, NULL, NULL}};'
+    return "\n".join([*lines, "static const Table TABLES[] = {", *entries, "};"])

@@ -1,0 +1,88 @@
+"""`rovbrush export SYSTEM --c DIR`: a system as a C library and a program, with no FMI around it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..errors import InputError
+from ..files import prepare_folder
+from ..system.model import System
+from .compiling import OPTIONS
+from .prepared import Prepared, prepared
+from .units import headers, write_files
+
+
+def write_c(system: System, folder: Path) -> list[str]:
+    """Write the files of a system into a folder that is empty, or holds such files; notes for the user.
+
+    Raises InputError for what is not written as C, and for a component without C sources.
+    """
+    with prepared(system) as found:
+        for name, unit in found.units.items():
+            if not unit.in_c:
+                raise InputError(
+                    f"component {name} has no C to write: take --fmu, which carries its library, or build it in C "
+                    f"(`rovbrush build --native`); {unit.why_not}"
+                )
+        files = files_of(found)
+        _require_own(folder, found.code.name)
+        prepare_folder(folder, "--c")
+        write_files(folder, files | {"Makefile": _makefile(found), found.code.main: found.code.files[found.code.main]})
+        for unit in found.code.units:
+            _copy_resources(unit.fmu.folder / "resources", folder / "resources" / unit.prefix)
+        step, whole = found.code.cycle.step, found.code.cycle.whole
+        return [
+            f"a step costs at most {step.arithmetic} floating-point operations and {step.calls} calls of components, a "
+            f"hyperperiod {whole.arithmetic} and {whole.calls}, beside what the components do themselves",
+            f"`make -C {folder}` makes the program {found.code.name}_run, which writes its rows as CSV",
+        ]
+
+
+def files_of(found: Prepared) -> dict[str, bytes]:
+    """All C files of a system, by path; without its program."""
+    files = {path: text for path, text in found.code.files.items() if path != found.code.main}
+    for unit in found.code.units:
+        files |= unit.texts
+    return files | headers(unit.version for unit in found.code.units)
+
+
+def _require_own(folder: Path, name: str) -> None:
+    """Raise InputError for a folder that holds what was not exported there."""
+    if folder.is_dir() and any(folder.iterdir()) and not (folder / f"{name}_inside.h").is_file():
+        raise InputError(f"--c {folder}: the folder is not empty, and holds no exported {name}; name another one")
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"--c {folder} is a file; name a folder")
+
+
+def _copy_resources(source: Path, target: Path) -> None:
+    for path in sorted(source.rglob("*")) if source.is_dir() else []:
+        if path.is_file():
+            write_files(target, {path.relative_to(source).as_posix(): path.read_bytes()})
+
+
+def _makefile(found: Prepared) -> bytes:
+    name = found.code.name
+    options = {file: own for unit in found.code.units for file, own in unit.options.items()}
+    sources = [*found.code.compiled, *options]
+    lines = [
+        f"# {name}_run: the program; lib{name}.a: all but its main function.",
+        "CC ?= gcc",
+        f"CFLAGS = {' '.join(OPTIONS)} -I.",
+        f"OBJECTS = {' '.join(source[:-2] + '.o' for source in sources)}",
+        "",
+        f"{name}_run: {found.code.main[:-2]}.o lib{name}.a",
+        f"\t$(CC) -o $@ {found.code.main[:-2]}.o lib{name}.a -lm",
+        "",
+        f"lib{name}.a: $(OBJECTS)",
+        "\t$(AR) rcs $@ $(OBJECTS)",
+        "",
+        "%.o: %.c",
+        "\t$(CC) $(CFLAGS) $(OWN) -c $< -o $@",
+        "",
+        *(f"{file[:-2]}.o: OWN = {' '.join(own)}" for file, own in options.items()),
+        "",
+        "clean:",
+        f"\trm -f {name}_run lib{name}.a {found.code.main[:-2]}.o $(OBJECTS)",
+        "",
+    ]
+    return "\n".join(lines).encode()

@@ -1,0 +1,285 @@
+/* The life of a system: its components made and freed, values set and got, from instant to instant. */
+#include "inside.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* --- messages --- */
+
+int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...) {
+    char text[1000];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (s->message) s->message(s->user, who, status, text);
+    return 1;
+}
+
+static int fail(SYSTEM *s, const char *who, int status, const char *text) {
+    s->now.stage = SYSTEM_FAILED;
+    return SYSTEM_say(s, who, status, "%s", text);
+}
+
+int SYSTEM_refused(SYSTEM *s, int part, const char *what, int status) {
+    char text[200];
+    snprintf(text, sizeof text, "t = %.9g s: %s cannot %s (status %d)", s->now.time, SYSTEM_parts[part].name, what, status);
+    return fail(s, SYSTEM_parts[part].name, status, text);
+}
+
+int SYSTEM_not_finite(SYSTEM *s, int cell, double value) {
+    char text[300];
+    snprintf(text, sizeof text, "behind t = %.9g s: %s is %g", s->now.time, SYSTEM_cells[cell], value);
+    return fail(s, s->name, 3, text);
+}
+
+int SYSTEM_unfit(SYSTEM *s, int cell) {
+    char text[300];
+    snprintf(text, sizeof text, "behind t = %.9g s: what %s is sent does not fit its type", s->now.time, SYSTEM_cells[cell]);
+    return fail(s, s->name, 3, text);
+}
+
+int SYSTEM_asks(SYSTEM *s, int part, int end, int early) {
+    char text[200];
+    snprintf(text, sizeof text, "behind t = %.9g s: %s %s", s->now.time, SYSTEM_parts[part].name,
+             end ? "asks to end" : early ? "returned early from a step" : "has an event, which nobody handles");
+    return fail(s, SYSTEM_parts[part].name, 3, text);
+}
+
+int SYSTEM_not_converged(SYSTEM *s, int cell) {
+    char text[300];
+    snprintf(text, sizeof text, "behind t = %.9g s: the loop of %s does not converge", s->now.time, SYSTEM_cells[cell]);
+    return fail(s, s->name, 3, text);
+}
+
+double SYSTEM_time(int64_t tick) { return seconds(tick); }
+
+int SYSTEM_find(const char *name) {
+    for (int k = 0; k < SYSTEM_VARIABLES; k++)
+        if (strcmp(SYSTEM_variables[k].name, name) == 0) return k;
+    return -1;
+}
+
+/* --- from new to running --- */
+
+int SYSTEM_open(SYSTEM *s, const char *name, const char *resources, SYSTEM_Message message, void *user) {
+    memset(s, 0, sizeof *s);
+    s->name = name, s->resources = resources, s->message = message, s->user = user, s->final = 1;
+    for (int k = 0; k < SYSTEM_VARIABLES; k++) {
+        s->now.values[k] = SYSTEM_variables[k].start;
+        s->now.given[k] = SYSTEM_variables[k].given;
+    }
+    for (int k = 0; k < SYSTEM_SOLVER; k++) s->now.solver[k] = 0.0;
+    for (int k = 0; k < SYSTEM_PARTS; k++) {
+        if (SYSTEM_parts[k].load && SYSTEM_parts[k].load(s)) return 1;
+        if (SYSTEM_part_make(s, k)) return SYSTEM_say(s, SYSTEM_parts[k].name, 3, "%s cannot be instantiated", SYSTEM_parts[k].name);
+    }
+    return 0;
+}
+
+static bool leads(int k) { return SYSTEM_variables[k].index == 0 && SYSTEM_variables[k].part >= 0; }
+
+/* Whether anything of the array of a variable was given a value. */
+static bool array_given(const SYSTEM *s, int k) {
+    for (int j = 0; j < SYSTEM_variables[k].count; j++)
+        if (s->now.given[k + j]) return true;
+    return false;
+}
+
+int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
+    if (s->now.stage != SYSTEM_NEW) return SYSTEM_say(s, s->name, 3, "%s is initialized already", s->name);
+    const double ticks = start * (double)SYSTEM_DENOMINATOR / (double)SYSTEM_NUMERATOR;
+    s->now.first = s->now.begin = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : 0;
+    if (fabs(seconds(s->now.first) - start) > 1e-9 * fmax(fabs(start), SYSTEM_TICK))
+        return SYSTEM_say(s, s->name, 3, "%s cannot start at %.17g s; a multiple of %.9g s is wanted", s->name, start, SYSTEM_TICK);
+    s->now.time = seconds(s->now.first);
+    s->now.stop = with_stop ? stop : 1e300;
+    for (int part = 0; part < SYSTEM_PARTS; part++) {
+        if (SYSTEM_part_set_up(s, part, start, with_stop, stop)) return 1;
+        for (int k = 0; k < SYSTEM_VARIABLES; k++)
+            if (SYSTEM_variables[k].part == part && leads(k) && array_given(s, k) && SYSTEM_part_give(s, k)) return 1;
+        if (SYSTEM_part_enter(s, part, start, with_stop, stop)) return 1;
+    }
+    if (SYSTEM_first_cells(s)) return 1;
+    s->now.stage = SYSTEM_INITIALIZING, s->now.stale = true;
+    return 0;
+}
+
+int SYSTEM_settle(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_INITIALIZING || !s->now.stale) return s->now.stage == SYSTEM_FAILED;
+    for (int sweep = 1; sweep <= SYSTEM_PARTS + 2; sweep++) {
+        memcpy(s->before, s->now.z, sizeof s->before);
+        if (SYSTEM_propagate(s)) return 1;
+        if ((sweep > 1 && memcmp(s->before, s->now.z, sizeof s->before) == 0) || !SYSTEM_BLOCKS) {
+            s->now.stale = false;
+            return 0;
+        }
+    }
+    return fail(s, s->name, 3, "the inputs keep changing in the initialization");
+}
+
+int SYSTEM_start(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_INITIALIZING) return SYSTEM_say(s, s->name, 3, "%s is not in its initialization", s->name);
+    if (SYSTEM_settle(s)) return 1;
+    for (int part = 0; part < SYSTEM_PARTS; part++)
+        if (SYSTEM_part_leave(s, part)) return 1;
+    if (SYSTEM_read_outputs(s) || SYSTEM_settle_instant(s) || SYSTEM_first_history(s)) return 1;
+    for (int k = 0; k < SYSTEM_LOOPS; k++) s->now.solver[SYSTEM_loop_places[k]] = -1.0;
+    s->now.stage = SYSTEM_RUNNING;
+    return 0;
+}
+
+static int next_instant(const SYSTEM *s) { return s->now.instant + 1 < SYSTEM_INSTANTS ? s->now.instant + 1 : 1; }
+
+int64_t SYSTEM_next(const SYSTEM *s) {
+    const bool round = s->now.instant + 1 == SYSTEM_INSTANTS;
+    return s->now.begin + (round ? SYSTEM_HYPERPERIOD : 0) + SYSTEM_cycle[next_instant(s)].tick;
+}
+
+static int go(SYSTEM *s, const Instant *here, const Instant *there) {
+    if (here->begin && here->begin(s, s->now.begin + here->tick)) return 1;
+    if (there->end && there->end(s, s->now.begin + there->tick)) return 1;
+    s->now.time = seconds(s->now.begin + there->tick);
+    return 0;
+}
+
+int SYSTEM_step(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s cannot make a step now", s->name);
+    if (s->now.instant + 1 == SYSTEM_INSTANTS) s->now.begin += SYSTEM_HYPERPERIOD, s->now.instant = 0;
+    const int here = s->now.instant;
+    if (go(s, &SYSTEM_cycle[here], &SYSTEM_cycle[here + 1])) return 1;
+    s->now.instant = here + 1;
+    return 0;
+}
+
+static bool is_instant(const SYSTEM *s, int64_t tick) {
+    int64_t within = (tick - s->now.first) % SYSTEM_HYPERPERIOD;
+    within += within <= 0 ? SYSTEM_HYPERPERIOD : 0;
+    for (int k = 1; k < SYSTEM_INSTANTS; k++)
+        if (SYSTEM_cycle[k].tick == within) return true;
+    return false;
+}
+
+int SYSTEM_go_to(SYSTEM *s, double time, double step) {
+    const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time), ticks = (time + step) / SYSTEM_TICK;
+    if (!(fabs(time - s->now.time) <= near))
+        return SYSTEM_say(s, s->name, 3, "a step from t = %.17g s is not possible: %s is at %.17g s", time, s->name, s->now.time);
+    const int64_t end = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : s->now.first;
+    if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !is_instant(s, end))
+        return SYSTEM_say(s, s->name, 3, "a step of %.9g s from t = %.9g s is not possible: %s goes on by instants, the next one at %.9g s",
+                    step, time, s->name, seconds(SYSTEM_next(s)));
+    while (SYSTEM_next(s) <= end)
+        if (SYSTEM_step(s)) return 1;
+    return 0;
+}
+
+int SYSTEM_rest(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_RUNNING || (s->now.instant && s->now.instant + 1 != SYSTEM_INSTANTS))
+        return SYSTEM_say(s, s->name, 3, "%s is not behind a whole cycle", s->name);
+    if (s->now.instant) s->now.begin += SYSTEM_HYPERPERIOD, s->now.instant = 0;
+    for (int k = 0; k + 1 < SYSTEM_LAST_INSTANTS; k++)
+        if (go(s, &SYSTEM_last[k], &SYSTEM_last[k + 1])) return 1;
+    s->now.stage = SYSTEM_TERMINATED;
+    return 0;
+}
+
+int SYSTEM_terminate(SYSTEM *s) {
+    int failed = 0;
+    if (s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED)
+        for (int part = 0; part < SYSTEM_PARTS; part++) failed |= SYSTEM_part_terminate(s, part);
+    s->now.stage = SYSTEM_TERMINATED;
+    return failed;
+}
+
+void SYSTEM_close(SYSTEM *s) {
+    for (int part = 0; part < SYSTEM_PARTS; part++) SYSTEM_part_free(s, part);
+    for (int k = 0; k < SYSTEM_VARIABLES; k++) free(s->texts[k]);
+    memset(s, 0, sizeof *s);
+}
+
+/* --- values --- */
+
+static int checked(SYSTEM *s, int k, SYSTEM_Kind a, SYSTEM_Kind b) {
+    static const char *const KINDS[] = {"a real number", "a whole number", "a Boolean", "a text"};
+    if (k < 0 || k >= SYSTEM_VARIABLES) return SYSTEM_say(s, s->name, 3, "there is no variable of number %d", k);
+    const SYSTEM_Variable *v = &SYSTEM_variables[k];
+    if (v->kind != a && v->kind != b) return SYSTEM_say(s, s->name, 3, "%s is %s", v->name, KINDS[v->kind]);
+    return 0;
+}
+
+/* A value that was set goes on to its component at once, where that is there to hear it. */
+static int set(SYSTEM *s, int k) {
+    const SYSTEM_Variable *v = &SYSTEM_variables[k];
+    if (v->causality != SYSTEM_PARAMETER && v->causality != SYSTEM_TUNABLE && v->causality != SYSTEM_INPUT)
+        return SYSTEM_say(s, s->name, 3, "%s cannot be set", v->name);
+    if (s->now.stage > SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s: %s can be set no more", s->name, v->name);
+    if (s->now.stage == SYSTEM_RUNNING && v->causality == SYSTEM_PARAMETER)
+        return SYSTEM_say(s, s->name, 3, "%s is a parameter; it is set before the run", v->name);
+    return 0;
+}
+
+static int passed_on(SYSTEM *s, int k) {
+    const SYSTEM_Variable *v = &SYSTEM_variables[k];
+    s->now.given[k] = true;
+    if (s->now.stage == SYSTEM_NEW) return 0;
+    s->now.stale = s->now.stage == SYSTEM_INITIALIZING;
+    if (v->cell >= 0 && v->kind == SYSTEM_REAL) s->now.z[v->cell] = s->now.values[k].real;
+    else if (v->cell >= 0 && v->kind != SYSTEM_TEXT) s->now.whole[v->cell] = s->now.values[k].whole;
+    return SYSTEM_part_give(s, k - v->index);
+}
+
+int SYSTEM_set_real(SYSTEM *s, int k, double value) {
+    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || set(s, k)) return 1;
+    s->now.values[k].real = value;
+    return passed_on(s, k);
+}
+
+int SYSTEM_set_whole(SYSTEM *s, int k, int64_t value) {
+    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || set(s, k)) return 1;
+    s->now.values[k].whole = SYSTEM_variables[k].kind == SYSTEM_BOOLEAN ? value != 0 : value;
+    return passed_on(s, k);
+}
+
+int SYSTEM_set_text(SYSTEM *s, int k, const char *value) {
+    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || set(s, k)) return 1;
+    char *copy = malloc(strlen(value) + 1);
+    if (!copy) return SYSTEM_say(s, s->name, 3, "not enough memory");
+    free(s->texts[k]);
+    s->texts[k] = strcpy(copy, value);
+    return passed_on(s, k);
+}
+
+/* Where a number is to be found: in its cell, among what was set, or with its component. */
+static int number(SYSTEM *s, int k, SYSTEM_Value *value) {
+    const SYSTEM_Variable *v = &SYSTEM_variables[k];
+    *value = s->now.values[k];
+    if (v->causality == SYSTEM_CALCULATED || v->causality == SYSTEM_OUTPUT) {
+        if (s->now.stage == SYSTEM_NEW) return 0;
+        if (SYSTEM_settle(s)) return 1;
+        if (v->cell < 0) return SYSTEM_part_ask(s, k, value);
+        if (v->kind == SYSTEM_REAL) value->real = s->now.z[v->cell];
+        else value->whole = s->now.whole[v->cell];
+    }
+    return 0;
+}
+
+int SYSTEM_get_real(SYSTEM *s, int k, double *value) {
+    SYSTEM_Value found;
+    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || number(s, k, &found)) return 1;
+    *value = found.real;
+    return 0;
+}
+
+int SYSTEM_get_whole(SYSTEM *s, int k, int64_t *value) {
+    SYSTEM_Value found;
+    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || number(s, k, &found)) return 1;
+    *value = found.whole;
+    return 0;
+}
+
+int SYSTEM_get_text(SYSTEM *s, int k, const char **value) {
+    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT)) return 1;
+    *value = s->texts[k] ? s->texts[k] : SYSTEM_variables[k].text;
+    return 0;
+}

@@ -1,0 +1,190 @@
+/* FMI 2.0 for co-simulation around a system (FMI 2.0.4, sections 2.1 and 4.2). A value reference is the number of a
+   variable. */
+#include "fmi2Functions.h"
+
+#include "inside.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    SYSTEM s;
+    fmi2CallbackLogger logger;
+    fmi2ComponentEnvironment environment;
+    char *name, *resources;
+    double start, stop;
+    int with_stop;
+} Instance;
+
+static void message(void *user, const char *component, int status, const char *text) {
+    const Instance *instance = user;
+    if (instance->logger)
+        instance->logger(instance->environment, instance->name, (fmi2Status)(status & 7),
+                         status > 1 ? "logStatusError" : "logAll", "%s: %s", component, text);
+}
+
+static char *copied(const char *text) {
+    char *copy = text ? malloc(strlen(text) + 1) : NULL;
+    return copy ? strcpy(copy, text) : NULL;
+}
+
+static fmi2Status status_of(int failed) { return failed ? fmi2Error : fmi2OK; }
+
+static fmi2Status unsupported(fmi2Component c, const char *function) {
+    Instance *instance = c;
+    SYSTEM_say(&instance->s, instance->name, fmi2Error, "%s is not supported", function);
+    return fmi2Error;
+}
+
+/* --- life cycle --- */
+
+FMI2_Export const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
+FMI2_Export const char *fmi2GetVersion(void) { return fmi2Version; }
+
+FMI2_Export fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String categories[]) {
+    (void)c, (void)on, (void)count, (void)categories; /* what goes wrong is told, and always */
+    return fmi2OK;
+}
+
+FMI2_Export fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String token, fmi2String resources,
+                                          const fmi2CallbackFunctions *callbacks, fmi2Boolean visible, fmi2Boolean logging) {
+    (void)visible, (void)logging;
+    if (type != fmi2CoSimulation || !name || !token || strcmp(token, "@GUID@") != 0) return NULL;
+    Instance *instance = calloc(1, sizeof *instance);
+    if (!instance) return NULL;
+    instance->name = copied(name), instance->resources = copied(resources);
+    if (callbacks) instance->logger = callbacks->logger, instance->environment = callbacks->componentEnvironment;
+    if (!instance->name || SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance)) {
+        fmi2FreeInstance(instance);
+        return NULL;
+    }
+    return instance;
+}
+
+FMI2_Export void fmi2FreeInstance(fmi2Component c) {
+    Instance *instance = c;
+    if (!instance) return;
+    SYSTEM_close(&instance->s);
+    free(instance->name), free(instance->resources), free(instance);
+}
+
+FMI2_Export fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean with_tolerance, fmi2Real tolerance, fmi2Real start,
+                                           fmi2Boolean with_stop, fmi2Real stop) {
+    Instance *instance = c;
+    (void)with_tolerance, (void)tolerance; /* each component has its own */
+    instance->start = start, instance->with_stop = with_stop != 0, instance->stop = stop;
+    return fmi2OK;
+}
+
+FMI2_Export fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
+    Instance *instance = c;
+    return status_of(SYSTEM_enter(&instance->s, instance->start, instance->with_stop, instance->stop));
+}
+
+FMI2_Export fmi2Status fmi2ExitInitializationMode(fmi2Component c) { return status_of(SYSTEM_start(&((Instance *)c)->s)); }
+
+FMI2_Export fmi2Status fmi2Terminate(fmi2Component c) { return status_of(SYSTEM_terminate(&((Instance *)c)->s)); }
+
+FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
+    Instance *instance = c;
+    SYSTEM_close(&instance->s);
+    return status_of(SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance));
+}
+
+/* --- values --- */
+
+#define GET(Name, Type, function, ctype)                                                                     \
+    FMI2_Export fmi2Status fmi2Get##Name(fmi2Component c, const fmi2ValueReference vr[], size_t n, Type v[]) { \
+        for (size_t k = 0; k < n; k++) {                                                                     \
+            ctype found;                                                                                     \
+            if (SYSTEM_get_##function(&((Instance *)c)->s, (int)vr[k], &found)) return fmi2Error;            \
+            v[k] = (Type)found;                                                                              \
+        }                                                                                                    \
+        return fmi2OK;                                                                                       \
+    }
+#define SET(Name, Type, function)                                                                                  \
+    FMI2_Export fmi2Status fmi2Set##Name(fmi2Component c, const fmi2ValueReference vr[], size_t n, const Type v[]) { \
+        for (size_t k = 0; k < n; k++)                                                                             \
+            if (SYSTEM_set_##function(&((Instance *)c)->s, (int)vr[k], v[k])) return fmi2Error;                    \
+        return fmi2OK;                                                                                             \
+    }
+
+GET(Real, fmi2Real, real, double)
+GET(Integer, fmi2Integer, whole, int64_t)
+GET(Boolean, fmi2Boolean, whole, int64_t)
+GET(String, fmi2String, text, const char *)
+SET(Real, fmi2Real, real)
+SET(Integer, fmi2Integer, whole)
+SET(Boolean, fmi2Boolean, whole)
+SET(String, fmi2String, text)
+
+/* --- step --- */
+
+FMI2_Export fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_rollback) {
+    Instance *instance = c;
+    instance->s.final = no_rollback != 0;
+    return status_of(SYSTEM_go_to(&instance->s, time, step));
+}
+
+FMI2_Export fmi2Status fmi2CancelStep(fmi2Component c) { return unsupported(c, "fmi2CancelStep"); }
+
+#define GET_STATUS(Name, Type)                                                                              \
+    FMI2_Export fmi2Status fmi2Get##Name##Status(fmi2Component c, const fmi2StatusKind kind, Type *value) { \
+        (void)c, (void)kind, (void)value;                                                                   \
+        return fmi2Discard; /* every step ends before fmi2DoStep returns */                                 \
+    }
+GET_STATUS(, fmi2Status)
+GET_STATUS(Integer, fmi2Integer)
+GET_STATUS(Boolean, fmi2Boolean)
+GET_STATUS(String, fmi2String)
+
+FMI2_Export fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind kind, fmi2Real *value) {
+    if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
+    *value = ((Instance *)c)->s.now.time;
+    return fmi2OK;
+}
+
+FMI2_Export fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
+                                                   const fmi2Integer order[], const fmi2Real value[]) {
+    (void)vr, (void)order, (void)value;
+    return n ? unsupported(c, "fmi2SetRealInputDerivatives") : fmi2OK;
+}
+
+FMI2_Export fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
+                                                    const fmi2Integer order[], fmi2Real value[]) {
+    (void)vr, (void)order, (void)value;
+    return n ? unsupported(c, "fmi2GetRealOutputDerivatives") : fmi2OK;
+}
+
+FMI2_Export fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknowns[], size_t n_unknowns,
+                                                    const fmi2ValueReference knowns[], size_t n_knowns,
+                                                    const fmi2Real seed[], fmi2Real sensitivity[]) {
+    (void)unknowns, (void)n_unknowns, (void)knowns, (void)n_knowns, (void)seed, (void)sensitivity;
+    return unsupported(c, "fmi2GetDirectionalDerivative");
+}
+
+/* --- state --- */
+
+FMI2_Export fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state) {
+    return status_of(SYSTEM_save(&((Instance *)c)->s, (SYSTEM_State **)state));
+}
+
+FMI2_Export fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
+    return status_of(SYSTEM_restore(&((Instance *)c)->s, state));
+}
+
+FMI2_Export fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state) {
+    SYSTEM_forget(&((Instance *)c)->s, (SYSTEM_State **)state);
+    return fmi2OK;
+}
+
+FMI2_Export fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t *size) {
+    return status_of(SYSTEM_state_size(&((Instance *)c)->s, state, size));
+}
+
+FMI2_Export fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
+    return status_of(SYSTEM_write_state(&((Instance *)c)->s, state, bytes, size));
+}
+
+FMI2_Export fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state) {
+    return status_of(SYSTEM_read_state(&((Instance *)c)->s, bytes, size, (SYSTEM_State **)state));
+}

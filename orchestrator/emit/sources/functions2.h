@@ -1,0 +1,22 @@
+typedef struct {
+    fmi2InstantiateTYPE *Instantiate;
+    fmi2FreeInstanceTYPE *FreeInstance;
+    fmi2SetupExperimentTYPE *SetupExperiment;
+    fmi2EnterInitializationModeTYPE *EnterInitializationMode;
+    fmi2ExitInitializationModeTYPE *ExitInitializationMode;
+    fmi2TerminateTYPE *Terminate;
+    fmi2GetRealTYPE *GetReal;
+    fmi2GetIntegerTYPE *GetInteger;
+    fmi2GetBooleanTYPE *GetBoolean;
+    fmi2SetRealTYPE *SetReal;
+    fmi2SetIntegerTYPE *SetInteger;
+    fmi2SetBooleanTYPE *SetBoolean;
+    fmi2SetStringTYPE *SetString;
+    fmi2DoStepTYPE *DoStep;
+    fmi2GetFMUstateTYPE *GetFMUstate;
+    fmi2SetFMUstateTYPE *SetFMUstate;
+    fmi2FreeFMUstateTYPE *FreeFMUstate;
+    fmi2SerializedFMUstateSizeTYPE *SerializedFMUstateSize;
+    fmi2SerializeFMUstateTYPE *SerializeFMUstate;
+    fmi2DeSerializeFMUstateTYPE *DeSerializeFMUstate;
+} Functions2;

@@ -1,0 +1,108 @@
+/* What the files of a system share and no caller needs. */
+#ifndef SYSTEM_INSIDE_H
+#define SYSTEM_INSIDE_H
+
+#include <math.h>
+#include <string.h>
+
+#include "SYSTEM.h"
+@HEADERS@
+
+#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+/* The FMI functions of one FMU; NULL where its sources do not define one. */
+@FUNCTIONS@
+
+typedef enum {
+    T_FLOAT64, T_FLOAT32, T_INT8, T_UINT8, T_INT16, T_UINT16, T_INT32, T_UINT32, T_INT64, T_UINT64, T_BOOLEAN, T_STRING
+} Type;
+
+/* A component: its FMU's functions, and what it is told when it is made. */
+typedef struct {
+    const char *name, *token, *folder; /* its own below `resources`, or NULL */
+    int version;
+    const void *functions;
+    double tolerance; /* 0: not stated */
+    bool saves, serializes;
+    int (*load)(SYSTEM *s); /* of one that is carried as a library, or NULL */
+} Part;
+
+typedef struct {
+    int64_t tick;
+    int (*begin)(SYSTEM *s, int64_t at); /* steps that begin there */
+    int (*end)(SYSTEM *s, int64_t at);   /* steps that end there */
+} Instant;
+
+extern const Part SYSTEM_parts[SYSTEM_PARTS];
+extern const Instant SYSTEM_cycle[SYSTEM_INSTANTS], SYSTEM_last[SYSTEM_LAST_INSTANTS];
+
+int SYSTEM_first_cells(SYSTEM *s);
+int SYSTEM_propagate(SYSTEM *s);
+int SYSTEM_read_outputs(SYSTEM *s);
+int SYSTEM_settle_instant(SYSTEM *s);
+int SYSTEM_first_history(SYSTEM *s);
+
+/* Errors: each tells `message` and returns 1. */
+int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...);
+int SYSTEM_refused(SYSTEM *s, int part, const char *what, int status);
+int SYSTEM_not_finite(SYSTEM *s, int cell, double value);
+int SYSTEM_unfit(SYSTEM *s, int cell);
+int SYSTEM_asks(SYSTEM *s, int part, int end, int early);
+int SYSTEM_not_converged(SYSTEM *s, int cell);
+
+/* Components: see parts.c. */
+int SYSTEM_part_make(SYSTEM *s, int part);
+int SYSTEM_part_set_up(SYSTEM *s, int part, double start, int with_stop, double stop);
+int SYSTEM_part_enter(SYSTEM *s, int part, double start, int with_stop, double stop);
+int SYSTEM_part_leave(SYSTEM *s, int part);
+int SYSTEM_part_terminate(SYSTEM *s, int part);
+void SYSTEM_part_free(SYSTEM *s, int part);
+int SYSTEM_part_give(SYSTEM *s, int variable); /* it, or the array that it begins */
+int SYSTEM_part_ask(SYSTEM *s, int variable, SYSTEM_Value *value);
+int SYSTEM_part_save(SYSTEM *s, int part, void **state);
+int SYSTEM_part_restore(SYSTEM *s, int part, void *state);
+void SYSTEM_part_forget(SYSTEM *s, int part, void **state);
+int SYSTEM_part_state_size(SYSTEM *s, int part, void *state, size_t *size);
+int SYSTEM_part_write(SYSTEM *s, int part, void *state, char *bytes, size_t size);
+int SYSTEM_part_read(SYSTEM *s, int part, const char *bytes, size_t size, void **state);
+extern const int SYSTEM_loop_places[SYSTEM_LOOPS + 1]; /* cells of `solver` that begin with -1 */
+
+/* Loops. */
+typedef int (*SYSTEM_Loop)(SYSTEM *s, const double *given, double *sent);
+int SYSTEM_solve_start(SYSTEM *s, SYSTEM_Loop loop, const int *cells, int n, double tolerance);
+int SYSTEM_iterate(double *z, int u, int g, int n, const double *settings, double *work); /* 1: again, -1: failed */
+
+/* Tables. */
+double SYSTEM_held_at(const double *table, double time);
+double SYSTEM_mean_over(const double *table, double begin, double end);
+
+#define CALL(part, what, call)                                                   \
+    do {                                                                         \
+        const int status_ = (int)(call);                                         \
+        if (status_ & ~1) return SYSTEM_refused(s, part, what, status_);         \
+    } while (0)
+#define FINITE(first, size)                                                      \
+    do {                                                                         \
+        for (int k_ = (first); k_ < (first) + (size); k_++)                      \
+            if (!isfinite(z[k_])) return SYSTEM_not_finite(s, k_, z[k_]);        \
+    } while (0)
+
+static inline double seconds(int64_t ticks) { return (double)(ticks * SYSTEM_NUMERATOR) / (double)SYSTEM_DENOMINATOR; }
+
+/* How long a step is that would take `length` and is not to end behind the stop, by rounding. */
+static inline double length_of(const SYSTEM *s, double time, double length) {
+    if (!(time + length > s->now.stop)) return length;
+    length = s->now.stop - time;
+    while (time + length > s->now.stop) length *= 1.0 - 0x1p-52;
+    return length;
+}
+
+static inline bool among(int64_t value, const int64_t *items, int n) {
+    for (int k = 0; k < n; k++)
+        if (items[k] == value) return true;
+    return false;
+}
+
+#endif

@@ -1,0 +1,81 @@
+/* A run of @TITLE@ from its start to its stop; rows of every table as CSV, all digits.
+
+   SYSTEM_run [FOLDER] [NAME=VALUE]...: into every_*.csv of FOLDER, or with no folder the table of the fastest rate on
+   stdout. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "SYSTEM.h"
+
+typedef struct {
+    const char *file;
+    int columns;
+    const int *cells;
+    const bool *whole;
+} Table;
+
+@TABLES@
+
+static FILE *files[SYSTEM_TABLES];
+static SYSTEM system_; /* nothing of it is on a stack or a heap */
+
+static void message(void *user, const char *component, int status, const char *text) {
+    (void)user;
+    fprintf(stderr, "%s (status %d): %s\n", component, status, text);
+}
+
+static void row(void *user, const SYSTEM *s, int table, int64_t tick) {
+    const Table *t = &TABLES[table];
+    FILE *file = files[table];
+    (void)user;
+    if (!file) return;
+    fprintf(file, "%.17g", SYSTEM_time(tick));
+    for (int k = 0; k < t->columns; k++) {
+        const int cell = t->cells[k];
+        if (t->whole[k]) fprintf(file, ",%lld", (long long)s->now.whole[cell]);
+        else fprintf(file, ",%.17g", s->now.z[cell]);
+    }
+    fputc('\n', file);
+}
+
+static int assigned(SYSTEM *s, char *text) {
+    char *value = strchr(text, '=');
+    *value++ = '\0';
+    const int k = SYSTEM_find(text);
+    if (k < 0) return fprintf(stderr, "there is no variable %s\n", text), 1;
+    if (SYSTEM_variables[k].kind == SYSTEM_REAL) return SYSTEM_set_real(s, k, strtod(value, NULL));
+    if (SYSTEM_variables[k].kind == SYSTEM_TEXT) return SYSTEM_set_text(s, k, value);
+    return SYSTEM_set_whole(s, k, strtoll(value, NULL, 10));
+}
+
+int main(int count, char **words) {
+    SYSTEM *s = &system_;
+    const char *folder = NULL, *resources = "resources";
+    if (SYSTEM_open(s, SYSTEM_TITLE, resources, message, NULL)) return 1;
+    for (int k = 1; k < count; k++)
+        if (!strchr(words[k], '=')) folder = words[k];
+        else if (assigned(s, words[k])) return 2;
+    for (int t = 0; t < SYSTEM_TABLES; t++) {
+        char path[2000];
+        snprintf(path, sizeof path, "%s/%s", folder ? folder : ".", TABLES[t].file);
+        files[t] = folder ? fopen(path, "w") : t == 0 ? stdout : NULL;
+        if (folder && !files[t]) return fprintf(stderr, "%s cannot be written\n", path), 1;
+        if (!files[t]) continue;
+        fprintf(files[t], "time");
+        for (int k = 0; k < TABLES[t].columns; k++) fprintf(files[t], ",%s", SYSTEM_cells[TABLES[t].cells[k]]);
+        fputc('\n', files[t]);
+    }
+    s->record = row;
+    if (SYSTEM_enter(s, SYSTEM_time(SYSTEM_START), 1, SYSTEM_time(SYSTEM_START + SYSTEM_STOP)) || SYSTEM_start(s)) return 1;
+    for (int t = 0; t < SYSTEM_TABLES; t++) row(NULL, s, t, SYSTEM_START);
+    for (int64_t k = 0; k < SYSTEM_CYCLES; k++)
+        for (int n = 1; n < SYSTEM_INSTANTS; n++)
+            if (SYSTEM_step(s)) return 1;
+    if (SYSTEM_LAST_INSTANTS > 1 && SYSTEM_rest(s)) return 1;
+    for (int t = 0; t < SYSTEM_TABLES; t++)
+        if (files[t] && fflush(files[t])) return fprintf(stderr, "the rows cannot be written\n"), 1;
+    SYSTEM_terminate(s);
+    SYSTEM_close(s);
+    return 0;
+}

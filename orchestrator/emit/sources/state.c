@@ -1,0 +1,87 @@
+/* The complete state of a system, kept or as bytes: what changes in it, and the states of its components. */
+#include "inside.h"
+
+#include <stdlib.h>
+
+static const char TOKEN[] = "@TOKEN@";
+
+int SYSTEM_save(SYSTEM *s, SYSTEM_State **state) {
+    const bool fresh = *state == NULL;
+    if (fresh) *state = calloc(1, sizeof **state);
+    if (!*state) return SYSTEM_say(s, s->name, 3, "not enough memory for a state");
+    (*state)->now = s->now;
+    for (int part = 0; part < SYSTEM_PARTS; part++)
+        if (SYSTEM_part_save(s, part, &(*state)->part[part])) {
+            if (fresh) SYSTEM_forget(s, state);
+            return SYSTEM_say(s, SYSTEM_parts[part].name, 3, "%s cannot save its state", SYSTEM_parts[part].name);
+        }
+    return 0;
+}
+
+int SYSTEM_restore(SYSTEM *s, SYSTEM_State *state) {
+    if (!state) return SYSTEM_say(s, s->name, 3, "there is no state to restore");
+    for (int part = 0; part < SYSTEM_PARTS; part++)
+        if (SYSTEM_part_restore(s, part, state->part[part]))
+            return SYSTEM_say(s, SYSTEM_parts[part].name, 3, "%s cannot restore its state", SYSTEM_parts[part].name);
+    s->now = state->now;
+    return 0;
+}
+
+void SYSTEM_forget(SYSTEM *s, SYSTEM_State **state) {
+    if (!*state) return;
+    for (int part = 0; part < SYSTEM_PARTS; part++) SYSTEM_part_forget(s, part, &(*state)->part[part]);
+    free(*state);
+    *state = NULL;
+}
+
+int SYSTEM_state_size(SYSTEM *s, SYSTEM_State *state, size_t *size) {
+    *size = sizeof TOKEN + sizeof state->now;
+    for (int part = 0; part < SYSTEM_PARTS; part++) {
+        size_t own = 0;
+        if (SYSTEM_part_state_size(s, part, state->part[part], &own))
+            return SYSTEM_say(s, SYSTEM_parts[part].name, 3, "%s cannot write its state", SYSTEM_parts[part].name);
+        *size += sizeof(uint64_t) + own;
+    }
+    return 0;
+}
+
+int SYSTEM_write_state(SYSTEM *s, SYSTEM_State *state, char *bytes, size_t size) {
+    size_t needed;
+    if (SYSTEM_state_size(s, state, &needed)) return 1;
+    if (size < needed) return SYSTEM_say(s, s->name, 3, "a state needs %lu bytes", (unsigned long)needed);
+    memcpy(bytes, TOKEN, sizeof TOKEN), bytes += sizeof TOKEN;
+    memcpy(bytes, &state->now, sizeof state->now), bytes += sizeof state->now;
+    for (int part = 0; part < SYSTEM_PARTS; part++) {
+        size_t own = 0;
+        if (SYSTEM_part_state_size(s, part, state->part[part], &own)) return 1;
+        const uint64_t length = own;
+        memcpy(bytes, &length, sizeof length), bytes += sizeof length;
+        if (SYSTEM_part_write(s, part, state->part[part], bytes, own)) return SYSTEM_say(s, s->name, 3, "a state cannot be written");
+        bytes += own;
+    }
+    return 0;
+}
+
+int SYSTEM_read_state(SYSTEM *s, const char *bytes, size_t size, SYSTEM_State **state) {
+    const char *const end = bytes + size;
+    SYSTEM_State *found = calloc(1, sizeof *found);
+    if (!found) return SYSTEM_say(s, s->name, 3, "not enough memory for a state");
+    if (size < sizeof TOKEN + sizeof found->now || memcmp(bytes, TOKEN, sizeof TOKEN) != 0) goto refused;
+    bytes += sizeof TOKEN;
+    memcpy(&found->now, bytes, sizeof found->now), bytes += sizeof found->now;
+    if (found->now.instant < 0 || found->now.instant >= SYSTEM_INSTANTS || found->now.stage > SYSTEM_FAILED) goto refused;
+    for (int part = 0; part < SYSTEM_PARTS; part++) {
+        uint64_t own;
+        if ((size_t)(end - bytes) < sizeof own) goto refused;
+        memcpy(&own, bytes, sizeof own), bytes += sizeof own;
+        if ((uint64_t)(end - bytes) < own || SYSTEM_part_read(s, part, bytes, (size_t)own, &found->part[part])) goto refused;
+        bytes += own;
+    }
+    if (bytes != end) goto refused;
+    if (*state) SYSTEM_forget(s, state);
+    *state = found;
+    return 0;
+refused:
+    SYSTEM_forget(s, &found);
+    return SYSTEM_say(s, s->name, 3, "these bytes are no state of %s", SYSTEM_TITLE);
+}

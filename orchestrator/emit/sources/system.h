@@ -1,0 +1,126 @@
+/* @TITLE@
+
+   @COUNTS@
+
+   A SYSTEM is made by SYSTEM_open, is given values, and goes on from instant to instant:
+
+       static SYSTEM s;
+       SYSTEM_open(&s, "name", NULL, NULL, NULL);
+       SYSTEM_set_real(&s, SYSTEM_find("motor.R"), 0.1);
+       SYSTEM_enter(&s, 0.0, 1, 10.0);
+       SYSTEM_start(&s);
+       while (s.now.time < 10.0 && SYSTEM_step(&s) == 0) { ... SYSTEM_get_real(&s, n) ... }
+       SYSTEM_close(&s);
+
+   All functions return 0, or 1 where something went wrong, which `message` has been told then. Memory is allocated by
+   the components alone, until SYSTEM_start has returned; their own code decides whether they do so later. */
+#ifndef SYSTEM_H
+#define SYSTEM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+@SIZES@
+
+typedef enum { SYSTEM_REAL, SYSTEM_WHOLE, SYSTEM_BOOLEAN, SYSTEM_TEXT } SYSTEM_Kind;
+typedef enum { SYSTEM_PARAMETER, SYSTEM_TUNABLE, SYSTEM_INPUT, SYSTEM_OUTPUT, SYSTEM_CALCULATED, SYSTEM_HIDDEN } SYSTEM_Causality;
+
+typedef union {
+    double real;
+    int64_t whole;
+} SYSTEM_Value;
+
+/* One scalar of a component. */
+typedef struct {
+    const char *name, *unit;
+    SYSTEM_Kind kind;
+    SYSTEM_Causality causality;
+    int part;           /* its component, -1: the coupling makes it */
+    int type;           /* how FMI functions know it: see `Type` */
+    int cell;           /* in the vector of signals, or -1 */
+    unsigned reference; /* its component's */
+    int index, count;   /* of an array: which element, and of how many; the elements follow each other */
+    bool given;         /* the system gives it a value */
+    SYSTEM_Value start;
+    const char *text;
+} SYSTEM_Variable;
+
+extern const SYSTEM_Variable SYSTEM_variables[SYSTEM_VARIABLES];
+extern const char *const SYSTEM_cells[SYSTEM_CELLS]; /* what each cell is, in words */
+
+typedef enum { SYSTEM_NEW, SYSTEM_INITIALIZING, SYSTEM_RUNNING, SYSTEM_TERMINATED, SYSTEM_FAILED } SYSTEM_Stage;
+
+/* All that changes while it goes on, but the states of the components. */
+typedef struct {
+    union {
+        double z[SYSTEM_CELLS]; /* all signals */
+        int64_t whole[SYSTEM_CELLS];
+    };
+    double solver[SYSTEM_SOLVER]; /* of loops that are solved at an instant */
+    SYSTEM_Value values[SYSTEM_VARIABLES]; /* what was set */
+    bool given[SYSTEM_VARIABLES];
+    SYSTEM_Stage stage;
+    bool stale;         /* something was set, and the start is to be made consistent again */
+    double stop;        /* s: no step goes beyond it */
+    double time;        /* s: the instant that is reached */
+    int64_t begin;      /* ticks from time 0 to the beginning of the cycle */
+    int64_t first;      /* and to the start */
+    int instant;        /* that is reached in the cycle */
+} SYSTEM_Now;
+
+typedef struct SYSTEM SYSTEM;
+typedef void (*SYSTEM_Message)(void *user, const char *component, int status, const char *text);
+typedef void (*SYSTEM_Record)(void *user, const SYSTEM *s, int table, int64_t tick);
+
+struct SYSTEM {
+    SYSTEM_Now now;
+    double before[SYSTEM_CELLS];
+    void *part[SYSTEM_PARTS]; /* instances of the components */
+    char *texts[SYSTEM_VARIABLES];
+    const char *name, *resources;
+    SYSTEM_Message message;
+    SYSTEM_Record record; /* called with every row of a table, if it is there */
+    void *user;
+    int final;      /* 1: no state before a step will be restored behind it */
+    bool in_memory; /* of the caller: texts were allocated */
+    void *callbacks[8];
+};
+
+/* Make the components and give all variables their start values. `resources`: the folder of that name, where components
+   have files there; `message` hears what they say, and what goes wrong. */
+int SYSTEM_open(SYSTEM *s, const char *name, const char *resources, SYSTEM_Message message, void *user);
+int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop); /* initialization mode */
+int SYSTEM_settle(SYSTEM *s);  /* values along all connections, until they are consistent */
+int SYSTEM_start(SYSTEM *s);   /* the end of it: it can be stepped then */
+int SYSTEM_step(SYSTEM *s);    /* to the next instant */
+int SYSTEM_go_to(SYSTEM *s, double time, double step); /* from instant to instant, from `time` over `step` seconds */
+int SYSTEM_rest(SYSTEM *s);    /* behind the last whole cycle, what is left to the stop that the system states */
+int SYSTEM_terminate(SYSTEM *s);
+void SYSTEM_close(SYSTEM *s);
+
+double SYSTEM_time(int64_t tick);        /* s */
+int64_t SYSTEM_next(const SYSTEM *s);    /* ticks from time 0 to the next instant */
+int SYSTEM_find(const char *name);       /* the number of a variable, -1: there is none */
+
+int SYSTEM_set_real(SYSTEM *s, int variable, double value);
+int SYSTEM_set_whole(SYSTEM *s, int variable, int64_t value); /* whole numbers, items of enumerations, 0 and 1 */
+int SYSTEM_set_text(SYSTEM *s, int variable, const char *value);
+int SYSTEM_get_real(SYSTEM *s, int variable, double *value);
+int SYSTEM_get_whole(SYSTEM *s, int variable, int64_t *value);
+int SYSTEM_get_text(SYSTEM *s, int variable, const char **value);
+
+/* The complete state: what is in `now`, and the components' own states; NULL or 1 where one of them cannot save its. */
+typedef struct {
+    SYSTEM_Now now;
+    void *part[SYSTEM_PARTS];
+} SYSTEM_State;
+
+int SYSTEM_save(SYSTEM *s, SYSTEM_State **state); /* into `*state` where it is one already */
+int SYSTEM_restore(SYSTEM *s, SYSTEM_State *state);
+void SYSTEM_forget(SYSTEM *s, SYSTEM_State **state);
+int SYSTEM_state_size(SYSTEM *s, SYSTEM_State *state, size_t *size);
+int SYSTEM_write_state(SYSTEM *s, SYSTEM_State *state, char *bytes, size_t size);
+int SYSTEM_read_state(SYSTEM *s, const char *bytes, size_t size, SYSTEM_State **state);
+
+#endif

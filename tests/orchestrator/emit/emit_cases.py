@@ -1,0 +1,102 @@
+"""What tests of exported systems share: FMUs that carry their C, and the rows of a program beside those of a run."""
+
+from __future__ import annotations
+
+import subprocess
+import zipfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+from helpers import edited
+from native_build import NATIVE
+from rovbrush.orchestrator.emit.folder import write_c
+from rovbrush.orchestrator.results.files.csv import rate_names
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.planned import planned
+from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.model import System
+
+Table = dict[str, np.ndarray]
+
+
+def with_sources(fmu: Path, *files: str) -> Path:
+    """An FMU of FMI 2.0 with its C files in it."""
+    listed = "".join(f'<File name="{name}"/>' for name in files)
+    with zipfile.ZipFile(fmu) as archive:
+        head, _, tail = archive.read("modelDescription.xml").decode().partition("<CoSimulation ")
+    inside, _, rest = tail.partition("/>")
+    xml = f"{head}<CoSimulation {inside}><SourceFiles>{listed}</SourceFiles></CoSimulation>{rest}"
+    changes: dict[str, bytes | None] = {f"sources/{name}": (NATIVE / name).read_bytes() for name in files}
+    return edited(fmu, fmu.with_suffix(".new"), changes | {"modelDescription.xml": xml.encode()}).replace(fmu)
+
+
+def with_sources3(fmu: Path, *files: str) -> Path:
+    """The same of FMI 3.0."""
+    listed = "".join(f'<SourceFile name="{name}"/>' for name in files)
+    build = (
+        f'<fmiBuildDescription fmiVersion="3.0"><BuildConfiguration modelIdentifier="{fmu.stem}"><SourceFileSet '
+        f'language="C11">{listed}</SourceFileSet></BuildConfiguration></fmiBuildDescription>'
+    )
+    changes = {f"sources/{name}": (NATIVE / name).read_bytes() for name in files}
+    changes["sources/buildDescription.xml"] = build.encode()
+    made = edited(fmu, fmu.with_suffix(".new"), dict(changes))
+    made.replace(fmu)
+    return fmu
+
+
+Masses = Callable[..., System]
+PARTS = {
+    "a": ("mass", "1 ms", {"m": 1.5, "x0": 0.1}),
+    "b": ("mass", "4 ms", {"m": 2.0}),
+    "f": ("force", "2 ms", {"k": 40.0, "d": 0.3}),
+}
+WIRES = [
+    "a.x -> f.x1 (mean)",
+    "a.v -> f.v1",
+    "b.x -> f.x2 (linear)",
+    "b.v -> f.v2",
+    "f.F -> a.F",
+    "f.back -> b.F (mean)",
+]
+
+
+def tables_of(system: System, folder: Path, options: str = "-O1 -w", *values: str) -> dict[str, Table]:
+    """What the program of a system writes, by file."""
+    write_c(system, folder)
+    made = subprocess.run(["make", f"CC=gcc {options}"], cwd=folder, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    (folder / "rows").mkdir(exist_ok=True)
+    (program,) = folder.glob("*_run")
+    done = subprocess.run([str(program), "rows", *values], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return {path.name: read_table(path) for path in (folder / "rows").iterdir()}
+
+
+def read_table(path: Path) -> Table:
+    """The columns of a CSV."""
+    head, *rows = path.read_text().splitlines()
+    cells = [[float(cell) for cell in row.split(",")] for row in rows]
+    return dict(zip(head.split(","), np.array(cells).T, strict=True))
+
+
+def run_of_system(system: System) -> Run:
+    """The run of a system, which must reach its end."""
+    run = simulate(planned(system))
+    assert not run.failure, run.failure
+    return run
+
+
+def differing(tables: Mapping[str, Table], run: Run) -> list[str]:
+    """The signals of a run that are not bit by bit those of the tables."""
+    from rovbrush.orchestrator.results.signals import Signals
+
+    found, signals = [], Signals(run)
+    for group, file in zip(run.plan.groups, rate_names(run.plan), strict=True):
+        for key in group.columns:
+            name = ".".join(key)
+            own = np.asarray(signals[name].values)
+            their = tables[file][name]
+            if own.shape != their.shape or own.astype(float).tobytes() != their.tobytes():
+                found.append(name)
+    return found

@@ -1,0 +1,176 @@
+"""A system as one native FMU: the bits of its run in any host, and what an FMU must be able to do."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from emit_cases import Masses, run_of_system
+from helpers import column, python, rovbrush
+from native_build import needs_gcc
+from rovbrush.orchestrator.emit.export import export_fmu
+from rovbrush.orchestrator.exchange.checks.chain import check_fmu
+from rovbrush.orchestrator.results.tables import Run
+from rovbrush.orchestrator.run.planned import planned
+from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.assemble import assemble
+
+pytestmark = needs_gcc
+VERSIONS = ("2.0",)
+
+
+@pytest.fixture(scope="module", params=VERSIONS)
+def whole(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, carried: Path) -> Path:
+    """The masses as one FMU."""
+    from emit_cases import PARTS, WIRES
+    from helpers import read_system
+
+    folder = tmp_path_factory.mktemp("whole")
+    system = read_system(folder, carried, PARTS, WIRES, stop="0.1 s", algorithm="gauss-seidel")
+    export_fmu(system, folder / "whole.fmu", request.param)
+    return folder / "whole.fmu"
+
+
+def alone(fmu: Path, step: str = "", **values: float) -> Run:
+    """The run of one FMU."""
+    run = simulate(planned(assemble(str(fmu), dict(values), "0.1 s", None, step=step)))
+    assert not run.failure, run.failure
+    return run
+
+
+def unlike(one: Run, run: Run) -> list[str]:
+    """The outputs that are not bit by bit those of the system's run, at the instants of both."""
+    found = []
+    for group in run.plan.groups:
+        for key in group.columns:
+            name = ".".join(key)
+            if key not in run.plan.layout.outputs:
+                continue
+            times, own = column(run, name)
+            there, their = column(one, f"whole.{name}")
+            both = np.isin(times, there), np.isin(there, times)
+            assert both[0].sum() > 5
+            if own[both[0]].tobytes() != their[both[1]].tobytes():
+                found.append(name)
+    return found
+
+
+def test_one_fmu_has_the_bits_of_the_run(whole: Path, masses: Masses) -> None:
+    assert unlike(alone(whole), run_of_system(masses())) == []
+
+
+HOST = """
+import sys
+from fmpy import simulate_fmu
+import numpy as np
+file, step, out = sys.argv[1:]
+rows = simulate_fmu(file, stop_time=0.1, step_size=float(step), output_interval=float(step),
+                    output=["a.x", "b.x", "f.F", "f.back"])
+np.savez(out, **{n: rows[n] for n in rows.dtype.names})
+"""
+
+
+@pytest.mark.parametrize("step", [0.002, 0.004, 0.02])
+def test_another_host_may_step_it_by_any_instants_of_the_plan(
+    step: float, whole: Path, masses: Masses, tmp_path: Path
+) -> None:
+    done = python(HOST, str(whole), repr(step), str(tmp_path / "rows.npz"))
+    assert done.returncode == 0, done.stderr
+    run = run_of_system(masses())
+    with np.load(tmp_path / "rows.npz") as rows:
+        for name in ("a.x", "b.x", "f.F", "f.back"):
+            times, own = column(run, name)
+            both = np.isin(np.round(times / 0.001), np.round(rows["time"] / 0.001))
+            there = np.isin(np.round(rows["time"] / 0.001), np.round(times / 0.001))
+            assert own[both].tobytes() == rows[name][there].tobytes()
+
+
+def test_parameters_are_set_by_their_names(whole: Path, masses: Masses) -> None:
+    run = run_of_system(masses().with_values({"b.m": 3.25}, "test"))
+    assert unlike(alone(whole, **{"whole.b.m": 3.25}), run) == []
+
+
+TWO = """
+import sys
+from fmpy import extract, read_model_description
+from fmpy.fmi2 import FMU2Slave
+file = sys.argv[1]
+d = read_model_description(file)
+folder = extract(file)
+numbers = {v.name: v.valueReference for v in d.modelVariables}
+def new(name):
+    f = FMU2Slave(guid=d.guid, unzipDirectory=folder, modelIdentifier=d.coSimulation.modelIdentifier, instanceName=name)
+    f.instantiate()
+    f.setupExperiment(startTime=0.0)
+    f.enterInitializationMode()
+    f.exitInitializationMode()
+    return f
+a, b = new("a"), new("b")
+x = [numbers["a.x"], numbers["b.x"], numbers["f.F"]]
+for k in range(10):
+    a.doStep(k * 0.004, 0.004)
+state = a.getFMUState()
+kept = a.serializeFMUState(state)
+for k in range(10, 20):
+    a.doStep(k * 0.004, 0.004)
+end = a.getReal(x)
+assert b.getReal(x) != end
+a.setFMUState(state)
+for k in range(10, 20):
+    a.doStep(k * 0.004, 0.004)
+assert a.getReal(x) == end
+b.setFMUState(b.deserializeFMUState(kept))
+for k in range(10, 20):
+    b.doStep(k * 0.004, 0.004)
+assert b.getReal(x) == end
+try:
+    b.deserializeFMUState(b"nonsense" * 100)
+except Exception:
+    print("refused", end=" ")
+try:
+    a.doStep(0.08, 0.0005)
+except Exception:
+    print("refused")
+a.terminate(); a.freeInstance(); b.freeInstance()
+"""
+
+
+def test_two_instances_do_not_meet_and_states_go_from_one_to_the_other(whole: Path) -> None:
+    done = python(TWO, str(whole))
+    assert done.stdout.split().count("refused") == 2, done.stderr
+    assert "these bytes are no state" in done.stdout and "goes on by instants, the next one at 0.081 s" in done.stdout
+
+
+def test_it_is_fit_to_be_exchanged(whole: Path) -> None:
+    report = check_fmu(whole)
+    assert [row for row in report.rows if row.verdict == "error"] == []
+    found = {row.rule for row in report.rows if row.verdict == "finding"}
+    assert found <= {
+        "dependencies are declared",
+        "variables are described",
+        "every number has a unit",
+        "steps may vary",
+    }
+
+
+def test_the_same_system_is_the_same_file(whole: Path, masses: Masses, tmp_path: Path) -> None:
+    export_fmu(masses(), tmp_path / "again.fmu", "2.0")
+    with zipfile.ZipFile(whole) as one, zipfile.ZipFile(tmp_path / "again.fmu") as other:
+        assert {n: one.read(n) for n in one.namelist()} == {n: other.read(n) for n in other.namelist()}
+        assert "sources/case_.c" in one.namelist()
+
+
+def test_the_commands_of_the_documentation_write_what_they_say(
+    native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    shutil.copytree(native / "fmi2", "fmus/native/fmi2")
+    assert rovbrush(monkeypatch, "export", "test_stand", "--fmu", "--fmus", "fmus/native/fmi2") == 0
+    assert Path("test_stand.fmu").is_file()
+    assert rovbrush(monkeypatch, "export", "test_stand", "--c", "test_stand_in_c", "--fmus", "fmus/native/fmi2") == 0
+    assert "floating-point operations" in capsys.readouterr().out
+    subprocess.run(["make", "-C", "test_stand_in_c", "-n"], check=True, capture_output=True)
