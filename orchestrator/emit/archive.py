@@ -11,13 +11,15 @@ from pathlib import Path
 from ..errors import InputError
 from ..files import prepare_folder, write_file
 from ..system.model import System
+from .code.tables import SOURCES
 from .code.text import filled
 from .compiling import OPTIONS, Target, call, for_windows, here
 from .description2 import description2, variables2
+from .description3 import build_description, description3, unsupported
 from .documentation import pages
 from .folder import files_of
 from .prepared import Prepared, prepared
-from .units import write_files
+from .units import headers, write_files
 
 DATE = (2000, 1, 1, 0, 0, 0)  # of every entry: the same content is the same file
 GUID = "@GUID@"
@@ -43,7 +45,9 @@ def _entries(found: Prepared, fmi: str) -> tuple[dict[str, bytes], list[str]]:
     version, code = int(fmi[0]), found.code
     layer = f"{code.name}_fmi{version}.c"
     sources = files_of(found)
-    sources |= {layer: filled(f"fmi{version}.c", code.name, {})}
+    text = (SOURCES / f"fmi{version}.c").read_text(encoding="utf-8")
+    more = {"@UNSUPPORTED@": unsupported(text)} if version == 3 else {}
+    sources |= headers((version,)) | {layer: filled(f"fmi{version}.c", code.name, more)}
     compiled = [*code.compiled, layer, *(file for unit in code.units for file in unit.files)]
     targets = [here()]
     windows = for_windows()
@@ -57,7 +61,11 @@ def _entries(found: Prepared, fmi: str) -> tuple[dict[str, bytes], list[str]]:
     sources[layer] = sources[layer].replace(GUID.encode(), guid.encode())
     entries = {f"sources/{name}": content for name, content in sources.items()}
     entries |= pages(found)
-    entries["modelDescription.xml"] = description2(found, guid, compiled)
+    if version == 2:
+        entries["modelDescription.xml"] = description2(found, guid, compiled)
+    else:
+        entries["modelDescription.xml"] = description3(found, guid)
+        entries["sources/buildDescription.xml"] = build_description(found, compiled)
     for target in targets:
         place = target.fmi2 if version == 2 else target.fmi3
         entries[f"binaries/{place}/{code.name}{target.ending}"] = library(found, sources, compiled, target)

@@ -137,7 +137,7 @@ def _literal(e: Exposed) -> str:
 
 def add_units(root: Element, found: Prepared, more: Iterable[str] = ()) -> None:
     """The units of all that is shown, as the first FMU that has one defines it."""
-    definitions: dict[str, Definition] = {}
+    definitions = {"s": Definition((0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0))}
     for component in reversed(list(found.plan.system.components.values())):
         definitions |= component.fmu.definitions
     units = dict.fromkeys([*(e.unit for _, e in variables2(found.code.shown) if e.unit and e.kind.real), *more])
