@@ -8,10 +8,10 @@ import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..errors import InputError
+from ..errors import InputError, listed
 from ..files import prepare_folder, write_file
 from ..system.model import System
-from .code.tables import SOURCES
+from .carried import resources_of, runs_on
 from .code.text import filled
 from .compiling import OPTIONS, Target, call, for_windows, here
 from .description2 import description2, variables2
@@ -19,7 +19,7 @@ from .description3 import build_description, description3, unsupported
 from .documentation import pages
 from .folder import files_of
 from .prepared import Prepared, prepared
-from .units import headers, write_files
+from .units import SOURCES, headers, write_files
 
 DATE = (2000, 1, 1, 0, 0, 0)  # of every entry: the same content is the same file
 GUID = "@GUID@"
@@ -48,19 +48,25 @@ def _entries(found: Prepared, fmi: str) -> tuple[dict[str, bytes], list[str]]:
     text = (SOURCES / f"fmi{version}.c").read_text(encoding="utf-8")
     more = {"@UNSUPPORTED@": unsupported(text)} if version == 3 else {}
     sources |= headers((version,)) | {layer: filled(f"fmi{version}.c", code.name, more)}
-    compiled = [*code.compiled, layer, *(file for unit in code.units for file in unit.files)]
+    compiled = [*code.compiled, layer, *(file for unit in code.units for file in unit.compiled)]
     targets = [here()]
     windows = for_windows()
     notes = []
-    if windows is not None:
-        targets.append(windows)
-    else:
+    without = [unit.fmu.path.name for unit in code.units if windows and not runs_on(unit, windows)]
+    if windows is None:
         notes.append("for Linux only: mingw-w64 is not installed, which makes its library for Windows")
+    elif without:
+        notes.append(f"for Linux only: {listed(without)} brought neither C sources nor a library for Windows")
+    else:
+        targets.append(windows)
+    notes += [f"{unit.fmu.path.name} is carried as a library: {unit.why_not}" for unit in code.units if unit.loader]
     digest = hashlib.sha256(b"".join(name.encode() + content for name, content in sorted(sources.items())))
     guid = f"{{{digest.hexdigest()}}}"
     sources[layer] = sources[layer].replace(GUID.encode(), guid.encode())
     entries = {f"sources/{name}": content for name, content in sources.items()}
     entries |= pages(found)
+    for unit in code.units:
+        entries |= {f"resources/{path}": content for path, content in resources_of(unit).items()}
     if version == 2:
         entries["modelDescription.xml"] = description2(found, guid, compiled)
     else:

@@ -43,7 +43,7 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
     states = {key.replace("State", "state"): value for key, value in can_save(found).items()}
     interface = SubElement(root, "CoSimulation", {
         "modelIdentifier": code.name, "needsExecutionTool": "false", "canHandleVariableCommunicationStepSize": "false",
-        "canInterpolateInputs": "false", "canBeInstantiatedOnlyOncePerProcess": "false",
+        "canInterpolateInputs": "false", "canBeInstantiatedOnlyOncePerProcess": once(found),
         "canNotUseMemoryManagementFunctions": "true", **states,
     })  # fmt: skip
     files = list(sources)
@@ -79,6 +79,13 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
 def made_by() -> str:
     """What writes these files; not the words of a component, which are another kind of FMU."""
     return f"rovbrush-export {version('rovbrush')}"
+
+
+def once(found: Prepared) -> str:
+    """Whether a process can have one instance only, as one of the components says."""
+    return str(
+        any(c.fmu.interface.canBeInstantiatedOnlyOncePerProcess for c in found.plan.system.components.values())
+    ).lower()
 
 
 def can_save(found: Prepared) -> dict[str, str]:

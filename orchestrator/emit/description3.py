@@ -13,7 +13,7 @@ from ..fmu.files.compiled import HEADERS
 from ..fmu.types import FmiType
 from .code.exposed import CALCULATED, HIDDEN, OUTPUT, Exposed
 from .compiling import OPTIONS
-from .description2 import add_units, attributes, can_save, experiment, made_by, typed_attributes, written
+from .description2 import add_units, attributes, can_save, experiment, made_by, once, typed_attributes, written
 from .prepared import Prepared
 
 NAMES = {"Real": "Float64", "Integer": "Int32"}
@@ -40,7 +40,7 @@ def description3(found: Prepared, token: str) -> bytes:
     })  # fmt: skip
     timing = experiment(found)
     SubElement(root, "CoSimulation", {
-        "modelIdentifier": code.name, "needsExecutionTool": "false", "canBeInstantiatedOnlyOncePerProcess": "false",
+        "modelIdentifier": code.name, "needsExecutionTool": "false", "canBeInstantiatedOnlyOncePerProcess": once(found),
         "canHandleVariableCommunicationStepSize": "false", "fixedInternalStepSize": timing["stepSize"],
         **can_save(found),
     })  # fmt: skip

@@ -7,6 +7,7 @@ from pathlib import Path
 from ..errors import InputError
 from ..files import prepare_folder
 from ..system.model import System
+from .carried import resources_of
 from .compiling import OPTIONS
 from .prepared import Prepared, prepared
 from .units import headers, write_files
@@ -17,19 +18,13 @@ def write_c(system: System, folder: Path) -> list[str]:
 
     Raises InputError for what is not written as C, and for a component without C sources.
     """
-    with prepared(system) as found:
-        for name, unit in found.units.items():
-            if not unit.in_c:
-                raise InputError(
-                    f"component {name} has no C to write: take --fmu, which carries its library, or build it in C "
-                    f"(`rovbrush build --native`); {unit.why_not}"
-                )
+    with prepared(system, carries=False) as found:
         files = files_of(found)
         _require_own(folder, found.code.name)
         prepare_folder(folder, "--c")
         write_files(folder, files | {"Makefile": _makefile(found), found.code.main: found.code.files[found.code.main]})
         for unit in found.code.units:
-            _copy_resources(unit.fmu.folder / "resources", folder / "resources" / unit.prefix)
+            write_files(folder / "resources", resources_of(unit))
         step, whole = found.code.cycle.step, found.code.cycle.whole
         return [
             f"a step costs at most {step.arithmetic} floating-point operations and {step.calls} calls of components, a "
@@ -52,12 +47,6 @@ def _require_own(folder: Path, name: str) -> None:
         raise InputError(f"--c {folder}: the folder is not empty, and holds no exported {name}; name another one")
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--c {folder} is a file; name a folder")
-
-
-def _copy_resources(source: Path, target: Path) -> None:
-    for path in sorted(source.rglob("*")) if source.is_dir() else []:
-        if path.is_file():
-            write_files(target, {path.relative_to(source).as_posix(): path.read_bytes()})
 
 
 def _makefile(found: Prepared) -> bytes:

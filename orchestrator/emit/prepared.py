@@ -10,10 +10,12 @@ from math import lcm
 from pathlib import Path
 
 from ..clock import common_tick
+from ..errors import InputError
 from ..fmu.types import BINARY, TEXT
 from ..plan.plan import Plan
 from ..run.planned import planned
 from ..system.model import System
+from .carried import as_library
 from .code.exchange import Key
 from .code.exposed import exposed
 from .code.names import identifiers
@@ -54,16 +56,42 @@ def plan_for_c(system: System) -> Plan:
 
 
 @contextmanager
-def prepared(system: System) -> Iterator[Prepared]:
-    """The C of a system, while its folder of work is there. Raises InputError, FmuError."""
+def prepared(system: System, carries: bool = True) -> Iterator[Prepared]:
+    """The C of a system, while its folder of work is there; `carries`: libraries in the place of C that is missing.
+
+    Raises InputError, FmuError.
+    """
     plan = plan_for_c(system)
     target = here()
     fmus = {c.fmu.own.digest: c.fmu.own for c in plan.system.components.values()}
     own = [identifiers([system.name])[0], *plan.system.components]
     prefixes = dict(zip(fmus, identifiers((fmu.path.stem for fmu in fmus.values()), own), strict=True))
+    _require_once(plan.system)
     with tempfile.TemporaryDirectory(prefix="rovbrush_emit_") as work:
         units = units_of(plan.system.components, prefixes, Path(work), target)
+        for name, unit in units.items():
+            if unit.in_c:
+                continue
+            if not carries:
+                raise InputError(
+                    f"component {name} has no C to write: take --fmu, which carries its library, or build it in C "
+                    f"(`rovbrush build --native`); {unit.why_not}"
+                )
+            units[name] = as_library(unit, name, own[0])
         yield Prepared(plan, units, code_of(plan, units, exposed(plan), solutions(plan)))
+
+
+def _require_once(system: System) -> None:
+    """Raise InputError for two components of an FMU of which a process can have one instance only."""
+    seen: dict[str, str] = {}
+    for name, component in system.components.items():
+        fmu = component.fmu.own
+        if fmu.interface.canBeInstantiatedOnlyOncePerProcess and fmu.digest in seen:
+            raise InputError(
+                f"components {seen[fmu.digest]} and {name}: a process can have one instance of {fmu.path.name} only "
+                f"(canBeInstantiatedOnlyOncePerProcess); an exported system is one process. Export it as an SSP (--ssp)"
+            )
+        seen[fmu.digest] = name
 
 
 def solutions(plan: Plan) -> dict[Key, float]:

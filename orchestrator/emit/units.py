@@ -20,6 +20,7 @@ from ..fmu.fmu import Fmu
 from ..system.model import Component
 from .compiling import OPTIONS, Target, call
 
+SOURCES = Path(__file__).parent / "sources"
 STANDARD = {
     2: ("fmi2TypesPlatform.h", "fmi2FunctionTypes.h", "fmi2Functions.h"),
     3: ("fmi3PlatformTypes.h", "fmi3FunctionTypes.h", "fmi3Functions.h"),
@@ -37,6 +38,7 @@ class Unit:
     texts: Mapping[str, bytes] = field(default_factory=dict)  # all files of it, by path in the program's folder
     functions: frozenset[str] = frozenset()  # of FMI, that its sources define
     why_not: str = ""  # why its C is not
+    loader: str = ""  # the file that loads its library then
 
     @property
     def version(self) -> int:
@@ -45,6 +47,11 @@ class Unit:
     def function(self, name: str) -> str:
         """The name of an FMI function of it in the program."""
         return f"{self.prefix}_fmi{self.version}{name}"
+
+    @property
+    def compiled(self) -> tuple[str, ...]:
+        """The files of it that are compiled."""
+        return (*self.files, *([self.loader] if self.loader else []))
 
     @property
     def in_c(self) -> bool:

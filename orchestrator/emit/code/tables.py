@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import hashlib
-import re
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 
 from ...fmu.types import BOOLEAN, TEXT, FmiType
 from ...plan.plan import Plan
 from ...results.files.csv import rate_names
+from ..carried import members
 from ..units import Unit
 from .exchange import Names
 from .exposed import Exposed
 from .instants import Cycle
 from .names import comment, number, text, whole
 
-SOURCES = Path(__file__).parent.parent / "sources"
 TYPES = {"Real": "FLOAT64", "Integer": "INT32", "Boolean": "BOOLEAN", "String": "STRING"}
 
 
@@ -55,11 +53,18 @@ def token(plan: Plan, shown: Sequence[Exposed]) -> str:
 def parts_table(plan: Plan, names: Names, units: Sequence[Unit]) -> str:
     lines = ["enum { " + ", ".join(names.parts.values()) + " };", ""]
     for unit in units:
-        members = re.findall(r"\*(\w+);", (SOURCES / f"functions{unit.version}.h").read_text(encoding="utf-8"))
         lines.append(f"/* {unit.fmu.path.name}, {unit.fmu.standard}, sha256 {unit.fmu.digest[:12]} */")
-        there = [m for m in members if f"fmi{unit.version}{m}" in unit.functions]
+        there = [m for m in members(unit.version) if f"fmi{unit.version}{m}" in unit.functions]
+        if unit.loader:
+            lines += [f"extern fmi{unit.version}{m}TYPE *{unit.function(m)};" for m in there]
+            lines += [
+                f"extern Functions{unit.version} {unit.prefix}_functions;",
+                f"int {unit.prefix}_load({names.system} *s);",
+                "",
+            ]
+            continue
         lines += [f"extern fmi{unit.version}{m}TYPE {unit.function(m)};" for m in there]
-        inside = [f"    {unit.function(m) if m in there else 'NULL'}," for m in members]
+        inside = [f"    {unit.function(m) if m in there else 'NULL'}," for m in members(unit.version)]
         lines += [f"static const Functions{unit.version} {unit.prefix}_functions = {{", *inside, "};", ""]
     lines.append(f"const Part {names.system}_parts[{names.system}_PARTS] = {{")
     for name, component in plan.system.components.items():
@@ -67,7 +72,7 @@ def parts_table(plan: Plan, names: Names, units: Sequence[Unit]) -> str:
         experiment = fmu.description.defaultExperiment
         stated = float(experiment.tolerance) if experiment is not None and experiment.tolerance else 0.0
         tolerance = component.tolerance if component.tolerance is not None else stated
-        folder = text(unit.prefix) if (fmu.folder / "resources").is_dir() else "NULL"
+        folder = text(f"{unit.prefix}/resources") if (fmu.folder / "resources").is_dir() else "NULL"
         token = fmu.description.guid if unit.version == 2 else fmu.description.instantiationToken
         saves, writes = int(fmu.can_save_state), int(fmu.can_serialize_state)
         load = "NULL" if unit.in_c else f"{unit.prefix}_load"

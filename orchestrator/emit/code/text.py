@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from ...errors import counted
 from ...plan.plan import Plan
-from ..units import Unit
+from ..units import SOURCES, Unit
 from .beginning import Beginning
 from .exchange import Key, Names
 from .exposed import Exposed
@@ -16,7 +16,6 @@ from .instants import Cycle, Instants
 from .names import comment, identifier
 from .rows import Cost, Rows
 from .tables import (
-    SOURCES,
     cells_table,
     instants_table,
     parts_table,

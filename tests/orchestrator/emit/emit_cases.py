@@ -8,13 +8,14 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
-from helpers import edited
+from helpers import column, edited
 from native_build import NATIVE
 from rovbrush.orchestrator.emit.folder import write_c
 from rovbrush.orchestrator.results.files.csv import rate_names
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import System
 
 Table = dict[str, np.ndarray]
@@ -100,3 +101,32 @@ def differing(tables: Mapping[str, Table], run: Run) -> list[str]:
             if own.shape != their.shape or own.astype(float).tobytes() != their.tobytes():
                 found.append(name)
     return found
+
+
+def alone(fmu: Path, step: str = "", **values: float) -> Run:
+    """The run of one FMU."""
+    run = simulate(planned(assemble(str(fmu), dict(values), "0.1 s", None, step=step)))
+    assert not run.failure, run.failure
+    return run
+
+
+def unlike(one: Run, run: Run) -> list[str]:
+    """The outputs that are not bit by bit those of the system's run, at the instants of both."""
+    found = []
+    for group in run.plan.groups:
+        for key in group.columns:
+            name = ".".join(key)
+            if key not in run.plan.layout.outputs or _is_text(run, key):
+                continue
+            times, own = column(run, name)
+            there, their = column(one, f"whole.{name}")
+            both = np.isin(times, there), np.isin(there, times)
+            assert both[0].sum() > 5
+            if own[both[0]].tobytes() != their[both[1]].tobytes():
+                found.append(name)
+    return found
+
+
+def _is_text(run: Run, key: tuple[str, str]) -> bool:
+    """Whether a signal is a text, which no exported system shows."""
+    return run.plan.system.components[key[0]].fmu.variables[key[1]].type == "String"

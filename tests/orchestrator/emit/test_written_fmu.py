@@ -9,15 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from emit_cases import Masses, run_of_system
+from emit_cases import Masses, alone, run_of_system, unlike
 from helpers import column, python, rovbrush
 from native_build import needs_gcc
 from rovbrush.orchestrator.emit.export import export_fmu
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu
-from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.run.planned import planned
-from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.assemble import assemble
 
 pytestmark = needs_gcc
 VERSIONS = ("2.0", "3.0")
@@ -33,30 +29,6 @@ def whole(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     system = read_system(folder, carried, PARTS, WIRES, stop="0.1 s", algorithm="gauss-seidel")
     export_fmu(system, folder / "whole.fmu", request.param)
     return folder / "whole.fmu"
-
-
-def alone(fmu: Path, step: str = "", **values: float) -> Run:
-    """The run of one FMU."""
-    run = simulate(planned(assemble(str(fmu), dict(values), "0.1 s", None, step=step)))
-    assert not run.failure, run.failure
-    return run
-
-
-def unlike(one: Run, run: Run) -> list[str]:
-    """The outputs that are not bit by bit those of the system's run, at the instants of both."""
-    found = []
-    for group in run.plan.groups:
-        for key in group.columns:
-            name = ".".join(key)
-            if key not in run.plan.layout.outputs:
-                continue
-            times, own = column(run, name)
-            there, their = column(one, f"whole.{name}")
-            both = np.isin(times, there), np.isin(there, times)
-            assert both[0].sum() > 5
-            if own[both[0]].tobytes() != their[both[1]].tobytes():
-                found.append(name)
-    return found
 
 
 def test_one_fmu_has_the_bits_of_the_run(whole: Path, masses: Masses) -> None:
