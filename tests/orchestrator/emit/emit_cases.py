@@ -128,5 +128,5 @@ def unlike(one: Run, run: Run) -> list[str]:
 
 
 def _is_text(run: Run, key: tuple[str, str]) -> bool:
-    """Whether a signal is a text, which no exported system shows."""
-    return run.plan.system.components[key[0]].fmu.variables[key[1]].type == "String"
+    """Whether a signal is a text or bytes, which no exported system shows."""
+    return run.plan.system.components[key[0]].fmu.variables[key[1]].type in ("String", "Binary")
