@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .errors import BuildError, UnknownComponentError
@@ -25,12 +26,14 @@ def build_all(
     rows: int = 0,
     platforms: tuple[str, ...] = (),
     missing: Callable[[str], None] | None = None,
+    jobs: int = 0,
 ) -> list[Path]:
     """Build the FMUs of `names` into `folder`, each in its own process; returns their paths.
 
     `names`: shipped components, folders of others (see `new/`), or scripts of pythonfmu's (NAME.py).
     `rows`: how many elements of the vectors that can be shown are outputs (the brush: per-filament outputs).
     `platforms`: build native FMUs with binaries for these (`linux64`, `win64`) instead, into `folder`/native.
+    `jobs`: how many are built at a time; 0: as many as there are processors.
     `missing`: hears of platforms without a compiler, which are left out unless there is no other; None: an error.
 
     Raises UnknownComponentError for a wrong name, BuildError for an unwritable folder or a failing build. An FMU
@@ -41,7 +44,13 @@ def build_all(
         from .native.compile import available
 
         platforms = available(platforms, missing)
-    return [path for component in components for path in build(component, folder, rows, platforms)]
+    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+        made = [pool.submit(build, component, folder, rows, platforms) for component in components]
+        try:
+            return [path for one in made for path in one.result()]
+        finally:
+            for one in made:
+                one.cancel()  # after an error nothing new is begun
 
 
 def folder_of(name: str) -> Path:

@@ -1,7 +1,7 @@
 """The user's cache folder: whom it must belong to, what is in it, and how it stays small.
 
     fmus/HASH/       an unpacked archive (`fmu/files/unpacked.py`)
-    kernels/NAME/    a compiled kernel (`components/python/kernels.py`, which knows this layout by convention)
+    kernels/NAME/    a compiled kernel (`components/python/kernel_cache.py`, which knows this layout by convention)
     servers/NAME/    what loads FMUs for Windows (`participant/windows/build.py`)
     users/, lock     what living processes need (`cache_users.py`)
     moving/          what is being unpacked or thrown away just now

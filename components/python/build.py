@@ -13,6 +13,7 @@ import os
 import re
 import sys
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -26,10 +27,10 @@ from .component import class_in
 TOP = Path(__file__).parents[1]
 SHARED = (
     "errors.py", "lowering/__init__.py", "lowering/lowered.py", "python/__init__.py", "python/kernel_cache.py",
-    "python/kernels.py", "python/memory.py", "python/options.py", "python/parts.py", "python/slave.py",
-    "python/state.py",
+    "python/kernels.py", "python/memory.py", "python/numba_files.py", "python/options.py", "python/parts.py",
+    "python/slave.py", "python/stages.py", "python/state.py",
 )  # fmt: skip
-CARRIED_FOLDERS = ("declare", "library")
+CARRIED_FOLDERS = ("declare", "library", "python/machine")
 OUTSIDE = re.compile(rb"^([ \t]*)from rovbrush\.components(?:\.([\w.]+))? import ", re.MULTILINE)
 # pythonfmu 0.7.0 executes this script for every instance and then drops a reference to its namespace that it does not
 # own: without keep_alive the second instance fails and the process crashes at its end.
@@ -97,6 +98,7 @@ def build_one(component: Path, folder: Path, rows: int = 0) -> Path:
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         package, model = carried(component, work, rows)
+        _compile(model)
         script = work / f"{package}_slave.py"
         script.write_text(ENTRY_SCRIPT.format(package=package, name=name, component=model.__name__))
         (work / "documentation").mkdir()
@@ -105,6 +107,14 @@ def build_one(component: Path, folder: Path, rows: int = 0) -> Path:
             script, work / "raw.fmu", project_files=[work / package], documentation_folder=work / "documentation"
         )
         return repack(Path(raw), folder / f"{name}.fmu")
+
+
+def _compile(model: type[Any]) -> None:
+    """Compile the kernel into the cache, so that whoever runs the FMU here need not; what is wrong shows there, too."""
+    with suppress(Exception):
+        instance = model(instance_name="first")
+        instance.enter_initialization_mode()
+        instance.exit_initialization_mode()
 
 
 def carried(component: Path, work: Path, rows: int = 0) -> tuple[str, type[Any]]:

@@ -1,28 +1,21 @@
 """Where compiled kernels are kept, so that a damaged file is noticed and another user's is never run.
 
 The folder and its layout are those of the program that runs the FMUs, by convention: an entry `kernels/NAME/` with
-`kernel.py`, Numba's files and `used`, which is as old as the last use; what a process needs stands in a file of its own
-in `users/`, locked while the process lives; who writes there holds the file `lock` together with others.
+`kernel.o`, or `kernel.py` and Numba's files (`numba_files.py`), and `used`, which is as old as the last use; what a
+process needs stands in a file of its own in `users/`, locked while the process lives; who writes there holds the file
+`lock` together with others.
 """
-
-# mypy: disable-error-code="no-untyped-call"
-# Numba's cache has no types.
 
 from __future__ import annotations
 
 import atexit
 import hashlib
-import io
 import os
 import shutil
 import tempfile
 import uuid
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import suppress
 from pathlib import Path
-from typing import Any
-
-from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 try:
     import fcntl
@@ -41,18 +34,26 @@ def stored(name: str, text: str) -> Path:
 
     Raises DistrustedError for a cache folder that belongs to another user, or that others can write to.
     """
+    return _written(entry_folder(name), text)
+
+
+def entry_folder(name: str) -> Path:
+    """The folder of an entry in the cache, in use from now on; one of this process where there is no cache.
+
+    Raises DistrustedError as `stored` does.
+    """
     try:
         top = _private(_cache_folder())
         _need(top, f"kernels/{name}")
         folder = _private(_private(top / "kernels") / name)
         (folder / "used").touch(mode=0o600)
-        return _written(folder, text)
+        return folder
     except DistrustedError:
         raise
     except OSError:
         folder = Path(tempfile.mkdtemp(prefix="rovbrush_"))
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
-        return _written(folder, text)
+        return folder
 
 
 def _cache_folder() -> Path:
@@ -104,48 +105,18 @@ def _written(folder: Path, text: str) -> Path:
     return path
 
 
-class _CheckedFile(IndexDataCacheFile):
-    """Numba's files, each with the hash of its content behind it: what is damaged is compiled anew.
-
-    Numba numbers the files of a function: two processes that compile it at one time for different types could take the
-    same number, each believing the file its own. Here no two files have the same name.
-    """
-
-    def _load_index(self) -> Any:
-        return super()._load_index() if _whole(self._index_path) else {}
-
-    def _load_data(self, name: str) -> Any:
-        if not _whole(self._data_path(name)):
-            raise FileNotFoundError(name)  # which Numba takes for a file that somebody has removed
-        return super()._load_data(name)
-
-    def _data_name(self, number: int) -> str:
-        return str(super()._data_name(number)).replace(".nbc", f"_{uuid.uuid4().hex[:12]}.nbc")
-
-    @contextmanager
-    def _open_for_write(self, filepath: str) -> Iterator[io.BytesIO]:
-        content = io.BytesIO()
-        yield content
-        with super()._open_for_write(filepath) as file:
-            file.write(content.getvalue() + hashlib.sha256(content.getvalue()).digest())
+def keep(path: Path, content: bytes) -> None:
+    """Write a file of the cache with the hash of its content behind it; where that fails nothing is kept."""
+    temporary = path.with_name(f"{path.name}.{uuid.uuid4().hex[:12]}.tmp")
+    with suppress(OSError):
+        temporary.write_bytes(content + hashlib.sha256(content).digest())
+        temporary.replace(path)
 
 
-def _whole(path: str) -> bool:
-    """Is a file there, and the hash at its end that of what stands before it?"""
+def kept(path: Path) -> bytes | None:
+    """What `keep` wrote; None where it is not there, or damaged."""
     try:
-        content = Path(path).read_bytes()
+        content = path.read_bytes()
     except OSError:
-        return False
-    return hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:]
-
-
-class CheckedCache(FunctionCache):
-    """Numba's cache of one function, by `_CheckedFile`."""
-
-    def __init__(self, function: Callable[..., Any]) -> None:
-        super().__init__(function)
-        self._cache_file = _CheckedFile(
-            cache_path=self._cache_path,
-            filename_base=self._impl.filename_base,
-            source_stamp=self._impl.locator.get_source_stamp(),
-        )
+        return None
+    return content[:-DIGEST] if hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:] else None

@@ -1,4 +1,4 @@
-"""A kernel as one source text, and compiled by Numba.
+"""A kernel as one source text, and compiled by Numba: what `machine/` does not know, and what tests call by name.
 
 A kernel may be spread over files (`from .modes import tables`); `lowering/` makes one text of them, in which records
 are named scalars and cells of arrays. The compiled form lives in a per-user cache under the hash of that text
@@ -23,7 +23,8 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from ..lowering.lowered import Lowered, lowered
-from .kernel_cache import CheckedCache, stored
+from .kernel_cache import stored
+from .numba_files import CheckedCache
 
 TRIED = ((0, 61), (0, 68))  # versions of Numba of which `parts.py` knows the inside
 

@@ -20,9 +20,10 @@ from pythonfmu.enums import Fmi2Status
 
 from ..declare.interface import Array, Variable, parameter_variables, tunable_places
 from ..declare.model_description import model_description
-from .kernels import argument_names, compiled, entry, precompile
-from .memory import Memory, places_of
+from ..lowering.lowered import lowered
+from .memory import Memory
 from .options import ROWS
+from .stages import Bound, bound
 from .state import State, from_bytes, to_bytes
 
 PHASES = ("instantiated", "initializing", "running", "terminated")
@@ -59,7 +60,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
     def started_by(cls) -> set[str]:
         """The inputs from which the initial state follows, and with it every output at time 0."""
         stages = [stage for stage in ("setup", "initialize") if hasattr(cls.kernel, stage)]
-        return {a for stage in stages for a in argument_names(cls.kernel, stage)} & {v.name for v in cls.inputs}
+        arguments = lowered(cls.kernel).arguments
+        return {a for stage in stages for a in arguments[stage]} & {v.name for v in cls.inputs}
 
     @classmethod
     def component_name(cls) -> str:
@@ -68,7 +70,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        self.functions = compiled(self.kernel)
+        self.stages: dict[str, Bound] = {}
         self.memory = Memory(self.variables(), self.outputs, self.arrays)
         self.cells: Any = memoryview(self.memory.values)  # type: ignore[arg-type]  # shares it; plain floats
         self.settable = range(sum(len(v.start) for v in parameter_variables(self.parameters)), self.memory.first_output)
@@ -133,15 +135,12 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         """Derived tables, initial state and outputs from the present parameters and inputs."""
         chosen = {v.name: self.memory.value(v) for v in self.checked_parameters()}
         self.memory.allocate(self.parameters(**chosen))
+        self.stages = bound(self.kernel, self.memory)
         for stage in ("setup", "initialize", "outputs"):
-            if self.functions.has(stage):
-                function, arguments = self.bind(stage)
-                function(*arguments)
+            if stage in self.stages:
+                self.stages[stage]()
         self.memory.show_rows()
-        self.step_function, self.arguments = self.bind("step")
-        if self.functions.has("outputs"):
-            self.outputs_bound = self.bind("outputs")
-        precompile(self.step_function, self.arguments)
+        self.step_stage = self.stages["step"]
         self.ready = True
 
     def checked_parameters(self) -> Iterator[Variable]:
@@ -156,17 +155,10 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
                 )
             yield v
 
-    def bind(self, name: str) -> tuple[Callable[..., None], list[Any]]:
-        """A kernel function that takes its arguments out of the memory, and the arrays of the memory that it needs."""
-        texts, others = places_of(self.memory, argument_names(self.kernel, name))
-        function = entry(self.functions, name, texts, ", ".join(["values", "block", *others]))
-        return function, [self.memory.values, self.memory.block, *(self.memory.store[other] for other in others)]
-
     def answer(self) -> None:
         """Outputs for inputs that were set between two steps: direct feedthrough."""
-        if self.functions.has("outputs"):
-            function, arguments = self.outputs_bound
-            function(*arguments)
+        if "outputs" in self.stages:
+            self.stages["outputs"]()
         self.stale = False
 
     def setup_experiment(self, start_time: float, stop_time: float | None, tolerance: float | None) -> None:
@@ -201,7 +193,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             cells = self.cells
             cells[-2] = current_time
             cells[-1] = step_size
-            self.step_function(*self.arguments)
+            self.step_stage()
             cells[-2] = current_time + step_size
             self.stale = False
             if ROWS:

@@ -1,4 +1,4 @@
-"""What a component's kernel takes under Numba with no FMI around it: `rovbrush bench` compares the FMUs with it."""
+"""What a component's kernel takes as machine code with no FMI around it: `rovbrush bench` compares the FMUs with it."""
 
 from __future__ import annotations
 
@@ -6,15 +6,8 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
-import numba
-
 from .component import component_class
-
-
-@numba.njit
-def _repeat(count: int, step: Any, arguments: Any) -> None:
-    for _ in range(count):
-        step(*arguments)
+from .stages import repeated
 
 
 def seconds_per_step(name: str, values: Mapping[str, Any], period: float, steps: int) -> float:
@@ -29,8 +22,6 @@ def seconds_per_step(name: str, values: Mapping[str, Any], period: float, steps:
     component.enter_initialization_mode()
     component.exit_initialization_mode()
     component.do_step(0.0, period)  # puts the inputs and the step size among the arguments
-    arguments = tuple(component.arguments)
-    _repeat(1, component.step_function, arguments)
     begin = time.perf_counter()
-    _repeat(steps, component.step_function, arguments)
+    repeated(component.step_stage, steps)
     return (time.perf_counter() - begin) / steps

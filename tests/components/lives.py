@@ -1,4 +1,4 @@
-"""The three lives of a kernel: plain Python, Numba, and C by Pyccel, driven with the same numbers.
+"""The lives of a kernel: plain Python, machine code of its own, Numba, and C by Pyccel, driven with the same numbers.
 
 Arguments are bound by name, as the FMU base class does it, from the component's declared interface.
 """
@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from machine_life import Machine
 from pyccel import epyccel
 from rovbrush.components.declare.interface import Variable, parameter_variables
 from rovbrush.components.declare.layout import cells_name, over
@@ -49,7 +50,7 @@ class Case:
 
 @cache
 def lives(name: str) -> dict[str, Any]:
-    """The kernel as plain Python, under Numba and as C: three namespaces with the same functions, made once.
+    """The kernel as plain Python, as FMUs run it, under Numba and as C: namespaces with the same functions, made once.
 
     In C no contraction to fused multiply-add: it rounds once where Python rounds twice. Symbols are bound inside the
     library: the C library has an old function `step` of its own, which would be called instead of the kernel's.
@@ -59,7 +60,7 @@ def lives(name: str) -> dict[str, Any]:
     folder = tempfile.mkdtemp(prefix=f"{Path(name).name}_")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     in_c = epyccel(joined_source(kernel), language="c", folder=folder, **flags)
-    return {"python": kernel, "numba": compiled(kernel), "c": in_c}
+    return {"python": kernel, "machine": Machine(kernel), "numba": compiled(kernel), "c": in_c}
 
 
 class Instance:

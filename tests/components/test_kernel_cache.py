@@ -16,7 +16,8 @@ import json
 import sys
 from pathlib import Path
 import numba
-from rovbrush.components.python.kernel_cache import CheckedCache, stored
+from rovbrush.components.python.kernel_cache import stored
+from rovbrush.components.python.numba_files import CheckedCache
 import importlib.util
 path = stored("double_" + "0" * 24, "def double(x):\\n    return x + x\\n")
 spec = importlib.util.spec_from_file_location("double", path)

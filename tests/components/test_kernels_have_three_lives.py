@@ -1,4 +1,4 @@
-"""Every kernel gives the same bits as plain Python, under Numba and as C, and writes its outputs in declared order."""
+"""Every kernel gives the same bits in all its lives, and writes its outputs in declared order."""
 
 from __future__ import annotations
 
@@ -88,17 +88,17 @@ NAMES = tuple(dict.fromkeys(case.name for case in CASES))
 
 @pytest.mark.sampled(8)
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_python_numba_and_c_agree_bit_by_bit(case: Case, measured: Measured) -> None:
+def test_python_machine_code_numba_and_c_agree_bit_by_bit(case: Case, measured: Measured) -> None:
     runs = {life: history(case, functions) for life, functions in lives(case.name).items()}
     assert np.all(np.isfinite(runs["python"][-1]["y"]))
     unequal = 0
-    for life in ("numba", "c"):
+    for life in ("machine", "numba", "c"):
         for k, (expected, seen) in enumerate(zip(runs["python"], runs[life], strict=True)):
             for name, array in expected.items():
                 different = np.flatnonzero(array.ravel().view(np.int64) != seen[name].ravel().view(np.int64))
                 unequal += different.size
                 assert not different.size, f"{life}: {name}{different[:5]} after {k} steps"
-    measured(f"kernel {case}: numbers that differ between Python, Numba and C", unequal, "0")
+    measured(f"kernel {case}: numbers that differ between Python, machine code, Numba and C", unequal, "0")
 
 
 @pytest.mark.parametrize("case", CASES, ids=str)

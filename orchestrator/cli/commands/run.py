@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -62,8 +62,11 @@ def build(
             help="Binaries of native FMUs: linux64, win64; repeatable; by default those there is a compiler for.",
         ),
     ] = [],  # noqa: B006
+    jobs: Annotated[
+        int, typer.Option("--jobs", min=0, help="How many are built at a time; 0: as many as there are processors.")
+    ] = 0,
 ) -> None:
-    """Build the components into FMUs."""
+    """Build the components into FMUs, and compile the kernels of Python FMUs for this machine."""
     from ...fmu.files.places import fmu_folder
     from ...fmu.files.windows import runs_windows
 
@@ -72,10 +75,10 @@ def build(
         raise InputError("no components are installed that could be built; install the whole rovbrush package")
     for builder in found:
         try:
-            chosen = {"names": tuple(names)} if names else {}
+            chosen: dict[str, Any] = {"names": tuple(names)} if names else {}
             platforms = (tuple(platform) or PLATFORMS) if native else ()
-            missing = None if platform else lambda why: tell(f"left out: {why}")
-            paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms, missing=missing)
+            chosen |= {"missing": None if platform else lambda why: tell(f"left out: {why}")}
+            paths = builder.load()(fmus or fmu_folder(), **chosen, rows=rows, platforms=platforms, jobs=jobs)
         except Exception as error:
             raise_ours(error)
         for path in paths:

@@ -32,11 +32,11 @@ CASES = (
 
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_python_numba_and_c_agree_bit_by_bit(case: Case) -> None:
+def test_python_machine_code_numba_and_c_agree_bit_by_bit(case: Case) -> None:
     runs = {life: history(case, functions) for life, functions in lives("filament_brush").items()}
     assert np.all(np.isfinite(runs["python"][-1]["y"]))
     assert any(snapshot["y"][1] != 0.0 for snapshot in runs["python"])  # there was contact
-    for life in ("numba", "c"):
+    for life in ("machine", "numba", "c"):
         for k, (expected, seen) in enumerate(zip(runs["python"], runs[life], strict=True)):
             for name, array in expected.items():
                 assert np.array_equal(array.view(np.int64), seen[name].view(np.int64)), f"{life}: {name}, step {k}"
