@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+# Numba would count the users of each array at every call of a function; nobody makes or frees one here.
+UNCOUNTED = {"_nrt": False}
 F = TypeVar("F", bound=Callable[..., Any])
 _WAITING: list[tuple[Callable[..., Any], Callable[..., Any]]] = []
 
@@ -33,7 +35,7 @@ def told_to_compiler() -> None:
 
     while _WAITING:
         function, compiled = _WAITING.pop(0)
-        overload(function, strict=False)(_always(compiled))
+        overload(function, jit_options=UNCOUNTED, strict=False)(_always(compiled))
 
 
 def _always(function: Callable[..., Any]) -> Callable[..., Callable[..., Any]]:

@@ -95,6 +95,7 @@ from .operations import (
     MEAN,
     MIX,
     MOVE,
+    MOVES,
     NUMBER,
     PACE,
     PAUSE,
@@ -112,6 +113,7 @@ from .operations import (
     SOLVE,
     STEP,
     STEP_ON,
+    TURNS,
     WATCH,
     WORK,
     WORK_ON,
@@ -121,6 +123,7 @@ from .solvers.iteration import AGAIN, CONVERGED, iterate
 from .solvers.step_control import control as choose_step
 from .solvers.step_control import gauge
 from .solvers.step_doubling import ACCEPTED, INDICATOR, REJECTED, REPEATED, estimate
+from .turns import move, take_turns
 from .versions import NO_ROOM, exchange, good, step
 
 FOREVER = 1e300  # s
@@ -133,6 +136,7 @@ def run(
     control: np.ndarray,
     clock: np.ndarray, work: np.ndarray, saved: np.ndarray, solver: np.ndarray,
     states: np.ndarray, state_calls: np.ndarray,
+    moves: np.ndarray, turns: np.ndarray,
     first_cycle: int, cycles: int, cycle_ticks: int, numerator: int, denominator: int,
 ) -> int:  # fmt: skip
     """Execute `operations` for `cycles` cycles; returns DONE, INTERRUPTED, ENDED, BAD_STATUS, NOT_FINITE,
@@ -146,7 +150,7 @@ def run(
     clock (7): see cells.NOW..., with steps that vary (cycle_ticks is 0 then), otherwise zeros; work: state
     of the iteration or of the step controller; saved: signals at the beginning of a macro step; solver: memory of the
     loops that are solved at an instant, and the moments of events (cells.MOMENTS); states (n): FMU states; state_calls
-    (n, 3): addresses of the functions that get, set and free one.
+    (n, 3): addresses of the functions that get, set and free one; moves, turns: see turns.py.
     """
     stop = ((control[START] + control[PROMISED]) * numerator) / denominator if control[PROMISED] > 0 else FOREVER
     begin = control[RESUME_AT]
@@ -210,6 +214,16 @@ def run(
                             if not isfinite(z[j]):
                                 control[AT_OPERATION], control[AT_CYCLE], control[SLOT] = m, cycle, j
                                 return NOT_FINITE
+            elif code == TURNS:
+                verdict = take_turns(
+                    turns, a, b, moves, p, z, coefficients, components, control,
+                    base, clock[STEP_TICKS], numerator, denominator, stop,
+                )  # fmt: skip
+                if verdict != DONE:
+                    control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return verdict
+            elif code == MOVES:
+                move(moves, a, b, z, coefficients)
             elif code == COPY:
                 z[b] = coefficients[k] * z[a] + coefficients[k + 1]
             elif code == LINEAR:

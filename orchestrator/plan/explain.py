@@ -12,6 +12,7 @@ from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
 from .capabilities import remarks
 from .exchange import explained
+from .fused import fused_words
 from .happening.clocks import clock_words
 from .happening.events import event_words
 from .happening.scenario_text import scenario_in_words
@@ -97,8 +98,11 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         every = "macro step" if plan.adaptive else seconds_text(clock.seconds(group.period))
         lines.append(f"  every {every:<8} {counted(len(group.columns), 'signal')} of {', '.join(group.components)}")
     lines += _listed(plan, plan.cycle, f"every {'macro step' if plan.adaptive else again} again", operations)
+    few = None if operations is None else operations // 4
+    lines += fused_words(plan, plan.cycle, few)
     if len(plan.last):
         lines += _listed(plan, plan.last, f"in the last {seconds_text(clock.seconds(clock.rest))}", operations)
+        lines += fused_words(plan, plan.last, few)
     if plan.events:
         for name, rows in plan.at_events.bring.items():
             lines += _listed(plan, rows, f"to bring {name} to an event, as from the beginning of its step", operations)

@@ -9,16 +9,19 @@ import numpy as np
 
 from ..loop import cells
 from ..loop.machine.frame import with_arrays
+from ..loop.operations import COLUMNS
 from ..participant.base import Participant
 from ..plan.plan import Plan
 from ..processes import seconds_since_start
 from .memory.algorithm_state import AlgorithmState
 from .memory.memory import Memory
+from .memory.program import Program, as_it_is, fused
 from .pacing.pacer import Pacer
 from .position import Position
 from .recording.recorder import Recorder
 
 NO_ROWS = (np.zeros(0, dtype=np.int64), np.zeros((0, 3), dtype=np.int64), np.zeros(1), np.zeros(1, dtype=np.int64))
+NO_TURNS = as_it_is(np.zeros((0, len(COLUMNS)), dtype=np.int64))[1:3]
 BLOCK = 0.1  # s of wall time between two looks at progress and signals
 PACED = 1 / 35  # s, in a run that keeps pace: somebody watches
 
@@ -28,12 +31,14 @@ class Blocks:
 
     def __init__(
         self, function: Callable[..., int], plan: Plan, instances: dict[str, Participant], memory: Memory,
-        space: AlgorithmState, control: np.ndarray,
+        space: AlgorithmState, control: np.ndarray, fuses: bool = True,
     ) -> None:  # fmt: skip
         self.function, self.plan, self.memory = function, plan, memory
         self.space, self.control = space, control
         self.components, self.blocks, self.typed = memory.tables(instances)
         self._clock = plan.cycle_ticks, plan.clock.numerator, plan.clock.denominator
+        self._fuses = fuses
+        self._programs: dict[tuple[int, bool], Program] = {}  # by operations, and whether they are fused
         self._prepared: tuple[object, object, Callable[..., int]] = (None, None, function)
         self.began = 0.0  # s from the start of the process to the end of the first block
         self._size, self._looked = 1, 0.0
@@ -46,12 +51,32 @@ class Blocks:
     def no_more_inputs(self, component: int) -> None:
         """Set nothing more of a component, which has asked to end: FMI allows to read it only."""
         self.components[component, cells.LAST_IN] = self.components[component, cells.FIRST_IN]
+        self._forget()
+
+    def put_back(self, components: np.ndarray) -> None:
+        """What is set of whom, as it was once."""
+        if not np.array_equal(self.components, components):
+            self.components[:] = components
+            self._forget()
+
+    def _forget(self) -> None:
+        """Make all anew that holds what was in `components`."""
+        self._programs.clear()
+        self._prepared = (None, None, self.function)
+
+    def _program(self, operations: np.ndarray, whole: bool) -> Program:
+        """What is done in a cycle, or from an operation within it to its end."""
+        key = id(operations), whole and self._fuses
+        if key not in self._programs:
+            made = fused(self.plan, operations, self.components, self.blocks) if key[1] else as_it_is(operations)
+            self._programs[key] = made
+        return self._programs[key]
 
     def run(self, at: Position, size: int, recorder: Recorder) -> tuple[int, bool]:
         """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
-        operations, arrays = self.plan.operations(at.cycle), recorder.arrays
-        if self._prepared[0] is not operations or self._prepared[1] is not arrays:
-            self._prepared = operations, arrays, self._prepare(operations, arrays)
+        program, arrays = self._program(self.plan.operations(at.cycle), at.operation == 0), recorder.arrays
+        if self._prepared[0] is not program or self._prepared[1] is not arrays:
+            self._prepared = program, arrays, self._prepare(program, arrays)
         self.control[cells.RESUME_AT] = at.operation
         block = BLOCK
         if self.pacer:
@@ -60,6 +85,9 @@ class Blocks:
         begin = time.perf_counter()
         code = self._prepared[2](at.cycle, size, *self._clock)
         spent = time.perf_counter() - begin
+        if code != cells.DONE:
+            control = self.control
+            control[cells.AT_OPERATION] = program.operation(code, control[cells.AT_OPERATION], control[cells.PART])
         at.wall += spent
         due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
         self._looked = begin if due else self._looked
@@ -74,11 +102,11 @@ class Blocks:
         begin = at.cycle * self.plan.cycle_ticks
         return begin + int(self.plan.operations(at.cycle)[at.operation, 1]) if at.operation else begin
 
-    def _prepare(self, operations: np.ndarray, recorded: tuple[np.ndarray, ...]) -> Callable[..., int]:
+    def _prepare(self, program: Program, recorded: tuple[np.ndarray, ...]) -> Callable[..., int]:
         """The loop with its arrays, which stay the same from step to step."""
         arrays = (
-            operations, self.plan.coefficients, self.components, self.blocks, self.memory.z,
-            *self.typed, *recorded, self.control, *self.space.arrays,
+            program.rows, self.plan.coefficients, self.components, self.blocks, self.memory.z,
+            *self.typed, *recorded, self.control, *self.space.arrays, program.moves, program.turns,
         )  # fmt: skip
         return with_arrays(self.function, arrays)
 
@@ -89,7 +117,8 @@ class Blocks:
         control[[cells.STOP_REQUEST, cells.ENDS_AT, cells.RESUME_AT]] = 0, cells.NEVER, 0
         code = self.function(
             rows, self.plan.coefficients, self.components, self.blocks, self.memory.z, *self.typed, *NO_ROWS,
-            self.control, *self.space.arrays, cycle, 1, self.plan.cycle_ticks, clock.numerator, clock.denominator,
+            self.control, *self.space.arrays, *NO_TURNS,
+            cycle, 1, self.plan.cycle_ticks, clock.numerator, clock.denominator,
         )  # fmt: skip
         control[cells.STOP_REQUEST] = max(control[cells.STOP_REQUEST], kept[0])
         control[cells.ENDS_AT] = kept[1]

@@ -20,7 +20,7 @@ from ..plan.plan import Plan
 from ..plan.start import Block
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Values
-from .blocks import NO_ROWS
+from .blocks import NO_ROWS, NO_TURNS
 
 if TYPE_CHECKING:
     from .session import Session
@@ -72,7 +72,7 @@ class QuickStart:
                 (
                     np.array(rows, dtype=np.int64).reshape(-1, len(COLUMNS)), np.array(factors),
                     session.loop.components, session.loop.blocks, self.memory.z, *session.loop.typed, *NO_ROWS,
-                    session.control, *session.space.arrays,
+                    session.control, *session.space.arrays, *NO_TURNS,
                 ),
             )
             for rows in ([*sweep, *read], [*read, *at_once, *again_read])

@@ -52,7 +52,8 @@ class Session:
     and Ctrl-C end it: `failure` says who, what and when, and what was recorded until then is kept. How a run is cut
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
     `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. `pace`:
-    how it keeps pace with the clock on the wall, of a plan that has deadlines. Raises FmuError or InputError if the
+    how it keeps pace with the clock on the wall, of a plan that has deadlines. `fuses`: whether the loop does in one
+    go what can be (`plan/fused.py`), bitwise equal. Raises FmuError or InputError if the
     start cannot be reached.
     """
 
@@ -63,6 +64,7 @@ class Session:
         file: Path | None = None,
         stop_requests: StopRequests | None = None,
         pace: Pace | None = None,
+        fuses: bool = True,
     ) -> None:
         self.plan = plan
         self.failure = ""
@@ -100,7 +102,7 @@ class Session:
                 self.space = make_state(plan, self.instances)
                 self.events = Events(plan, self.memory, self.control, self.space, file)
                 self._access = Access(plan, self.memory, self.instances)
-                self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control)
+                self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control, fuses)
                 self._blocks.pacer = self.pacer
                 self.events.begin(self.instances, self._blocks)
                 self.recorder = Recorder(plan, self.memory, file, pace is not None)
@@ -278,6 +280,10 @@ class Session:
     def loop(self) -> Blocks:
         """The loop with its arrays."""
         return self._blocks
+
+    def put_back_components(self, found: np.ndarray) -> None:
+        """That table as it was once."""
+        self._blocks.put_back(found)
 
     def revive(self) -> None:
         """It is where it was once, and goes on whatever has ended it since."""

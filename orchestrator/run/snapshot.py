@@ -116,7 +116,7 @@ def go_back(session: Session, snapshot: Snapshot) -> None:
         raise
     session.failure, session.ended = "", snapshot.ended
     session.control[ENDS] = snapshot.ends
-    session.tables_of_components[:] = snapshot.blocks
+    session.put_back_components(snapshot.blocks)
     put_back(cells_of(session), snapshot.numbers)
     session.set_by_hand = dict(snapshot.told["set_by_hand"])
     session.recorder.go_back(snapshot.rows)

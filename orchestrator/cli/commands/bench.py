@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, start, components, long, growth, solvers, windows, elsewhere, gym, outside, pacing, "
-            "observers, sweeps; all by default. With --against: against, fmus.",
+            help="masters, loop, start, components, long, growth, solvers, windows, elsewhere, gym, outside, "
+            "pacing, observers, sweeps; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -65,6 +65,22 @@ def print_systems(rows: Rows) -> None:
         cells.append((system, master, *costs, "" if real_time is None else f"{real_time:.3g}"))
     headings = ("system", "master", "off [us]", "recording on [us]", "times real time")
     print_table(f"Cost per macro step, {medians(rows)}", headings, cells, words=(0, 1))
+
+
+def print_loop(rows: Rows) -> None:
+    """The loop beside the bare calls."""
+    cells = []
+    for r in rows:
+        kind = "steps by hand" if r["by_hand"] else "rows recorded" if r["recording"] else ""
+        costs = (f"{r[key]:.4g}" if key in r else "" for key in ("bare_us", "operations_us", "loop_us", "best_us"))
+        cells.append(
+            (f"{r['FMUs']}", r["algorithm"], kind, *costs, f"{r['ratio']:.2f}", f"{r['ratio_of_fastest']:.2f}")
+        )
+    title = f"A macro step in microseconds, {medians(rows)} in turns, and how many times the bare calls it takes"
+    headings = (
+        "FMUs", "algorithm", "", "bare", "operation by\noperation", "as it is", "fastest", "ratio", "of the\nfastest"
+    )  # fmt: skip
+    print_table(title, headings, cells, words=(1, 2))
 
 
 def print_start(rows: Rows) -> None:
@@ -234,7 +250,8 @@ def print_folders(rows: Rows) -> None:
 
 
 PRINTED = {
-    "masters": print_systems, "start": print_start, "components": print_components, "long": print_long_runs,
+    "masters": print_systems, "loop": print_loop, "start": print_start, "components": print_components,
+    "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
     "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,
     "observers": print_observers, "sweeps": print_sweeps,

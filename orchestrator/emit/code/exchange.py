@@ -10,6 +10,7 @@ import numpy as np
 from ...fmu.types import BOOLEAN, FLOAT, FLOAT32, FmiType, function_type
 from ...loop.operations import MOVE, PUSH
 from ...plan.plan import Plan
+from ...plan.together import together
 from ...run.memory.memory import Memory
 from ..units import Unit
 from .names import cell_words, identifiers, number
@@ -77,7 +78,7 @@ class Names:
         return [
             Block(kind, found[0][0], len(found),
                   tuple(places[v].reference for _, (_, v) in found if places[v].index == 0))
-            for kind, found in self.memory.together(name, table)
+            for kind, found in together(self.plan, name, table)
         ]  # fmt: skip
 
     # --- lines ---

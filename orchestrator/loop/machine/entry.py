@@ -9,14 +9,14 @@ from typing import Any
 from numba import carray, types  # type: ignore[attr-defined]
 from numba.extending import intrinsic, register_jitable
 
-from ..lives import told_to_compiler
+from ..lives import UNCOUNTED, told_to_compiler
 from ..run import run
 from . import calls as calls  # what FMI functions are in machine code
 from .frame import ARRAYS, WHOLE_NUMBERS, WORDS
 
 told_to_compiler()
 ARGUMENTS = len(ARRAYS)
-_run = register_jitable(run)
+_run = register_jitable(**UNCOUNTED)(run)
 SIGNATURE = types.int64(*(types.int64,) * (1 + WHOLE_NUMBERS))
 
 
@@ -73,5 +73,6 @@ def entry(address, first_cycle, cycles, cycle_ticks, numerator, denominator):
         _cells(f, 14),
         _cells(f, 15), _numbers(f, 16), _numbers(f, 17), _numbers(f, 18),
         _cells(f, 19), _table(f, 20),
+        _table(f, 21), _table(f, 22),
         first_cycle, cycles, cycle_ticks, numerator, denominator,
     )  # fmt: skip

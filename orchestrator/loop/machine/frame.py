@@ -21,6 +21,7 @@ ARRAYS = (  # of `run.run`, in its order
     CELLS,
     CELLS, NUMBERS, NUMBERS, NUMBERS,
     CELLS, TABLE,
+    TABLE, TABLE,
 )  # fmt: skip
 WHOLE_NUMBERS = 5  # behind them
 WORDS = 3  # of an array: address, rows, columns

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import groupby
-
 import numpy as np
 
 from ...fmu.types import BINARY, NEGATED, TEXT, FmiType, Value, decode, encode, function_type
@@ -14,10 +11,9 @@ from ...loop.operations import RESTORE
 from ...loop.texts import MANY, MANY_BYTES, Texts
 from ...loop.versions import signatures
 from ...participant.base import Participant
-from ...plan.exchange import at_events
 from ...plan.plan import Plan
+from ...plan.together import Key, given, in_place, internal, kind_of, together
 
-Key = tuple[str, str]
 Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
@@ -38,9 +34,7 @@ class Memory:
 
     def kind(self, key: Key) -> FmiType:
         """The type of a signal that has a cell."""
-        kind = self.plan.system.components[key[0]].fmu.type_of(key[1])
-        assert kind is not None
-        return kind
+        return kind_of(self.plan, key)
 
     def put(self, key: Key, slot: int, value: Value) -> None:
         """A value into its cell."""
@@ -67,18 +61,17 @@ class Memory:
         blocks: list[list[int]] = []
         raw = 0
         final = int(RESTORE not in self.plan.cycle[:, 0])  # nobody goes back behind a step
-        internal = self._internal()
+        inside = internal(self.plan)
         for name, instance in instances.items():
             flags, raw = raw, raw + STEP_FLAGS
             do_step = 0 if self.plan.system.components[name].scheduled else instance.address(f"{instance.prefix}DoStep")
             row = [signatures(instance.fmu.version), instance.pointer, do_step, flags]
-            given, taken = self.plan.layout.exchanged(name)
-            given = {variable: slot for variable, slot in given.items() if (name, variable) not in internal}
+            taken = self.plan.layout.exchanged(name)[1]
             answering = self.plan.instants.answering(name)
             again = {variable: slot for variable, slot in taken.items() if variable in answering}
-            for table, verb in ((given, "Set"), (taken, "Get"), (again, "Get")):
+            for table, verb in ((given(self.plan, name, inside), "Set"), (taken, "Get"), (again, "Get")):
                 row.append(len(blocks))
-                for kind, found in self.together(name, table):
+                for kind, found in together(self.plan, name, table):
                     block, used = self._block(instance, kind, verb, found, raw)
                     blocks.append(block)
                     raw += used
@@ -94,23 +87,6 @@ class Memory:
         typed = (self.whole, self.raw, self.raw.view(np.float32), self.texts.pool, self.texts.index)
         return np.array(components, dtype=np.int64), np.array(blocks, dtype=np.int64).reshape(-1, 10), typed
 
-    def _internal(self) -> set[Key]:
-        """Inputs that FMUs for Model Exchange give each other: the loop sets none but those in arrays whose other
-        elements come from outside."""
-        inside = {c.target for c in self.plan.inside}
-        arrays = {name: component.fmu.arrays for name, component in self.plan.system.components.items()}
-        sampled = {c.target for c in self.plan.inside if at_events(self.plan.system, c)}
-        whole = {key for key in inside if inside.issuperset((key[0], e) for e in arrays[key[0]][key[1]])}
-        return sampled | whole
-
-    def together(self, name: str, table: Mapping[str, int]) -> Iterator[tuple[FmiType, list[tuple[int, Key]]]]:
-        """What one call can exchange: of one type, in cells one behind the other."""
-        places = self.plan.system.components[name].fmu.places
-        numbered = [(slot - k, slot, (name, variable)) for k, (variable, slot) in enumerate(table.items())]
-        alike = groupby(numbered, key=lambda e: (self.kind(e[2]), e[0], places[e[2][1]].negated))
-        for (kind, *_), found in alike:
-            yield kind, [(slot, key) for _, slot, key in found]
-
     def _block(
         self, instance: Participant, kind: FmiType, verb: str, slots: list[tuple[int, Key]], raw: int
     ) -> tuple[list[int], int]:
@@ -122,13 +98,13 @@ class Memory:
         function = f"{instance.prefix}{verb}{function_type(fmu.version, kind.name)}"
         first, size = slots[0][0], len(slots)
         code, negated = kind.code, places[0].negated
-        in_place = kind.real and kind.size == 8 and not negated
+        here = in_place(self.plan, kind, slots[0][1])
         if negated and not kind.real:
             code = NEGATED
         each = kind.size * (2 if code == BINARY else 1)  # an address, and how many bytes are there
-        used = 0 if in_place else -(-size * each // 16) * 16
+        used = 0 if here else -(-size * each // 16) * 16
         address = (-1 if code == BINARY else 1) * instance.address(function)  # see `versions.exchange`
         return [
-            address, references.ctypes.data, len(references), 8 * first if in_place else raw, size, first,
-            IN_PLACE if in_place else raw, code, kind.size, int(kind.signed),
+            address, references.ctypes.data, len(references), 8 * first if here else raw, size, first,
+            IN_PLACE if here else raw, code, kind.size, int(kind.signed),
         ], used  # fmt: skip

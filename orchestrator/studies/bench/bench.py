@@ -18,6 +18,7 @@ from .elsewhere import elsewhere_rows
 from .folders import folder_rows
 from .growth import growth_rows
 from .gym import gym_rows
+from .loop import loop_rows
 from .observers import observer_rows
 from .outside import outside_rows
 from .pacing import pacing_rows
@@ -43,6 +44,7 @@ class Part:
 
 PARTS = {
     "masters": Part("systems in this master, in others and as bare calls", 260.0, 45.0),
+    "loop": Part("the loop beside the bare calls of the same FMUs, 4 to 4 000 of them", 60.0, 20.0),
     "start": Part("a start to the first step, and runs from Python", 30.0, 20.0),
     "components": Part("every component by itself", 60.0, 15.0),
     "long": Part("memory of long runs", 80.0, 10.0),
@@ -141,6 +143,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             hosts = [host for host in HOSTS if host not in absent]
             for k, case in enumerate(found):
                 yield from _shared(measured(case, hosts, asked.quick), (k + 1) / len(found))
+        elif name == "loop":
+            yield from loop_rows(folder, asked.quick)
         elif name == "start":
             yield 1.0, {"system": "nominal", **process_figures(asked.fmus), **rerun_figures(asked.fmus)}
         elif name == "components":

@@ -16,7 +16,7 @@ FILES = loop_files(HERE)
 def test_the_loop_is_made_of_these_files() -> None:
     own = (
         "run cells exchange calls texts operations iteration step_control step_doubling lookup versions last_step "
-        "noise lives entry frame pacing"
+        "noise lives entry frame pacing turns"
     )
     assert {path.stem for path in FILES} == {*own.split(), "types"}
     assert {path.parent.name for path in FILES if path.stem == "calls"} == {"loop", "machine"}

@@ -55,29 +55,43 @@ def started(plan: Plan) -> dict[str, Fmi2Instance]:
     return instances
 
 
+class Floor:
+    """The FMUs of a plan of one period, and their functions, to be called as often as one likes."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.instances = started(plan)
+        self._keep, rows = [], []
+        for name, instance in self.instances.items():
+            given, taken = plan.layout.exchanged(name)
+            references = [
+                np.array([instance.fmu.places[v].reference for v in table] or [0], dtype=np.uint32)
+                for table in (given, taken)
+            ]
+            values = np.array([float(instance.fmu.start(v)) for v in given] + [0.0] * (len(taken) + 1))
+            self._keep += [*references, values]
+            rows.append(
+                [*(instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")), instance.pointer,
+                 references[0].ctypes.data, len(given), references[1].ctypes.data, len(taken), values.ctypes.data]
+            )  # fmt: skip
+        self._table, self._function = np.array(rows, dtype=np.int64), _compiled()
+        self._step = float(plan.clock.seconds(min(plan.clock.periods.values())))
+        self._function(self._table, 1, self._step)
+
+    def seconds(self, steps: int) -> float:
+        """Wall time of so many macro steps."""
+        begin = time.perf_counter()
+        self._function(self._table, steps, self._step)
+        return time.perf_counter() - begin
+
+    def close(self) -> None:
+        """Give the FMUs back."""
+        for instance in self.instances.values():
+            instance.close()
+
+
 def floor_loop(plan: Plan) -> float:
     """Seconds that the functions of the FMUs take, called as often as the plan does; a system of one period."""
-    instances = started(plan)
-    keep, rows = [], []
-    for name, instance in instances.items():
-        given, taken = plan.layout.exchanged(name)
-        references = [
-            np.array([instance.fmu.places[v].reference for v in table] or [0], dtype=np.uint32)
-            for table in (given, taken)
-        ]
-        values = np.array([float(instance.fmu.start(v)) for v in given] + [0.0] * (len(taken) + 1))
-        keep += [*references, values]
-        rows.append(
-            [*(instance.address(f) for f in ("fmi2SetReal", "fmi2GetReal", "fmi2DoStep")), instance.pointer,
-             references[0].ctypes.data, len(given), references[1].ctypes.data, len(taken), values.ctypes.data]
-        )  # fmt: skip
-    table, period = np.array(rows, dtype=np.int64), min(plan.clock.periods.values())
-    steps, step = plan.clock.stop // period, float(plan.clock.seconds(period))
-    function = _compiled()
-    function(table, 1, step)
-    begin = time.perf_counter()
-    function(table, steps, step)
-    wall = time.perf_counter() - begin
-    for instance in instances.values():
-        instance.close()
+    floor = Floor(plan)
+    wall = floor.seconds(plan.clock.stop // min(plan.clock.periods.values()))
+    floor.close()
     return wall

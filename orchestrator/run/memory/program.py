@@ -1,0 +1,122 @@
+"""A plan's operations as the loop does them: rows that stand for several, with the addresses of what they call."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...loop import cells, turns
+from ...loop.operations import COLUMNS, COPY, ESTIMATE, ITERATE, MOVES, REPEAT, SOLVE, TURNS
+from ...plan.fused import Fused, Turn, fuse
+from ...plan.plan import Plan
+from ...plan.together import take_turns
+
+
+class Program(NamedTuple):
+    """`rows`, `moves` and `turns` as `loop.run` wants them; and which operation of the plan each row begins with, and
+    every turn's set, step and get (turns, PARTS) are."""
+
+    rows: np.ndarray
+    moves: np.ndarray
+    turns: np.ndarray
+    begins: np.ndarray
+    parts: np.ndarray
+
+    def operation(self, code: int, row: int, part: int) -> int:
+        """The operation of the plan at which the loop ended with a code, in a row, and a part of turns."""
+        if self.rows[row, 0] == TURNS and code in (cells.BAD_STATUS, cells.NOT_FINITE):
+            return int(self.parts.flat[part])
+        return int(self.begins[row])
+
+
+def as_it_is(operations: np.ndarray) -> Program:
+    """Every operation by itself."""
+    none = (np.zeros((0, n), dtype=np.int64) for n in (turns.MOVE_COLUMNS, turns.TURN_COLUMNS))
+    return Program(operations, *none, np.arange(len(operations)), np.zeros((0, turns.PARTS), dtype=np.int64))
+
+
+def fused(plan: Plan, operations: np.ndarray, components: np.ndarray, blocks: np.ndarray) -> Program:
+    """The operations fused; `components` and `blocks` as the loop has them now."""
+    able = take_turns(plan)
+    found = fuse(operations, [name in able for name in plan.system.components])
+    every = [turn for row in found for turn in row.turns]
+    transfers = _Transfers(operations)
+    rows, before = [], 0
+    for row in found:
+        if row.code == MOVES:
+            rows.append(_row(row, operations, *transfers.add(row.first, row.last)))
+        elif row.code == TURNS:
+            rows.append(_row(row, operations, before, before + len(row.turns), transfers.count))
+            before += len(row.turns)
+            for turn in row.turns:
+                transfers.add(turn.transfers, turn.first)
+                transfers.ends.append(transfers.count)
+        else:
+            rows.append(operations[row.first].tolist())
+    table = _turned(every, operations, components, blocks)
+    table[:, turns.MOVED] = transfers.ends
+    begins = np.array([row.first for row in found], dtype=np.int64)
+    parts = np.array([(turn.set, turn.step, turn.get) for turn in every], dtype=np.int64)
+    return Program(
+        _led(np.array(rows, dtype=np.int64).reshape(-1, len(COLUMNS)), begins), transfers.table(), table, begins,
+        parts.reshape(-1, turns.PARTS),
+    )  # fmt: skip
+
+
+class _Transfers:
+    """Collects rows of `moves`."""
+
+    def __init__(self, operations: np.ndarray) -> None:
+        self.operations, self.count = operations, 0
+        self.ends: list[int] = []
+        self._chosen: list[np.ndarray] = []
+
+    def add(self, first: int, last: int) -> tuple[int, int]:
+        """Some operations; from where to where their transfers are."""
+        begin, self.count = self.count, self.count + last - first
+        if last > first:
+            self._chosen.append(np.arange(first, last))
+        return begin, self.count
+
+    def table(self) -> np.ndarray:
+        """All of them."""
+        chosen = self.operations[np.concatenate([np.zeros(0, dtype=np.int64), *self._chosen])]
+        found = np.zeros((self.count, turns.MOVE_COLUMNS), dtype=np.int64)
+        found[:, turns.FROM], found[:, turns.TO] = chosen[:, 3], chosen[:, 4]
+        found[:, turns.COEFFICIENT] = np.where(chosen[:, 0] == COPY, chosen[:, 7], -1)
+        return found
+
+
+def _row(row: Fused, operations: np.ndarray, a: int, b: int, p: int = 0) -> list[int]:
+    return [row.code, int(operations[row.first, 1]), -1, a, b, p, 0, 0]
+
+
+def _led(rows: np.ndarray, begins: np.ndarray) -> np.ndarray:
+    """Rows that go on with others know their new numbers."""
+    to = np.isin(rows[:, 0], (ITERATE, REPEAT, ESTIMATE))
+    rows[to, 3] = np.searchsorted(begins, rows[to, 3])
+    for m in np.flatnonzero(rows[:, 0] == SOLVE):
+        rows[m, 3] = m - np.searchsorted(begins, begins[m] - rows[m, 3])
+    return rows
+
+
+def _turned(every: list[Turn], operations: np.ndarray, components: np.ndarray, blocks: np.ndarray) -> np.ndarray:
+    """`turns`, but for where transfers end."""
+    found = np.zeros((len(every), turns.TURN_COLUMNS), dtype=np.int64)
+    if not every:
+        return found
+    steps = operations[[turn.step for turn in every]]
+    c = components[steps[:, 2]]
+    found[:, turns.COMPONENT], found[:, turns.LENGTH], found[:, turns.START] = steps[:, 2], steps[:, 3], steps[:, 4]
+    found[:, turns.INSTANCE], found[:, turns.DO_STEP] = c[:, cells.INSTANCE], c[:, cells.DO_STEP]
+    found[:, turns.FMI], found[:, turns.FINAL] = c[:, cells.FMI], c[:, cells.FINAL]
+    for side, first, last, target in (
+        ("set", cells.FIRST_IN, cells.LAST_IN, turns.SET), ("get", cells.FIRST_OUT, cells.LAST_OUT, turns.GET)
+    ):  # fmt: skip
+        asked = np.array([getattr(turn, side) >= 0 for turn in every]) & (c[:, first] < c[:, last])
+        block = blocks[c[asked, first]]
+        columns = (cells.FUNCTION, cells.REFERENCES, cells.COUNT, cells.VALUES, cells.SIZE, cells.FIRST_SLOT)
+        for k, column in enumerate(columns if side == "get" else columns[:-1]):
+            found[asked, target + k] = block[:, column]
+    return found
