@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 # Numba would count the users of each array at every call of a function; nobody makes or frees one here.
-UNCOUNTED = {"_nrt": False}
+UNCOUNTED: Any = {"_nrt": False}
 F = TypeVar("F", bound=Callable[..., Any])
 _WAITING: list[tuple[Callable[..., Any], Callable[..., Any]]] = []
 

@@ -32,8 +32,10 @@ class Program(NamedTuple):
 
 def as_it_is(operations: np.ndarray) -> Program:
     """Every operation by itself."""
-    none = (np.zeros((0, n), dtype=np.int64) for n in (turns.MOVE_COLUMNS, turns.TURN_COLUMNS))
-    return Program(operations, *none, np.arange(len(operations)), np.zeros((0, turns.PARTS), dtype=np.int64))
+    no_moves, no_turns, no_parts = (
+        np.zeros((0, columns), dtype=np.int64) for columns in (turns.MOVE_COLUMNS, turns.TURN_COLUMNS, turns.PARTS)
+    )
+    return Program(operations, no_moves, no_turns, np.arange(len(operations)), no_parts)
 
 
 def fused(plan: Plan, operations: np.ndarray, components: np.ndarray, blocks: np.ndarray) -> Program:
