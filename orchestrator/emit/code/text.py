@@ -14,6 +14,7 @@ from .exchange import Key, Names
 from .exposed import Exposed
 from .instants import Cycle, Instants
 from .names import comment, identifier
+from .requirements import requirements
 from .rows import Cost, Rows
 from .tables import (
     cells_table,
@@ -92,6 +93,7 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         instants_table(name, "cycle", cycle, "INSTANTS"),
         instants_table(name, "last", last, "LAST_INSTANTS"),
         *beginning,
+        requirements(plan, shown, name),
         variables_table(name, shown),
         words_table(name, names),
         f"const int {name}_loop_places[{name}_LOOPS + 1] = {{"
@@ -106,10 +108,11 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
 def filled(source: str, name: str, places: Mapping[str, str]) -> bytes:
     """A file of `sources`/ for a system: its name for SYSTEM, and what stands at the places."""
     found = (SOURCES / source).read_text(encoding="utf-8")
+    found = found.replace('#include "inside.h"', f'#include "{name}_inside.h"')
+    found = re.sub(r"\bSYSTEM(?=_|\b)", name, found)
     for key, value in places.items():
         found = found.replace(key, value)
-    found = found.replace('#include "inside.h"', f'#include "{name}_inside.h"')
-    return re.sub(r"\bSYSTEM(?=_|\b)", name, found).encode()
+    return found.encode()
 
 
 def _words_of(cost: Cost) -> str:

@@ -124,7 +124,8 @@ int SYSTEM_start(SYSTEM *s) {
     if (SYSTEM_settle(s)) return 1;
     for (int part = 0; part < SYSTEM_PARTS; part++)
         if (SYSTEM_part_leave(s, part)) return 1;
-    if (SYSTEM_read_outputs(s) || SYSTEM_settle_instant(s) || SYSTEM_first_history(s)) return 1;
+    s->now.stale = false;
+    if (SYSTEM_read_outputs(s) || SYSTEM_settle_instant(s) || SYSTEM_requirements(s) || SYSTEM_first_history(s)) return 1;
     for (int k = 0; k < SYSTEM_LOOPS; k++) s->now.solver[SYSTEM_loop_places[k]] = -1.0;
     s->now.stage = SYSTEM_RUNNING;
     return 0;
@@ -257,7 +258,7 @@ static int number(SYSTEM *s, int k, SYSTEM_Value *value) {
     if (v->causality == SYSTEM_CALCULATED || v->causality == SYSTEM_OUTPUT) {
         if (s->now.stage == SYSTEM_NEW) return 0;
         if (SYSTEM_settle(s)) return 1;
-        if (v->cell < 0) return SYSTEM_part_ask(s, k, value);
+        if (v->part >= 0 && v->cell < 0) return SYSTEM_part_ask(s, k, value);
         if (v->kind == SYSTEM_REAL) value->real = s->now.z[v->cell];
         else value->whole = s->now.whole[v->cell];
     }
@@ -281,5 +282,20 @@ int SYSTEM_get_whole(SYSTEM *s, int k, int64_t *value) {
 int SYSTEM_get_text(SYSTEM *s, int k, const char **value) {
     if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT)) return 1;
     *value = s->texts[k] ? s->texts[k] : SYSTEM_variables[k].text;
+    return 0;
+}
+
+int SYSTEM_number(SYSTEM *s, int k, double *value) {
+    SYSTEM_Value found;
+    if (number(s, k, &found)) return 1;
+    *value = SYSTEM_variables[k].kind == SYSTEM_REAL ? found.real : (double)found.whole;
+    return 0;
+}
+
+int SYSTEM_required(SYSTEM *s, int status, const char *words, double value, double low, double high) {
+    char text[900];
+    snprintf(text, sizeof text, words, value, low, high);
+    if (status > 1) return fail(s, s->name, status, text);
+    SYSTEM_say(s, s->name, status, "%s", text);
     return 0;
 }

@@ -43,6 +43,9 @@ int SYSTEM_propagate(SYSTEM *s);
 int SYSTEM_read_outputs(SYSTEM *s);
 int SYSTEM_settle_instant(SYSTEM *s);
 int SYSTEM_first_history(SYSTEM *s);
+int SYSTEM_requirements(SYSTEM *s);
+int SYSTEM_number(SYSTEM *s, int variable, double *value); /* whatever its type */
+int SYSTEM_required(SYSTEM *s, int status, const char *words, double value, double low, double high);
 
 /* Errors: each tells `message` and returns 1. */
 int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...);

@@ -103,9 +103,9 @@ def differing(tables: Mapping[str, Table], run: Run) -> list[str]:
     return found
 
 
-def alone(fmu: Path, step: str = "", **values: float) -> Run:
+def alone(fmu: Path, step: str = "", stop: str = "0.1 s", **values: float) -> Run:
     """The run of one FMU."""
-    run = simulate(planned(assemble(str(fmu), dict(values), "0.1 s", None, step=step)))
+    run = simulate(planned(assemble(str(fmu), dict(values), stop, None, step=step)))
     assert not run.failure, run.failure
     return run
 

@@ -10,10 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from emit_cases import Masses, alone, run_of_system, unlike
-from helpers import column, python, rovbrush
+from helpers import column, edited, python, rovbrush, system_text
 from native_build import needs_gcc
 from rovbrush.orchestrator.emit.export import export_fmu
+from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu
+from rovbrush.orchestrator.system.file.reader import load_system
+from windows_build import needs_wine
 
 pytestmark = needs_gcc
 VERSIONS = ("2.0", "3.0")
@@ -64,6 +67,32 @@ def test_another_host_may_step_it_by_any_instants_of_the_plan(
 def test_parameters_are_set_by_their_names(whole: Path, masses: Masses) -> None:
     run = run_of_system(masses().with_values({"b.m": 3.25}, "test"))
     assert unlike(alone(whole, **{"whole.b.m": 3.25}), run) == []
+
+
+def test_what_the_system_requires_of_the_start_is_required_of_its_fmu(carried: Path, tmp_path: Path) -> None:
+    parts = {"a": ("mass", "1 ms", {"x0": 0.1})}
+    (tmp_path / "case.toml").write_text(
+        system_text(parts, [], "5 ms")
+        + '[[require]]\nvalue = "a.x"\nmaximum = 0.5\nmessage = "100 % beyond the wall"\n'
+        + '[[require]]\nvalue = "a.m"\nminimum = "a.x0"\nmessage = "too light"\notherwise = "warning"\n'
+    )
+    export_fmu(load_system(str(tmp_path / "case.toml"), carried), tmp_path / "whole.fmu")
+    assert not alone(tmp_path / "whole.fmu", **{"whole.a.m": 0.05}, stop="5 ms").failure
+    with pytest.raises(FmuError, match=r"100 % beyond the wall: a.x = 0.75 at the start, allowed are -inf to 0.5"):
+        alone(tmp_path / "whole.fmu", **{"whole.a.x0": 0.75}, stop="5 ms")
+
+
+@needs_wine
+def test_its_library_for_windows_has_the_bits_of_the_run_under_wine(
+    whole: Path, masses: Masses, tmp_path: Path
+) -> None:
+    """Where no function of the mathematical library is called."""
+    folder = tmp_path / "windows"
+    folder.mkdir()
+    linux = [name for name in zipfile.ZipFile(whole).namelist() if "linux" in name]
+    assert len(linux) == 1
+    edited(whole, folder / "whole.fmu", dict.fromkeys(linux))
+    assert unlike(alone(folder / "whole.fmu"), run_of_system(masses())) == []
 
 
 TWO = """
