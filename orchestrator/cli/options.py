@@ -153,6 +153,12 @@ RealTimeOption = Annotated[
 FifoOption = Annotated[
     str, typer.Option("--fifo", metavar="PRIORITY", help="Run with SCHED_FIFO, 1 to 99, where that is allowed.")
 ]
+WorkersOption = Annotated[
+    str,
+    typer.Option(
+        "--workers", metavar="N|auto", help='Threads that step FMUs at the same instant; "auto": as many as pay.'
+    ),
+]
 CoresOption = Annotated[
     str, typer.Option("--cores", metavar="N,...", help="Hold the run on these processors, for instance 1 or 0,1.")
 ]

@@ -10,6 +10,7 @@ from ..clock import seconds_text
 from ..errors import counted
 from ..system.inputs.free_inputs import start_notes
 from ..system.inputs.series import series_in_words
+from .at_once import explained as together_in_words
 from .capabilities import remarks
 from .exchange import explained
 from .fused import fused_words
@@ -37,6 +38,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
         f"algorithm {system.algorithm}: {plan.algorithm.explanation()}",
         f"order {', '.join(plan.order)} ({plan.order_reason})",
         *([f"real time: {_deadlines(plan)}"] if plan.deadlines else []),
+        *(together_in_words(plan.together, system.workers) if system.workers != "1" else []),
         "", "components",
     ]  # fmt: skip
     for name in plan.order:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from ..clock import require_span
 from ..system.inputs.series import check_series
 from ..system.model import System
 from .algorithms.registry import algorithm_of
+from .at_once import Together, together_of
 from .capabilities import check_capabilities, check_last_step
 from .deadlines import deadlines_of
 from .design import Design
@@ -36,6 +37,7 @@ class Plan(Design):
     coefficients: np.ndarray
     at_events: EventRows
     at_last_events: EventRows  # in `last`
+    together: Together = field(default_factory=Together)  # who can be stepped at once, where there are workers
 
     @property
     def adaptive(self) -> bool:
@@ -105,7 +107,10 @@ def make_plan(system: System, deadlines: str | None = None) -> Plan:
     at_events = event_rows(schedule, cycle)
     last = schedule.build(clock.rest) if clock.rest and not algorithm.steps_vary else cycle[:0]
     at_last_events = event_rows(schedule, last) if len(last) else at_events
-    decided = {field.name: getattr(design, field.name) for field in fields(Design)}
+    together = Together()
+    if system.workers != "1":
+        together, cycle, last = together_of(design, cycle, last)
+    decided = {f.name: getattr(design, f.name) for f in fields(Design)}
     return Plan(
         **decided,
         cycle=cycle,
@@ -113,4 +118,5 @@ def make_plan(system: System, deadlines: str | None = None) -> Plan:
         coefficients=np.array(schedule.constants.values),
         at_events=at_events,
         at_last_events=at_last_events,
+        together=together,
     )

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..loop import cells
-from ..loop.machine.frame import with_arrays
+from ..loop.machine.frame import Loop, with_arrays
 from ..loop.operations import COLUMNS
 from ..participant.base import Participant
 from ..plan.plan import Plan
@@ -19,6 +20,9 @@ from .memory.program import Program, as_it_is, fused
 from .pacing.pacer import Pacer
 from .position import Position
 from .recording.recorder import Recorder
+
+if TYPE_CHECKING:
+    from .workers import Workers
 
 NO_ROWS = (np.zeros(0, dtype=np.int64), np.zeros((0, 3), dtype=np.int64), np.zeros(1), np.zeros(1, dtype=np.int64))
 NO_TURNS = as_it_is(np.zeros((0, len(COLUMNS)), dtype=np.int64))[1:3]
@@ -43,6 +47,13 @@ class Blocks:
         self.began = 0.0  # s from the start of the process to the end of the first block
         self._size, self._looked = 1, 0.0
         self.pacer: Pacer | None = None  # of a run that keeps pace
+        self.workers: Workers | None = None  # of one whose steps are shared among threads
+
+    def exchange_function(self, function: Callable[..., int]) -> None:
+        """Another life of the loop from the next block on; plain Python stays what it is."""
+        if isinstance(self.function, Loop):
+            self.function = function
+        self._prepared = (None, None, self.function)
 
     def size(self, at: Position, cycles: int, recorder: Recorder) -> int:
         """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
@@ -89,6 +100,8 @@ class Blocks:
             control = self.control
             control[cells.AT_OPERATION] = program.operation(code, control[cells.AT_OPERATION], control[cells.PART])
         at.wall += spent
+        if self.workers:
+            self.workers.after(code, size, spent)
         due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
         self._looked = begin if due else self._looked
         self.began = self.began or seconds_since_start()

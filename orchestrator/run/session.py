@@ -37,6 +37,7 @@ from .recording.recorder import Recorder
 
 if TYPE_CHECKING:
     from ..participant.model_exchange.group import Group
+    from .workers import Workers
 
 
 class Session:
@@ -104,11 +105,19 @@ class Session:
                 self._access = Access(plan, self.memory, self.instances)
                 self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control, fuses)
                 self._blocks.pacer = self.pacer
+                if plan.together.groups:
+                    self._blocks.workers = _workers(plan, self._blocks)
                 self.events.begin(self.instances, self._blocks)
                 self.recorder = Recorder(plan, self.memory, file, pace is not None)
             except BaseException:
+                self._end_workers()
                 self.participants.abandon()
                 raise
+
+    def _end_workers(self) -> None:
+        """No other thread is in an FMU from now on."""
+        if (blocks := getattr(self, "_blocks", None)) and blocks.workers:
+            blocks.workers.close()
 
     def _brought_together(self) -> Group | None:
         """The group of the FMUs for Model Exchange; what integrates them is loaded where there are any."""
@@ -287,6 +296,8 @@ class Session:
 
     def revive(self) -> None:
         """It is where it was once, and goes on whatever has ended it since."""
+        if self._blocks.workers:
+            self._blocks.workers.forget()
         self._over = self._interrupted = False
 
     @property
@@ -364,6 +375,8 @@ class Session:
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
         notes[:] = [note for note in notes if note not in self._counted]
         self._counted = [note for one in self.instances.values() if not one.fmu.is_file for note in one.notes()]
+        if self._blocks.workers and self._blocks.workers.said:
+            self._counted.append(self._blocks.workers.said)
         further = [*(note for one in self._solved for note in one.notes()), *self._counted]
         notes += [note for note in further if note not in notes]
         return Run(
@@ -377,6 +390,7 @@ class Session:
         """Give the FMUs back. Runs that were taken before stay valid."""
         if not self._closed:
             self._closed = True
+            self._end_workers()
             free_states(self.space, self.instances)
             self.ended_badly = self.participants.close()
             if self.recorder.stream:
@@ -398,3 +412,10 @@ class Session:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+
+def _workers(plan: Plan, blocks: Blocks) -> Workers | None:
+    """What it needs is loaded where somebody asks for it."""
+    from .workers import workers_of
+
+    return workers_of(plan, blocks)

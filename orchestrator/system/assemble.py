@@ -22,6 +22,7 @@ from .one_fmu import component_name, is_fmu
 from .replace.mapping import VariableMapping, load_mapping
 from .replace.replacement import replace_component
 from .request import UNCHANGED, Changes, Request, assignments, changes_of
+from .workers import with_workers
 
 
 def assemble(
@@ -82,7 +83,7 @@ def over(
 
 def assemble_request(request: Request) -> System:
     """What the command line asked for. Raises InputError or FmuError."""
-    return assemble(
+    system = assemble(
         request.system, assignments(request.set_), request.stop, Path(request.fmus) if request.fmus else None,
         changes_of(
             request.replace, request.map_, request.period, request.allow_outside, request.parameters,
@@ -90,6 +91,7 @@ def assemble_request(request: Request) -> System:
         ),
         request.record_boundary, request.step, request.record, tuple(map(Path, request.input_)), request.start,
     )  # fmt: skip
+    return with_workers(system, request.workers) if request.workers else system
 
 
 def apply_changes(system: System, changes: Changes) -> System:

@@ -50,6 +50,7 @@ class Component:
     timeout: Fraction = Fraction(60)  # s of wall time that a call to that process may take
     direct: str = "stated"  # outputs that answer to inputs at once: those that are stated, "all", or "off"
     event_mode: Literal["offered", "off"] = "offered"  # used where offered; of Model Exchange: outside of steps
+    parallel: Literal["allowed", "off"] = "allowed"  # whether it may be stepped on a thread of its own
     in_events: bool = False  # whether it takes part in events by event mode, or by partitions: the plan decides
     clocks: Mapping[str, Fraction] = field(default_factory=dict)  # s, of clocks whose interval is ours to choose
 
@@ -219,6 +220,7 @@ class System:
     breaches: tuple[Note, ...] = ()  # where its file breaks the standard, and how that was taken
     parameter_set: ParameterSet | None = None
     live: LiveTable | None = None  # the page of a live run
+    workers: str = "1"  # how many threads step FMUs: a number, or "auto" for those that pay
     clock_connections: tuple[Connection, ...] = ()  # from a clock to another one that ticks with it
 
     @property

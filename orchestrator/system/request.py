@@ -40,6 +40,7 @@ class Request:
     cores: str = ""
     scenario: tuple[str, ...] = ()  # files of events
     event: tuple[str, ...] = ()  # events in a line each
+    workers: str = ""  # threads that step FMUs, or "auto"
 
     def content(self) -> dict[str, Any]:
         """As JSON, with paths that hold in any folder."""

@@ -22,7 +22,7 @@ def bench(
         typer.Argument(
             metavar="[PART]...",
             help="masters, loop, start, components, long, growth, solvers, windows, elsewhere, gym, outside, "
-            "pacing, observers, sweeps; all by default. With --against: against, fmus.",
+            "pacing, observers, sweeps, workers; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -222,6 +222,25 @@ def print_sweeps(rows: Rows) -> None:
     print_table("Sweeps: native FMUs that stay loaded, one run", headings, cells)
 
 
+def print_workers(rows: Rows) -> None:
+    """Threads of one run."""
+    cells = [
+        (
+            f"{r['fmus']} of {r['step_us']:g} us", *(f"{r[f'{way}_us']:.4g}" for way in ("one", "auto", "all")),
+            *(f"{r['one_us'] / r[f'{way}_us']:.2f}" for way in ("auto", "all")),
+            *(f"{r['one_fastest_us'] / r[f'{way}_fastest_us']:.2f}" for way in ("auto", "all")),
+        ) for r in rows
+    ]  # fmt: skip
+    threads = f"{max(rows[0]['processors'], 2)} threads"
+    headings = (
+        "equal FMUs", "one\n[us]", "auto\n[us]", f"{threads}\n[us]", "auto:\nfaster", f"{threads}:\nfaster",
+        "auto,\nfastest", f"{threads},\nfastest",
+    )  # fmt: skip
+    print_table(f"A macro step of FMUs that step at once, {medians(rows)} in turns", headings, cells)
+    for r in rows:
+        tell(r["said"])
+
+
 def print_against(rows: Rows) -> None:
     """This installation over another one."""
     cells = [
@@ -254,6 +273,6 @@ PRINTED = {
     "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
     "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,
-    "observers": print_observers, "sweeps": print_sweeps,
+    "observers": print_observers, "sweeps": print_sweeps, "workers": print_workers,
     "against": print_against, "fmus": print_folders,
 }  # fmt: skip

@@ -35,6 +35,7 @@ from ..options import (
     StepOption,
     StopOption,
     SystemName,
+    WorkersOption,
     app,
 )
 from .built import raise_ours
@@ -114,6 +115,7 @@ def plan(
     fmus: FmusOption = None,
     real_time: RealTimeOption = "",
     deadlines: DeadlinesOption = "",
+    workers: WorkersOption = "",
 ) -> None:
     """Print what a run would do, without running it: of the FMUs only algebraic loops at the start are tried."""
     from ...plan.diagram.file import require_svg, write_diagram
@@ -128,7 +130,7 @@ def plan(
         system, set_=tuple(set_), start=start, stop=stop, replace=tuple(replace), map_=tuple(map_),
         period=tuple(period), step=step, fmus=str(fmus or ""), input_=tuple(map(str, input_)),
         allow_outside=tuple(map(str, allow_outside)), parameters=parameters, real_time=real_time, deadlines=deadlines,
-        scenario=tuple(map(str, scenario)), event=tuple(event),
+        scenario=tuple(map(str, scenario)), event=tuple(event), workers=workers,
     )  # fmt: skip
     pace = pace_of(request)
     if svg is not None:
@@ -139,6 +141,10 @@ def plan(
     tell(explain(planned, None if all_operations else 40))
     for loop, residual in loop_residuals(planned).items():
         tell(f"\nat {begin_text(planned.clock)}, {loop}: residual {residual:.3g}, relative to the inputs")
+    if planned.system.workers == "auto" and planned.together.groups:
+        from ...run.workers import measured
+
+        tell(f"\n{measured(planned) or 'workers: no step was measured'}")
     if svg is not None:
         tell(f"\nwrote {svg}")
 
@@ -205,6 +211,7 @@ def run(
     deadlines: DeadlinesOption = "",
     fifo: FifoOption = "",
     cores: CoresOption = "",
+    workers: WorkersOption = "",
     observe: ObserveOption = [],  # noqa: B006
     observe_signals: ObserveSignalsOption = [],  # noqa: B006
     observe_every: ObserveEveryOption = "",
@@ -229,7 +236,7 @@ def run(
         system, tuple(set_), stop, tuple(replace), tuple(map_), tuple(period), tuple(record_boundary), tuple(record),
         step, str(fmus or ""), checkpoint, tuple(map(str, input_)), "rates" if csv_per_rate else "",
         tuple(map(str, allow_outside)), start, parameters, real_time, realtime_policy, deadlines, fifo, cores,
-        tuple(map(str, scenario)), tuple(event),
+        tuple(map(str, scenario)), tuple(event), workers,
     )  # fmt: skip
     watching = Watching(tuple(observe), tuple(observe_signals), observe_every)
     if "csv=-" in observe:

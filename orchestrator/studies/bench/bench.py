@@ -29,6 +29,7 @@ from .streaming import long_runs
 from .sweeps import sweep_rows
 from .systems import cases, native_folder
 from .windows import PLATFORM, windows_rows
+from .workers import worker_rows
 
 Rows = list[dict[str, Any]]
 
@@ -57,6 +58,7 @@ PARTS = {
     "pacing": Part("deadlines of a run in real time", 15.0, 5.0),
     "observers": Part("who looks on while a run goes", 60.0, 20.0),
     "sweeps": Part("points of a sweep with their results, by FMUs that stay loaded", 90.0, 15.0),
+    "workers": Part("several threads in one run, where they pay and where not", 60.0, 20.0),
     "against": Part("this installation against another one", 300.0, 60.0),
     "fmus": Part("the FMUs of the components against those of another folder", 240.0, 120.0),
 }
@@ -172,6 +174,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from observer_rows(folder, asked.quick)
         elif name == "sweeps":
             yield from sweep_rows(folder, native_folder(asked.fmus), asked.quick)
+        elif name == "workers":
+            yield from worker_rows(folder, asked.quick)
         elif name == "windows":
             if not asked.parts and wine(PLATFORM) is None:
                 tell(f"without FMUs for Windows: {how_to_install(PLATFORM)}")

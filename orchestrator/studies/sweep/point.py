@@ -65,7 +65,7 @@ def job_system(job: Job) -> System:
         summary = {key: _in_full(system, text) for key, text in summary.items()}
     if not summary and system.path.suffix != ".toml":  # a file in which nobody can say what to gather
         summary = last_values(system)
-    return replace(system, reporting={**system.reporting, "summary": summary})
+    return replace(system, reporting={**system.reporting, "summary": summary}, workers="1")  # every core has a point
 
 
 def _in_full(system: System, text: object) -> object:

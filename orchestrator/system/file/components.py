@@ -64,6 +64,7 @@ def component_of(
     remarks = (fmu.remark,) if isinstance(fmu, DeclaredFmu) and fmu.remark else ()
     component = Component(name, fmu, period, notes=(*file.notes.get(name, ()), *remarks), **own_process)
     component = replace(component, logging=table.logging, tolerance=table.tolerance, direct=table.direct)
+    component = replace(component, parallel=table.parallel)
     component = replace(
         component,
         event_mode=table.event_mode,

@@ -20,6 +20,7 @@ from ..schema.checked import checked
 from ..schema.report import Balance, Comparison, Figure, Window
 from ..schema.solving import Loops, Solver
 from ..schema.system import KEYS, SystemTable
+from ..workers import number_of_workers
 from .bonds import bonds_of, requirement_of
 from .clock_links import is_clock
 from .components import component_of
@@ -83,7 +84,7 @@ def load_system(
         bonds=bonds_of(file, components, connections, file.entry(list, "bonds")),
         events=events_of(file, components, connections, file.entry(list, "events")),
         requirements=tuple(requirement_of(file, components, entry) for entry in file.entry(list, "require")),
-        live=live_of(file, components),
+        live=live_of(file, components), workers=number_of_workers(table.workers, file.fail),
         record=record, reporting=_reporting(file, components), settings=further, format=table.format,
         remarks=(*file.remarks, *unknown), breaches=file.breaches,
     )  # fmt: skip

@@ -117,6 +117,10 @@ class ComponentTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
             "Exchange: events of the group are handled inside its steps"
         ),
     ] = "offered"
+    parallel: Annotated[
+        Literal["allowed", "off"],
+        Meta(description='"off": it is not stepped on a thread of its own, see `workers`'),
+    ] = "allowed"
     clocks: Annotated[
         dict[str, Time], Meta(description="intervals of clocks that are to be set, by the name of the clock")
     ] = {}
@@ -167,6 +171,14 @@ class SystemTable(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
             extra={"must": "the name of a parameter set or of its file"},
         ),
     ] = None
+    workers: Annotated[
+        Annotated[int, Meta(ge=1, le=256)] | Literal["auto"],
+        Meta(
+            description='threads that step FMUs which need nothing of each other at an instant: a number, or "auto": '
+            "as many as pay, by what the first steps take; the results are the same bits",
+            extra={"must": 'a number from 1 to 256, or "auto"'},
+        ),
+    ] = 1
     connections: Annotated[
         list[Any],
         Meta(
