@@ -50,10 +50,11 @@ class Blocks:
         self.workers: Workers | None = None  # of one whose steps are shared among threads
 
     def exchange_function(self, function: Callable[..., int]) -> None:
-        """Another life of the loop from the next block on; plain Python stays what it is."""
+        """Another life of the loop from the next block on, with what stands in `components` now; plain Python stays
+        what it is."""
         if isinstance(self.function, Loop):
             self.function = function
-        self._prepared = (None, None, self.function)
+        self._forget()
 
     def size(self, at: Position, cycles: int, recorder: Recorder) -> int:
         """How many of the next `cycles` cycles are a block. Raises RunError if the disk has no room for their rows."""
