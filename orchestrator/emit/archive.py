@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import tempfile
 import zipfile
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from ..errors import InputError, listed
@@ -87,14 +89,16 @@ def library(found: Prepared, sources: Mapping[str, bytes], compiled: list[str], 
     with tempfile.TemporaryDirectory(prefix="rovbrush_library_") as folder:
         work = Path(folder)
         write_files(work, sources)
-        objects = []
-        for k, file in enumerate(compiled):
-            pic = ("-fPIC",) if target.ending == ".so" else ("-D__USE_MINGW_ANSI_STDIO=1",)
+        pic = ("-fPIC",) if target.ending == ".so" else ("-D__USE_MINGW_ANSI_STDIO=1",)
+
+        def compiled_to(k: int, file: str) -> str:
+            own = options.get(file, ())
             # Relative names only: no path of the machine gets into the library.
-            call(
-                [target.compiler, *OPTIONS, "-w", *pic, "-I.", *options.get(file, ()), "-c", file, "-o", f"{k}.o"], work
-            )
-            objects.append(f"{k}.o")
+            call([target.compiler, *OPTIONS, "-w", *pic, "-I.", *own, "-c", file, "-o", f"{k}.o"], work)
+            return f"{k}.o"
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            objects = list(pool.map(compiled_to, range(len(compiled)), compiled))
         name = f"{found.code.name}{target.ending}"
         call([target.compiler, *target.shared, "-s", *objects, *target.libraries, "-o", name], work)
         return (work / name).read_bytes()
