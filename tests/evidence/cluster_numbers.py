@@ -1,4 +1,4 @@
-"""`python -m tests.evidence.cluster_numbers [POINTS] [WORKERS]`: what a sweep on a Dask cluster of several worker processes
+"""`python -m tests.evidence.cluster_numbers [POINTS] [WORKERS]`: what a sweep on a Dask cluster of worker processes
 costs: points/s, speed-up, bytes between this process and the scheduler, and the same with a worker killed on the way.
 
 No claim: it prints. The system is that of `rovbrush bench sweeps`; a run through a proxy counts bytes.
