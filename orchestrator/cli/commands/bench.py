@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, loop, start, components, long, growth, solvers, windows, elsewhere, gym, outside, "
-            "pacing, observers, sweeps, workers; all by default. With --against: against, fmus.",
+            help="masters, loop, foreign, start, components, long, growth, solvers, windows, elsewhere, gym, "
+            "outside, pacing, observers, sweeps, workers; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -81,6 +81,18 @@ def print_loop(rows: Rows) -> None:
         "FMUs", "algorithm", "", "bare", "operation by\noperation", "as it is", "fastest", "ratio", "of the\nfastest"
     )  # fmt: skip
     print_table(title, headings, cells, words=(1, 2))
+
+
+def print_foreign(rows: Rows) -> None:
+    """Systems of FMUs as other tools export them, in times of the bare calls."""
+    cells = []
+    for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
+        same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
+        both = [same.get(on) for on in (False, True)]
+        texts = [f"{r[key]:.3g}" if r else "" for key in ("us_per_macro_step", "ratio") for r in both]
+        cells.append((system, master, *texts))
+    headings = ("system", "master", "off [us]", "recording on [us]", "to bare calls: off", "on")
+    print_table(f"FMUs as other tools export them, per macro step, {medians(rows)}", headings, cells, words=(0, 1))
 
 
 def print_start(rows: Rows) -> None:
@@ -269,7 +281,8 @@ def print_folders(rows: Rows) -> None:
 
 
 PRINTED = {
-    "masters": print_systems, "loop": print_loop, "start": print_start, "components": print_components,
+    "masters": print_systems, "loop": print_loop, "foreign": print_foreign, "start": print_start,
+    "components": print_components,
     "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
     "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,

@@ -16,6 +16,7 @@ from .against import against
 from .components import component_rows
 from .elsewhere import elsewhere_rows
 from .folders import folder_rows
+from .foreign import foreign_rows
 from .growth import growth_rows
 from .gym import gym_rows
 from .loop import loop_rows
@@ -46,6 +47,7 @@ class Part:
 PARTS = {
     "masters": Part("systems in this master, in others and as bare calls", 260.0, 45.0),
     "loop": Part("the loop beside the bare calls of the same FMUs, 4 to 4 000 of them", 60.0, 20.0),
+    "foreign": Part("FMUs as other tools export them: many variables, messages, 10 000 signals", 150.0, 30.0),
     "start": Part("a start to the first step, and runs from Python", 30.0, 20.0),
     "components": Part("every component by itself", 60.0, 15.0),
     "long": Part("memory of long runs", 80.0, 10.0),
@@ -138,15 +140,14 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         if name == "masters":
-            absent = {host: why for host in HOSTS if (why := missing(host))}
-            for host, why in absent.items():
-                tell(f"without {host}: {why}")
             found = cases(folder, asked.fmus)
-            hosts = [host for host in HOSTS if host not in absent]
+            hosts = _hosts(tell)
             for k, case in enumerate(found):
                 yield from _shared(measured(case, hosts, asked.quick), (k + 1) / len(found))
         elif name == "loop":
             yield from loop_rows(folder, asked.quick)
+        elif name == "foreign":
+            yield from foreign_rows(folder, _hosts(tell), asked.quick)
         elif name == "start":
             yield 1.0, {"system": "nominal", **process_figures(asked.fmus), **rerun_figures(asked.fmus)}
         elif name == "components":
@@ -185,6 +186,14 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             yield from folder_rows(asked.folder, asked.fmus, asked.quick)
         elif asked.python:
             yield from against(asked.python, folder, asked.fmus, asked.quick)
+
+
+def _hosts(tell: Callable[[str], None]) -> list[str]:
+    """The other masters that are here; of those that are not it is said why."""
+    absent = {host: why for host in HOSTS if (why := missing(host))}
+    for host, why in absent.items():
+        tell(f"without {host}: {why}")
+    return [host for host in HOSTS if host not in absent]
 
 
 def _shared(rows: Sequence[dict[str, Any]], share: float) -> Iterator[tuple[float, dict[str, Any]]]:

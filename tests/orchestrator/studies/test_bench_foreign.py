@@ -1,0 +1,41 @@
+"""`rovbrush bench foreign`: its FMUs behave as exported models do, and its rows are told in times of the bare calls."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from native_build import needs_gcc
+from rovbrush.orchestrator import load
+from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.studies.bench import foreign
+
+
+@needs_gcc
+def test_a_motor_has_the_variables_of_an_exported_model(tmp_path: Path) -> None:
+    fmu = Fmu.open(foreign.motor(tmp_path / "exported.fmu"))
+    assert len(fmu.variables) == 2 + len(foreign.OUTPUTS) + 2 + foreign.INNER
+
+
+@needs_gcc
+@pytest.mark.parametrize("logs", [False, True])
+def test_motors_in_a_row_turn_and_their_messages_change_nothing(logs: bool, tmp_path: Path) -> None:
+    foreign.motors(tmp_path, logs, "100 ms")
+    (path,) = tmp_path.glob("*.toml")
+    result = load(str(path)).run()
+    speed, current = (result[f"m0.{name}"].values for name in ("speed", "current"))
+    assert 0.0 < speed[5] < speed[-1] < 12.0 / (0.016 * 27.2484) * 30.0 / 3.141592653589793
+    # What is left for the next follows the voltage at once.
+    assert result["m0.v_left"].values[-1] == 12.0 - 0.1 * current[-1]
+
+
+@needs_gcc
+def test_oscillators_for_model_exchange_stand_in_a_row(tmp_path: Path) -> None:
+    system = foreign.oscillators(tmp_path, 3, "10 ms")
+    assert [c.target for c in system.connections] == [("o1", "u"), ("o2", "u")] and system.stop == Fraction(1, 100)
+
+
+def test_ratios_are_to_the_bare_calls_of_the_same_system() -> None:
+    rows = [{"master": "rovbrush", "us_per_macro_step": 3.0}, {"master": "calls alone", "us_per_macro_step": 2.0}]
+    assert [row["ratio"] for row in foreign.with_ratios(rows)] == [1.5, 1.0]
