@@ -241,12 +241,13 @@ def print_workers(rows: Rows) -> None:
             f"{r['fmus']} of {r['step_us']:g} us", *(f"{r[f'{way}_us']:.4g}" for way in ("one", "auto", "all")),
             *(f"{r['one_us'] / r[f'{way}_us']:.2f}" for way in ("auto", "all")),
             *(f"{r['one_fastest_us'] / r[f'{way}_fastest_us']:.2f}" for way in ("auto", "all")),
+            "" if r["bare_gain"] is None else f"{r['bare_gain']:.2f}",
         ) for r in rows
     ]  # fmt: skip
     threads = f"{max(rows[0]['processors'], 2)} threads"
     headings = (
         "equal FMUs", "one\n[us]", "auto\n[us]", f"{threads}\n[us]", "auto:\nfaster", f"{threads}:\nfaster",
-        "auto,\nfastest", f"{threads},\nfastest",
+        "auto,\nfastest", f"{threads},\nfastest", "2 bare\nthreads",
     )  # fmt: skip
     print_table(f"A macro step of FMUs that step at once, {medians(rows)} in turns", headings, cells)
     for r in rows:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import statistics
+import threading
+import time
 from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import replace
@@ -18,6 +21,7 @@ from ..sweep.workers import cores
 from .native_fmu import SOURCES, description2, native_fmu
 
 STEPS = (1.0, 10.0, 50.0, 200.0)  # us of a step of each
+LONG = 50.0  # us, from which on a call from Python counts for nothing beside the step
 FMUS = 4
 PIECE = 0.004  # s of a run that is measured at once
 PIECES, QUICK, WARM = 400, 100, 30
@@ -63,11 +67,38 @@ def worker_rows(folder: Path, quick: bool = False) -> Iterator[tuple[float, dict
     for k, wanted in enumerate(STEPS):
         cycles = max(1, round(PIECE / (FMUS * 1e-6 * wanted)))
         path = busy_ring(folder, max(1, round(1e-6 * wanted / each)), stop=f"{(pieces + WARM) * cycles} ms")
-        found, words = _measured(load_system(str(path)), cycles, pieces)
+        system = load_system(str(path))
+        found, words = _measured(system, cycles, pieces)
         row: dict[str, Any] = {"fmus": FMUS, "step_us": wanted, "processors": cores(), "runs": pieces, "said": words}
+        row["bare_gain"] = bare_gain(system, max(1, round(0.01 / (1e-6 * wanted)))) if wanted >= LONG else None
         for name, values in found.items():
             row |= {f"{name}_us": 1e6 * statistics.median(values), f"{name}_fastest_us": 1e6 * min(values)}
         yield (k + 1) / len(STEPS), row
+
+
+def bare_gain(system: System, calls: int, repeats: int = 9) -> float:
+    """How many times as much two threads do that share nothing, by bare calls of two of the FMUs: what this machine
+    allows at most, at this time."""
+    with Session(make_plan(replace(system, workers="1"))) as session:
+        kind = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int)
+        steps = [(kind(one.address("fmi2DoStep")), one.pointer) for one in session.instances.values()][:2]
+
+        def work(number: int) -> None:
+            step, instance = steps[number]
+            for _ in range(calls):
+                step(instance, 0.0, 1e-3, 1)
+
+        seconds: dict[int, list[float]] = {1: [], 2: []}
+        for _ in range(repeats):
+            for count, found in seconds.items():
+                threads = [threading.Thread(target=work, args=(k,)) for k in range(count)]
+                begin = time.perf_counter()
+                for thread in threads:
+                    thread.start()
+                for thread in threads:
+                    thread.join()
+                found.append(time.perf_counter() - begin)
+    return 2 * statistics.median(seconds[1]) / statistics.median(seconds[2])
 
 
 def _measured(system: System, cycles: int, pieces: int) -> tuple[dict[str, list[float]], str]:
