@@ -70,7 +70,9 @@ def build(
     """Build the components into FMUs, and compile the kernels of Python FMUs for this machine."""
     from ...fmu.files.places import fmu_folder
     from ...fmu.files.windows import runs_windows
+    from ...loop.machine.compiled import begin
 
+    loop = None if native else begin()  # beside the components
     found = list(entry_points(group="rovbrush.builders"))
     if not found:
         raise InputError("no components are installed that could be built; install the whole rovbrush package")
@@ -84,6 +86,8 @@ def build(
             raise_ours(error)
         for path in paths:
             tell(f"built {path} ({path.stat().st_size // 1000} kB)")
+    if loop is not None and not loop.wait():
+        tell("compiled the loop")
     if runs_windows():
         from ...participant.windows.build import available, server
 

@@ -94,6 +94,13 @@ def is_compiled() -> bool:
     return bool(shipped.library(own_hash())) or not numba_compiles() or _kept_loop().is_there
 
 
+def begin() -> subprocess.Popen[bytes] | None:
+    """A process that compiles the loop, to be waited for; None where there is nothing to compile, or no compiler."""
+    if find_spec("numba") is None or is_compiled():
+        return None
+    return subprocess.Popen([sys.executable, "-c", COMPILE], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
 def numba_compiles() -> bool:
     """Whether the environment lets Numba compile; with NUMBA_DISABLE_JIT everything is plain Python."""
     if shipped.switched_off():
