@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..loop import cells
-from ..loop.machine.frame import Loop, with_arrays
+from ..loop.machine.frame import Loop, one_cycle, with_arrays
 from ..loop.operations import COLUMNS
 from ..participant.base import Participant
 from ..plan.plan import Plan
@@ -44,8 +44,10 @@ class Blocks:
         self._fuses = fuses
         self._programs: dict[tuple[int, bool], Program] = {}  # by operations, and whether they are fused
         self._prepared: tuple[object, object, Callable[..., int]] = (None, None, function)
+        # The arrays of the recorder, and what does one whole cycle of the schedule with them; None where it is unknown.
+        self.one: tuple[object, Callable[[int], int]] | None = None
         self.began = 0.0  # s from the start of the process to the end of the first block
-        self._size, self._looked = 1, 0.0
+        self._size, self.looked = 1, 0.0  # cycles; when, on the clock of `time.perf_counter`
         self.pacer: Pacer | None = None  # of a run that keeps pace
         self.workers: Workers | None = None  # of one whose steps are shared among threads
 
@@ -74,7 +76,7 @@ class Blocks:
     def _forget(self) -> None:
         """Make all anew that holds what was in `components`."""
         self._programs.clear()
-        self._prepared = (None, None, self.function)
+        self._prepared, self.one = (None, None, self.function), None
 
     def _program(self, operations: np.ndarray, whole: bool) -> Program:
         """What is done in a cycle, or from an operation within it to its end."""
@@ -89,6 +91,8 @@ class Blocks:
         program, arrays = self._program(self.plan.operations(at.cycle), at.operation == 0), recorder.arrays
         if self._prepared[0] is not program or self._prepared[1] is not arrays:
             self._prepared = program, arrays, self._prepare(program, arrays)
+            whole = at.operation == 0 and self.plan.operations(at.cycle) is self.plan.cycle
+            self.one = (arrays, one_cycle(self._prepared[2], *self._clock)) if whole else None
         self.control[cells.RESUME_AT] = at.operation
         block = BLOCK
         if self.pacer:
@@ -97,17 +101,21 @@ class Blocks:
         begin = time.perf_counter()
         code = self._prepared[2](at.cycle, size, *self._clock)
         spent = time.perf_counter() - begin
-        if code != cells.DONE:
-            control = self.control
-            control[cells.AT_OPERATION] = program.operation(code, control[cells.AT_OPERATION], control[cells.PART])
+        self.ended(code)
         at.wall += spent
         if self.workers:
             self.workers.after(code, size, spent)
-        due = begin - self._looked > BLOCK / 2  # steps by hand take less than a look at the working directory
-        self._looked = begin if due else self._looked
+        due = begin - self.looked > BLOCK / 2  # steps by hand take less than a look at the working directory
+        self.looked = begin if due else self.looked
         self.began = self.began or seconds_since_start()
         self._size = min(2 * self._size, int(size * block / max(spent, 1e-6))) or 1
         return code, due
+
+    def ended(self, code: int) -> None:
+        """The loop has ended with a code: in an operation of the plan, whatever rows it has."""
+        control, program = self.control, self._prepared[0]
+        if code != cells.DONE and isinstance(program, Program):
+            control[cells.AT_OPERATION] = program.operation(code, control[cells.AT_OPERATION], control[cells.PART])
 
     def tick_at(self, at: Position) -> int:
         """The instant [ticks from the start] of the operation with which the run goes on."""

@@ -66,6 +66,11 @@ class Participants:
         """Whether one of them has changed how numbers are rounded: what is to be looked after without delay."""
         return self._surroundings.disturbed
 
+    @property
+    def minds_rounding(self) -> bool:
+        """Whether that can be told here."""
+        return self._surroundings.exact
+
     def calculated(self) -> dict[str, Any]:
         """What they have calculated of their parameters, by `component.variable`."""
         return {

@@ -182,16 +182,21 @@ class Session:
 
     def _run_block(self, cycles: int) -> None:
         """Some of the next `cycles` cycles, for about a tenth of a second."""
-        plan, clock, adaptive = self.plan, self.plan.clock, self._adaptive
-        if not adaptive and self.at.cycle < self._whole:  # what is left behind them is done by itself
+        if not self._adaptive and self.at.cycle < self._whole:  # what is left behind them is done by itself
             cycles = min(cycles, self._whole - self.at.cycle)
         try:
             size = self._blocks.size(self.at, cycles, self.recorder)
         except RunError as error:  # the disk refuses: what was computed is not to be lost for it
             self.failure = f"t = {self.at.time:.9g} s: {error}"
             return
-        begin = self.at.cycle
         code, due = self._blocks.run(self.at, size, self.recorder)
+        self.behind_block(code, due, size)
+
+    def behind_block(self, code: int, due: bool, size: int) -> None:
+        """What follows from the end of the loop, with a code, in a block of `size` cycles; `due`: it is time to look
+        around."""
+        plan, clock, adaptive = self.plan, self.plan.clock, self._adaptive
+        begin = self.at.cycle
         while code != cells.DONE and (self._waited(code) or self._handled(code)):
             if self.over:
                 return

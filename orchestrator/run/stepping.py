@@ -19,6 +19,7 @@ from ..system.file.recorded import matches
 from .by_hand import act
 from .events.as_scenario import as_scenario
 from .memory.ports import reader_of, writer_of
+from .one_step import one_step
 from .pacing.pace import Pace
 from .session import Session
 from .snapshot import Snapshot, go_back, take_snapshot
@@ -66,6 +67,7 @@ class Stepping(Session):
         self._guarded = False
         self._snapshots: list[Snapshot] = []
         self._hands = self.events.hands
+        self._quick, self._cells = one_step(self), memoryview(self.control)
 
     def __repr__(self) -> str:
         return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
@@ -95,6 +97,11 @@ class Stepping(Session):
 
         Raises RunError if the run fails or has ended, InputError for a time that does not fit.
         """
+        if by is None and self._guarded and self._quick():
+            if self.failure or self._cells[STOP_REQUEST]:
+                self._settle()
+            self._cells[STOP_REQUEST] = 1
+            return
         if by is not None and by not in self._counts:
             self._counts[by] = self.cycles(by, "step")
         count = 1 if by is None else self._counts[by]
