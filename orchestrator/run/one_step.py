@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def one_step(session: Stepping) -> Callable[[], bool]:
-    """What does the next cycle of a session that minds signals; False if it has done nothing, and `_run_block` must.
+    """What does the next cycle of a session that minds signals; False if it is not done to its end: `_run_block` must.
 
     Raises what `_settle` raises.
     """
@@ -46,7 +46,7 @@ def one_step(session: Stepping) -> Callable[[], bool]:
         if code != DONE or (looks and not exact()):
             blocks.ended(code)
             session.behind_block(code, False, 1)
-            return True
+            return at.cycle > cycle or session.over  # or there is more of the cycle to be done
         at.cycle = cycle + 1
         at.time = ((start + at.cycle * ticks) * numerator) / denominator
         return True
