@@ -29,7 +29,7 @@ def one_step(session: Stepping) -> Callable[[], bool]:
         return lambda: False
     whole, ticks, start = clock.cycles, plan.cycle_ticks, clock.start
     numerator, denominator = clock.numerator, clock.denominator
-    cells, now, observers = memoryview(session.control), time.perf_counter, session.observers
+    cells, now, observers = session.control.data, time.perf_counter, session.observers
     looks = session.participants.minds_rounding
 
     def step() -> bool:

@@ -67,7 +67,7 @@ class Stepping(Session):
         self._guarded = False
         self._snapshots: list[Snapshot] = []
         self._hands = self.events.hands
-        self._quick, self._cells = one_step(self), memoryview(self.control)
+        self._quick, self._cells = one_step(self), self.control.data
 
     def __repr__(self) -> str:
         return f"<Session of {self.plan.system.name} at {self.time:.9g} s of {self.stop:g} s>"
