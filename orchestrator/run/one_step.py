@@ -37,7 +37,8 @@ def one_step(session: Stepping) -> Callable[[], bool]:
         cycle, begin = at.cycle, now()
         if (
             one is None or one[0] is not recorder.arrays or begin - blocks.looked > BLOCK / 2 or at.operation
-            or cycle >= whole or observers or blocks.workers or session.over or session.closed or cells[ENDS_AT] != NEVER
+            or cycle >= whole or observers or blocks.workers or session.over or session.closed
+            or cells[ENDS_AT] != NEVER
         ):  # fmt: skip
             return False
         cells[STOP_REQUEST] = 0
