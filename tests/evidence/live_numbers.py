@@ -57,6 +57,11 @@ def counts(opened: Any) -> tuple[float, ...]:
     return tuple(map(float, opened.execute_script(script)))
 
 
+def in_page(opened: Any) -> float:
+    """MB of the page's script."""
+    return float(opened.execute_script("return performance.memory.usedJSHeapSize / 1e6"))
+
+
 def late(opened: Any) -> tuple[int, int]:
     """Missed deadlines and all of them, as the page says."""
     text = opened.find_element("css selector", '[data-test="how"]').text
@@ -86,7 +91,7 @@ def measure(seconds: float) -> None:
             "live",
             "hull_pass",
             "--stop",
-            "3600 s",
+            f"{3600 + 2 * seconds:g} s",
             "--port",
             "0",
         ]
@@ -101,7 +106,7 @@ def measure(seconds: float) -> None:
             time.sleep(3.0)
             processes = {pid: text for pid, text in below(run.pid).items() if "live" in text}
             memory = {pid: resident(pid) for pid in processes}
-            before, missed = counts(opened), late(opened)
+            before, missed, heap = counts(opened), late(opened), in_page(opened)
             time.sleep(seconds)
             after, missed_then = counts(opened), late(opened)
             span = after[3] - before[3]
@@ -112,13 +117,16 @@ def measure(seconds: float) -> None:
             print(f"  frames of the scene per second, by software: {(after[2] - before[2]) / span:.1f}")
             print(f"  real-time factor: {(after[4] - before[4]) / span:.3f}")
             print(f"  deadlines missed with the page: {missed_then[0] - missed[0]} of {missed_then[1] - missed[1]}")
-            for pid, text in processes.items():
-                what = "page's server" if "live.page" in text else "run"
-                print(f"  memory of the {what}: {memory[pid]:.0f} MB, then {resident(pid):.0f} MB")
+            print(f"  memory of the page's script: {heap:.0f} MB, then {in_page(opened):.0f} MB")
+            then = {pid: resident(pid) for pid in processes}
             opened.get("about:blank")
             time.sleep(1.0)
             opened.quit()
             time.sleep(seconds)
+            for pid, text in processes.items():
+                what = "page's server" if "live.page" in text else "run"
+                print(f"  memory of the {what}: {memory[pid]:.0f} MB, then {then[pid]:.0f} MB, in the end "
+                      f"{resident(pid):.0f} MB")  # fmt: skip
             run.send_signal(signal.SIGTERM)
             run.wait(60.0)
             lines = [line for line in said.read_text().splitlines() if line.startswith(("real time", "lateness"))]
