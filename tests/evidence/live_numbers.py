@@ -53,12 +53,13 @@ def browser() -> Any:
 
 
 def counts(opened: Any) -> tuple[float, ...]:
-    script = "return [rig.received, rig.drawn, rig.scenes || 0, performance.now() / 1000, rig.time]"
-    return tuple(map(float, opened.execute_script(script)))
+    script = "return [rig.received, rig.drawn, rig.scenes || 0, rig.time, performance.timeOrigin]"
+    return time.monotonic(), *map(float, opened.execute_script(script))
 
 
 def in_page(opened: Any) -> float:
-    """MB of the page's script."""
+    """MB of the page's script, without what it has dropped."""
+    opened.execute_cdp_cmd("HeapProfiler.collectGarbage", {})
     return float(opened.execute_script("return performance.memory.usedJSHeapSize / 1e6"))
 
 
@@ -109,12 +110,14 @@ def measure(seconds: float) -> None:
             before, missed, heap = counts(opened), late(opened), in_page(opened)
             time.sleep(seconds)
             after, missed_then = counts(opened), late(opened)
-            span = after[3] - before[3]
+            span = after[0] - before[0]
             posted = opened.execute_script("return rig.signals.length")
             print(f"over {span:.0f} s, {posted} signals posted, 20 in a chart:")
-            print(f"  updates per second that arrive: {(after[0] - before[0]) / span:.1f}")
-            print(f"  charts drawn per second: {(after[1] - before[1]) / span:.1f}")
-            print(f"  frames of the scene per second, by software: {(after[2] - before[2]) / span:.1f}")
+            if after[5] != before[5]:
+                print("  the page was loaded again meanwhile: what it counts began anew")
+            print(f"  updates per second that arrive: {(after[1] - before[1]) / span:.1f}")
+            print(f"  charts drawn per second: {(after[2] - before[2]) / span:.1f}")
+            print(f"  frames of the scene per second, by software: {(after[3] - before[3]) / span:.1f}")
             print(f"  real-time factor: {(after[4] - before[4]) / span:.3f}")
             print(f"  deadlines missed with the page: {missed_then[0] - missed[0]} of {missed_then[1] - missed[1]}")
             print(f"  memory of the page's script: {heap:.0f} MB, then {in_page(opened):.0f} MB")
