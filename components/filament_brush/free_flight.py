@@ -32,16 +32,47 @@ def free_flight(h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: S
     if p.C_d > 0.0:
         linear_drag(h_s, u, p, c, m, k, s)
     for order in range(4):
-        multiply(size, s.A, s.P, s.Q)
+        if p.C_d > 0.0:
+            multiply(size, s.A, s.P, s.Q)
+        else:
+            rates_of(p.N_m, s.A, s.P, s.Q)
         for i in range(size):
             for j in range(size):
                 s.P[i, j] = s.Q[i, j] / (4.0 - order)
             s.P[i, i] = s.P[i, i] + 1.0
     for _ in range(squarings):
-        multiply(size, s.P, s.P, s.Q)
+        if p.C_d > 0.0:
+            multiply(size, s.P, s.P, s.Q)
+        else:
+            twice(2 * p.N_m, s.P, s.Q)
         for i in range(size):
             for j in range(size):
                 s.P[i, j] = s.Q[i, j]
+
+
+def rates_of(N_m: int, A: Matrix, P: Matrix, Q: Matrix) -> None:
+    """Q = A P without drag, with what of A is not zero."""
+    for j in range(2 * N_m + 1):
+        for r in range(N_m):
+            Q[r, j] = A[r, N_m + r] * P[N_m + r, j]
+            total = 0.0
+            for q in range(N_m):
+                total = total + A[N_m + r, q] * P[q, j]
+            Q[N_m + r, j] = total + A[N_m + r, N_m + r] * P[N_m + r, j] + A[N_m + r, 2 * N_m] * P[2 * N_m, j]
+        Q[2 * N_m, j] = 0.0
+
+
+def twice(size: int, P: Matrix, Q: Matrix) -> None:
+    """Q = P P, whose last row is that of 1."""
+    for i in range(size):
+        for j in range(size + 1):
+            total = 0.0
+            for k in range(size):
+                total = total + P[i, k] * P[k, j]
+            Q[i, j] = total
+        Q[i, size] = Q[i, size] + P[i, size]
+        Q[size, i] = 0.0
+    Q[size, size] = 1.0
 
 
 def linear_equations(h_s: float, p: Parameters, m: Modes, k: Stiffness, s: Scratch) -> None:

@@ -5,15 +5,30 @@ Frames and symbols are those of README.md, names and units those of records.py.
 
 from math import cos, pi, sin
 
+from .calendar import keep_map, turn_page
 from .contact import contact_energy
 from .filament import hub_radius, modal_mass, share_of, tip_radius
 from .free_flight import advance_free, advance_free_in_water, free_flight, is_near_the_flow, tip_speed_bound
 from .micro_steps import advance_touching, count_strike, evaluate, touches
 from .modes import centrifugal_energy, deflection_ratio, mode_table, slope_integrals
 from .parameters import Parameters
-from .reactions import brush_sums, give, take
+from .reach import follow_speed, is_far, start_bounds, swing_of, within_step
+from .reactions import give, take
 from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
 from .rods import at_strip, place, take_group
+from .sleepers import (
+    are_asleep,
+    carry,
+    centrifugal_energy_of_sum,
+    filament_of,
+    may_sleep,
+    mean_ratio,
+    settle,
+    strip_of,
+    wake_all,
+    wake_near,
+)
+from .totals import brush_sums, fill_table
 from .water import add_drag, drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
@@ -59,11 +74,21 @@ def initialize(p: Parameters, x: State) -> None:
         for r in range(p.N_m):
             x.eta[i, r] = 0.0
             x.eta_dot[i, r] = 0.0
+    wake_all(p, x)
+    start_bounds(p, x)
 
 
 def outputs(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Write the outputs and the table `filament` from the state and the inputs."""
+    """Write the outputs from the state and the inputs."""
     write_outputs(u.delta, u, p, x, y, s)
+
+
+def table(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """Fill the table `filament`, for those who look at single ones: where the last step ended, or at another delta."""
+    delta = u.delta
+    if delta == x.delta:
+        delta = x.delta_end
+    fill_table(delta, u, p, x, s)
 
 
 def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
@@ -125,26 +150,30 @@ def write_modes(m: Modes, y: Outputs) -> None:
         y.omega_r[r] = m.omega_r[r]
 
 
-def advance_rod(k: int, i: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
-    """Advance rod k, which is one of filament i, by h, in micro-steps if it can reach the hull."""
+def advance_rod(k: int, g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
+    """Advance rod k of group g, which is awake, by h, in micro-steps if it can reach the hull."""
     E_end = 0.0
-    psi = x.theta_b + 2.0 * pi * i / p.n - p.alpha
+    psi = x.theta_b + 2.0 * pi * filament_of(k, p) / p.n - p.alpha
     take(k, s.now, p, x)
     at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
     reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
     count_strike(x.touches[k], s.now, s.c, x)
     E_start = contact_energy(reach.Delta, p)
     rate = reach.rate
-    farthest = h * (abs(u.omega_b) * tip_radius(s.c) + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
+    far = False
     if p.C_d > 0.0:
+        farthest = h * (abs(u.omega_b) * tip_radius(s.c) + abs(u.delta_dot) + tip_speed_bound(s.now, p, s.k))
         rate = rate + add_drag(0.0, s.now, at, u, p, s.c, s.modes, s.shapes)
         farthest = farthest + pushed_by_water(h, s.now, p, s.c)
         x.linear[k] = 0.0
         if reach.Delta + farthest < 0.0 and is_near_the_flow(s.now, u, p, s.c, s.k, s):
             x.linear[k] = 1.0
+    elif not may_sleep(p):
+        way = within_step(h, u, p)
+        far = is_far(g, psi, swing_of(g, s.now, p, s.k, x.at_rest), way, s.c, x)
     if p.C_d > 0.0 and x.linear[k] > 0.0:
         advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
-    elif p.C_d == 0.0 and reach.Delta + farthest < 0.0:
+    elif far:
         lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
         x.W_damping = x.W_damping + share_of(s.c) * lost
     else:
@@ -157,20 +186,37 @@ def advance_rod(k: int, i: int, h: float, u: Inputs, p: Parameters, x: State, s:
     return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, s.modes, s.S))
 
 
-def advance_strip(k: int, w: float, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
-    """Advance the rods of a strip at y_t = w by h, the first of which is rod k."""
-    J_x = x.J_x
-    J_z = x.J_z
+def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
+    """Advance the rods of group g by h: those that are awake one by one, the sleepers together."""
     E_start = 0.0
     E_end = 0.0
     E_per_speed_2 = 0.0
-    for i in range(p.n):
-        rod = advance_rod(k + i, i, h, u, p, x, s)
+    take_group(g, u, p, x, s)
+    if p.C_d == 0.0:
+        follow_speed(g, p, s.c, s.modes, s.k, s.S, x, s)
+    if may_sleep(p):
+        settle(g, h, u, p, x, s)
+        wake_near(g, h, u, p, x, s)
+    if are_asleep(g, p, x) or not may_sleep(p):
+        free_flight(h, u, p, s.c, s.modes, s.k, s)
+    for a in range(int(x.awake_count[g])):
+        k = int(x.awake[g * p.n * p.n_strips + a])
+        w = place(strip_of(k, g, p), p)
+        there = at_strip(w, u.delta, u, p)
+        J_x = x.J_x
+        J_z = x.J_z
+        rod = advance_rod(k, g, h, there, p, x, s)
+        x.J_Mx = x.J_Mx + w * (x.J_z - J_z)
+        x.J_Mz = x.J_Mz - w * (x.J_x - J_x)
         E_start = E_start + rod.E_start
         E_end = E_end + rod.E_end
         E_per_speed_2 = E_per_speed_2 + rod.E_per_speed_2
-    x.J_Mx = x.J_Mx + w * (x.J_z - J_z)
-    x.J_Mz = x.J_Mz - w * (x.J_x - J_x)
+    if are_asleep(g, p, x):
+        carry(g, p, x, s)
+        keep_map(g, p, x, s)
+        first = g * (2 * p.N_m + 1)
+        E_per_speed_2 = E_per_speed_2 + centrifugal_energy_of_sum(first, p, s.c, s.modes, s.S, x.sums)
+        x.deflection_ratio = max(x.deflection_ratio, mean_ratio(first, p, s.c, s.modes, x.sums))
     share = share_of(s.c)
     return Advanced(share * E_start, share * E_end, share * E_per_speed_2)
 
@@ -194,15 +240,13 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
     E_per_speed_2 = 0.0
     x.deflection_ratio = 0.0
     for g in range(p.n_groups):
-        take_group(g, u, p, x, s)
-        free_flight(h, u, p, s.c, s.modes, s.k, s)
-        for j in range(p.n_strips):
-            w = place(j, p)
-            there = at_strip(w, u.delta, u, p)
-            strip = advance_strip((g * p.n_strips + j) * p.n, w, h, there, p, x, s)
-            E_start = E_start + strip.E_start
-            E_end = E_end + strip.E_end
-            E_per_speed_2 = E_per_speed_2 + strip.E_per_speed_2
+        group = advance_group(g, h, u, p, x, s)
+        E_start = E_start + group.E_start
+        E_end = E_end + group.E_end
+        E_per_speed_2 = E_per_speed_2 + group.E_per_speed_2
+    turn_page(x)
+    x.delta = u.delta
+    x.delta_end = u.delta + u.delta_dot * h
     if has_pack_torque(p):
         T_pack = pack_torque(u, p, s.c)
         x.J_T = x.J_T + T_pack * h

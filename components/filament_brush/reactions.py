@@ -1,15 +1,12 @@
 """Reactions at the filaments' bases (Eqs. 11-13) and their sums over the brush (Eqs. 14, 15)."""
 
-from math import cos, floor, pi, sin
+from math import cos, pi, sin
 
 from .contact import contact_energy
 from .filament import hub_radius
-from .micro_steps import evaluate
 from .modes import deflection
 from .parameters import Parameters
-from .records import Base, Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State
-from .rods import at_strip, place, take_group
-from .water import add_drag, add_water
+from .records import Base, Constants, Load, Modes, Outputs, Placement, Stage, State
 
 
 def bending_stiffness(p: Parameters) -> float:
@@ -130,66 +127,6 @@ def add_base(
     cos_phi = at.cos_psi * cos(p.alpha) - at.sin_psi * sin(p.alpha)
     y.T_brush_eq15 = y.T_brush_eq15 + p.R_brush * (c.share * base.shear) * cos_phi  # Eq. 15
     return base.y
-
-
-def clear_table(p: Parameters, x: State, s: Scratch) -> None:
-    """The table `filament` with nothing but angles."""
-    for i in range(p.n):
-        phi = x.theta_b + 2.0 * pi * i / p.n
-        s.filament_phi[i] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
-        s.filament_F_n[i] = 0.0
-        s.filament_F_f[i] = 0.0
-        s.filament_y[i] = 0.0
-
-
-def tell(i: int, y_tip: float, f: Stage, c: Constants, s: Scratch) -> None:
-    """What a rod of filament i adds to the table `filament`, for those who look at single ones."""
-    s.filament_F_n[i] = s.filament_F_n[i] + c.share * f.F_n
-    s.filament_F_f[i] = s.filament_F_f[i] + c.share * f.F_f
-    s.filament_y[i] = s.filament_y[i] + c.share * y_tip
-
-
-def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Forces, torques, powers and energies of the whole brush; fills the table `filament`."""
-    clear_sums(y)
-    clear_table(p, x, s)
-    s.x_front = -p.R_brush
-    s.x_rear = p.R_brush
-    for g in range(p.n_groups):
-        take_group(g, u, p, x, s)
-        for j in range(p.n_strips):
-            w = place(j, p)
-            there = at_strip(w, delta, u, p)
-            strip_sums((g * p.n_strips + j) * p.n, w, there, p, x, y, s)
-        y.J_filaments = y.J_filaments + filament_inertia(s.c, p)
-    y.contact_length = max(0.0, s.x_front - s.x_rear)
-    y.v_sliding = y.v_sliding / max(y.contact_count, 1e-30)
-
-
-def extend(f: Stage, s: Scratch) -> None:
-    """Take a tip into the length of contact."""
-    if f.F_n > 0.0:
-        s.x_front = max(s.x_front, f.x)
-        s.x_rear = min(s.x_rear, f.x)
-
-
-def strip_sums(k: int, w: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Add the rods of a strip at y_t = w, the first of which is rod k."""
-    for i in range(p.n):
-        phi = x.theta_b + 2.0 * pi * i / p.n
-        psi = phi - p.alpha
-        at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
-        take(k + i, s.now, p, x)
-        reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
-        add_tip(w, s.now, s.c, y)
-        extend(s.now, s)
-        if p.C_d > 0.0:
-            add_drag(x.linear[k + i], s.now, at, u, p, s.c, s.modes, s.shapes)
-            add_water(w, s.now, at, s.c, y)
-        shortening = add_energies(s.now, p, s.c, s.modes, y)
-        y_tip = add_base(s.now, at, shortening, p, s.c, s.modes, y)
-        tell(i, y_tip, s.now, s.c, s)
-        add_contact_energy(reach.Delta, p, s.c, y)
 
 
 def add_contact_energy(Delta: float, p: Parameters, c: Constants, y: Outputs) -> None:

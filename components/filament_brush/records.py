@@ -40,7 +40,7 @@ class Outputs(Packed):
     v_sliding: float = output("m/s", "mean speed of sliding of the tips in contact", ALL)
     sliding_distance: float = output("m", "distance slid on the hull so far, summed over the filaments")
     strikes: float = output("1", "touch-downs so far, summed over the filaments")
-    deflection_ratio: float = output("1", "largest |y(L)|/L in the last step")
+    deflection_ratio: float = output("1", "largest |y(L)|/L in the last step near the hull; of others root mean square")
     deflection_ratio_max: float = output("1", "largest |y(L)|/L so far")
     theta_b: float = output("rad", "brush angle")
     J_x: float = output("N.s", "time integral of F_x")
@@ -110,7 +110,32 @@ class State(Record):
     eta_dot: Matrix = value("m/s", "their rates", lambda p: (rods(p), p.N_m))
     h_next: Vector = value("s", "the next micro-step of each rod", lambda p: rods(p))
     z: Vector = value("m", "bend of LuGre's microscopic bristles at each tip", lambda p: rods(p))
+    clock: Vector = value("1", "steps after which a sleeping rod's deflections hold; -1: awake", lambda p: rods(p))
+    swing: Vector = value("m/s", "bound on the swing of each sleeping rod, as in `reach.py`", lambda p: rods(p))
+    awake: Vector = value("1", "the rods that are awake, those of each group together", lambda p: rods(p))
+    awake_count: Vector = value("1", "how many of each group", lambda p: p.n_groups)
+    late: Vector = value("1", "rods that fell asleep within the present epoch", lambda p: rods(p))
+    late_count: Vector = value("1", "how many of each group", lambda p: p.n_groups)
+    is_late: Vector = value("1", "1: the rod is among them", lambda p: rods(p))
+    sums: Matrix = value("", "w w^T over the sleepers of each group, w = (eta, eta_dot, 1)",
+                         lambda p: (p.n_groups * (2 * p.N_m + 1), 2 * p.N_m + 1))
+    around: Matrix = value("", "w cos(theta_i) and w sin(theta_i) over them, theta_i the angle on the hub",
+                           lambda p: (p.n_groups * 2, 2 * p.N_m + 1))
+    maps: Matrix = value("", "maps of past steps, epochs and the era, of each group; see `calendar.py`",
+                         lambda p: (p.n_groups * 68 * p.N_m, 2 * p.N_m + 1))
+    at_rest: Matrix = value("m", "deflections at rest in the turning brush, by group", lambda p: (p.n_groups, p.N_m))
+    y_rest: Vector = value("m", "tip deflection at rest, of each group", lambda p: p.n_groups)
+    y_per_swing: Vector = value("s", "largest tip deflection of a swing, over it; 0: unknown", lambda p: p.n_groups)
+    grow: Vector = value("1", "growth of all bounds by changes of speed, of each group", lambda p: p.n_groups)
+    lift: Vector = value("m/s", "what those add to bounds, before growth", lambda p: p.n_groups)
+    widest: Vector = value("m/s", "the largest bound of a group", lambda p: p.n_groups)
+    since: Vector = value("1", "how many fell asleep since that was looked for", lambda p: p.n_groups)
     theta_b: float = value("rad", "brush angle")
+    delta: float = value("m", "penetration given to the last step")
+    delta_end: float = value("m", "penetration where it ended")
+    steps: float = value("1", "steps so far")
+    epoch_begin: float = value("1", "steps before the present epoch")
+    era_begin: float = value("1", "steps before the present era")
     J_x: float = value("N.s", "time integral of F_x")
     J_z: float = value("N.s", "time integral of F_z")
     J_T: float = value("N.m.s", "time integral of T_brush")
@@ -203,6 +228,12 @@ class Scratch(Record):
     slopes: Vector = value("1/m", "Y_r' at a point", MODES)
     shapes: Matrix = value("1", "Y_r at the points along a bristle, with drag", (MODES, MODES))
     rest: Vector = value("m", "deflections at rest in the flow, with drag", MODES)
+    moved: Vector = value("", "deflections and rates after a map", 2 * MODES)
+    lean: Vector = value("", "a right-hand side, and what solves it", MODES)
+    left: Matrix = value("", "`sums` of the group at hand, less what is looked at by itself",
+                         lambda p: (2 * p.N_m + 1, 2 * p.N_m + 1))
+    looked_at: Vector = value("1", "rods that are looked at by themselves", lambda p: p.n * p.n_strips)
+    left_around: Matrix = value("", "`around` of that", lambda p: (2, 2 * p.N_m + 1))
     shares: Vector = value("1", "weights of the points along a bristle", MODES)
     x_front: float = value("m", "place of the foremost tip in contact")
     x_rear: float = value("m", "place of the rearmost")
@@ -258,7 +289,7 @@ class Touched(Record):
 
 
 class Advanced(Record):
-    """Energies of a rod, or of the rods of a strip, at the begin and the end of a step."""
+    """Energies of a rod, or of the rods of a group, at the begin and the end of a step."""
 
     E_start: float = value("J", "elastic energy of the contact at the begin")
     E_end: float = value("J", "elastic energy of the contact at the end")
@@ -297,3 +328,19 @@ class Base(Record):
     shear: float = value("N", "base shear")
     moment: float = value("N.m", "base moment")
     y: float = value("m", "tip deflection")
+
+
+class Sweep(Record):
+    """How the brush and the hull move within a step."""
+
+    turn: float = value("rad", "angle that the brush turns")
+    sin_turn: float = value("1", "its sine")
+    cos_turn: float = value("1", "its cosine")
+    h_least: float = value("m", "least distance of the hull from the brush axis")
+
+
+class Span(Record):
+    """Neighbouring rods of a strip."""
+
+    first: int = value("1", "number of the first, counted on over full turns")
+    count: int = value("1", "how many")

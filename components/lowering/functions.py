@@ -14,7 +14,7 @@ from ..declare.record import fields_of
 from .errors import meant, refuse
 from .source import Source, is_record
 
-ENTRIES = ("setup", "initialize", "outputs", "step")  # what an FMU calls
+ENTRIES = ("setup", "initialize", "outputs", "step", "table")  # what an FMU calls
 READ_ONLY = ("parameter", "input")
 ARRAYS = {"Vector": "'float[:]'", "Matrix": "'float[:,:]'"}
 

@@ -110,8 +110,11 @@ class Tables:
 
     def _entry(self, entry: str, stages: tuple[str, ...]) -> str:
         """A function of the component: the kernel's own in turn, then the rows of arrays that are shown."""
-        calls = [self._call(stage) for stage in stages if hasattr(self.component.kernel, stage)]
-        body = "\n".join([*calls, *self._show_rows()])
+        shown = self._show_rows()
+        calls = [
+            self._call(stage) for stage in (*stages, *["table"] * bool(shown)) if hasattr(self.component.kernel, stage)
+        ]
+        body = "\n".join([*calls, *shown])
         return (
             f"static void {self.name}_{entry}(double *v, double *const *a, const Shape *shape) {{\n"
             f"    (void)a, (void)shape;\n{body}\n}}\n"

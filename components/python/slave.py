@@ -139,9 +139,15 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         for stage in ("setup", "initialize", "outputs"):
             if stage in self.stages:
                 self.stages[stage]()
-        self.memory.show_rows()
+        self.show_rows()
         self.step_stage = self.stages["step"]
         self.ready = True
+
+    def show_rows(self) -> None:
+        """Elements of vectors as outputs, where this FMU has such; a kernel's `table` fills the vectors."""
+        if "table" in self.stages:
+            self.stages["table"]()
+        self.memory.show_rows()
 
     def checked_parameters(self) -> Iterator[Variable]:
         """The parameters one by one. Raises ValueError where one is out of its range."""
@@ -197,7 +203,7 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
             cells[-2] = current_time + step_size
             self.stale = False
             if ROWS:
-                self.memory.show_rows()
+                self.show_rows()
             return True
         except Exception:
             self.report(f"do_step at t = {current_time!r} s with h = {step_size!r} s")

@@ -21,8 +21,9 @@ import numpy as np
 from ..lowering.lowered import Lowered, lowered
 from .kernel_cache import entry_folder, keep, kept
 from .memory import Memory, places_of
+from .options import ROWS
 
-STAGES = ("setup", "initialize", "outputs", "step")
+STAGES = ("setup", "initialize", "outputs", "step", *["table"] * bool(ROWS))
 OBJECT = "kernel.o"
 WITH_NUMBA = "ROVBRUSH_KERNELS"  # set to `numba`: that compiles all kernels, to compare
 # Python's lock is kept: a step is shorter than giving it away and taking it again.

@@ -89,7 +89,7 @@ class Instance:
             first += len(v.start)
         self.signatures = {
             f: argument_names(declared.kernel, f)
-            for f in ("setup", "initialize", "outputs", "step")
+            for f in ("setup", "initialize", "outputs", "step", "table")
             if hasattr(declared.kernel, f)
         }
 
@@ -133,9 +133,11 @@ class Instance:
                 self.call(function)
 
     def step(self, h: float) -> None:
-        """One communication step."""
+        """One communication step; a table of single rows is filled too, where a kernel has one."""
         self.values["h"] = h
         self.call("step")
+        if "table" in self.signatures:
+            self.call("table")
         self.values["t"] += h
 
     def __getitem__(self, output: str) -> Any:

@@ -21,8 +21,8 @@ def bench(
         list[str] | None,
         typer.Argument(
             metavar="[PART]...",
-            help="masters, loop, foreign, start, components, long, growth, solvers, windows, elsewhere, gym, "
-            "outside, pacing, observers, sweeps, workers; all by default. With --against: against, fmus.",
+            help="masters, loop, foreign, start, components, sizes, long, growth, solvers, windows, elsewhere, "
+            "gym, outside, pacing, observers, sweeps, workers; all by default. With --against: against, fmus.",
         ),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer repetitions, shorter runs.")] = False,
@@ -117,6 +117,20 @@ def print_components(rows: Rows) -> None:
         cells.append((name, *(cost.get(kind, "") for kind in KINDS)))
     title = f"One component by itself, microseconds per call of 1 ms, {medians(rows)}"
     print_table(title, ("component", *KINDS.values()), cells)
+
+
+def print_sizes(rows: Rows) -> None:
+    """Components as they grow."""
+    if not rows:
+        return
+    cells = [
+        (r["component"], r["case"], f"{r['count']:.2f}", f"{r['native_us']:.2f}", f"{r['numba_us']:.2f}",
+         f"{r['numba_us'] / r['native_us']:.2f}")
+        for r in rows
+    ]  # fmt: skip
+    title = f"Size, processor time per step in microseconds, {medians(rows)}"
+    headings = ("component", "case", rows[0]["counts"], "native FMU", "kernel under Numba", "ratio")
+    print_table(title, headings, cells, words=(0, 1))
 
 
 def print_long_runs(rows: Rows) -> None:
@@ -283,7 +297,7 @@ def print_folders(rows: Rows) -> None:
 
 PRINTED = {
     "masters": print_systems, "loop": print_loop, "foreign": print_foreign, "start": print_start,
-    "components": print_components,
+    "components": print_components, "sizes": print_sizes,
     "long": print_long_runs,
     "growth": print_growth, "solvers": print_solvers, "windows": print_windows, "gym": print_gym,
     "elsewhere": print_elsewhere, "outside": print_outside, "pacing": print_pacing,

@@ -25,6 +25,7 @@ from .outside import outside_rows
 from .pacing import pacing_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
+from .sizes import size_rows
 from .solvers import solver_rows
 from .streaming import long_runs
 from .sweeps import sweep_rows
@@ -50,6 +51,7 @@ PARTS = {
     "foreign": Part("FMUs as other tools export them: many variables, messages, 10 000 signals", 150.0, 30.0),
     "start": Part("a start to the first step, and runs from Python", 30.0, 20.0),
     "components": Part("every component by itself", 60.0, 15.0),
+    "sizes": Part("components as their size grows, native and under Numba", 60.0, 30.0),
     "long": Part("memory of long runs", 80.0, 10.0),
     "growth": Part("reader and plan of large systems", 40.0, 15.0),
     "solvers": Part("FMUs for Model Exchange, beside the same solver driven from C", 20.0, 8.0),
@@ -154,6 +156,8 @@ def _measure(name: str, asked: Asked, tell: Callable[[str], None]) -> Iterator[t
             found = cases(folder, asked.fmus)
             rows = component_rows(native=found[-1].system, python=found[-2].system, quick=asked.quick)
             yield from _shared(rows, 1.0)
+        elif name == "sizes":
+            yield from size_rows(folder, native_folder(asked.fmus), asked.quick)
         elif name == "long":
             yield from _shared(long_runs(asked.quick), 1.0)
         elif name == "growth":
