@@ -49,7 +49,9 @@ class Schedule(Steps):
     def build(self, span: int) -> np.ndarray:
         """The operations of the next `span` ticks, (m, 8). Raises InputError if there would be too many."""
         self.span = span
-        total = sum(self.steps_of(name) * (4 + len(self.system.connections)) for name in self.design.order)
+        steps = {name: self.steps_of(name) for name in self.design.order}
+        total = 4 * sum(steps.values())
+        total += sum(steps[c.source[0]] + steps[c.target[0]] for c in self.system.connections)
         if total > LARGEST:
             raise InputError(
                 f"the periods repeat only every {seconds_text(self.clock.seconds(span))}: "

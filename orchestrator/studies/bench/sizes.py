@@ -1,6 +1,6 @@
-"""What a component costs as its size grows, native and as its kernel under Numba: cases that its own package names.
+"""What a component costs as its size grows, native and as its compiled kernel: cases that its own package names.
 
-The processor time of the thread is taken, which neighbours on the machine lengthen least; native and Numba in turns.
+The processor time of the thread is taken, which neighbours on the machine lengthen least; both in turns.
 """
 
 from __future__ import annotations
@@ -43,12 +43,12 @@ def size_rows(folder: Path, native: Path, quick: bool) -> Iterator[tuple[float, 
         alone.seconds(case.before)
         kernel = case.kernel()
         kernel(case.before)
-        costs: dict[str, list[float]] = {"native_us": [], "numba_us": []}
+        costs: dict[str, list[float]] = {"native_us": [], "kernel_us": []}
         counted = []
         for _ in range(rounds):
             costs["native_us"].append(_seconds(alone, case.steps))
             counted.append(alone.instances["x"].get(case.counts))
-            costs["numba_us"].append(kernel(case.steps))
+            costs["kernel_us"].append(kernel(case.steps))
         alone.close()
         row = {key: 1e6 * statistics.median(taken) for key, taken in costs.items()}
         yield (

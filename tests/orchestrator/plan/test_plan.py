@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from event_cases import KEEP
+from event_cases import planned as plan_of_mocks
 from helpers import column, last, plan_of, read_system, run_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -263,3 +265,11 @@ def test_random_multirate_systems_follow_the_definitions_or_are_refused(
     for name, expected in by_definition(case, plan).items():
         seen = column(run, f"{name}.x")[1]
         np.testing.assert_allclose(seen, expected, rtol=1e-11, atol=1e-11)
+
+
+def test_many_components_that_exchange_little_are_planned() -> None:
+    """What is counted is what there is: not every connection at every step."""
+    count = 2_400
+    parts = {f"m{k}": (KEEP, "0.001") for k in range(count)}
+    plan = plan_of_mocks(parts, [f"m{k}.y -> m{k + 1}.u" for k in range(count - 1)], [], "0.01", algorithm="jacobi")
+    assert len(plan.cycle) < 10 * count
