@@ -1,4 +1,4 @@
-"""What one component costs by itself: as native FMU, as Python FMU, and its kernel under Numba without FMI."""
+"""What one component costs by itself: as native FMU, as Python FMU, and its compiled kernel without FMI."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .systems import alone
 
 STEP = Fraction(1, 1000)  # s, of every call
 REPEATS = 7
-KINDS = {"native": "native FMU", "python": "Python FMU", "kernel": "kernel under Numba"}
+KINDS = {"native": "native FMU", "python": "Python FMU", "kernel": "compiled kernel"}
 
 
 def component_rows(native: System, python: System, quick: bool = False) -> list[dict[str, Any]]:
