@@ -27,6 +27,14 @@ CHROMIUM, DRIVER = shutil.which("chromium") or shutil.which("chromium-browser"),
 pytestmark = pytest.mark.skipif(not CHROMIUM or not DRIVER, reason="no chromium and chromedriver to open the page with")
 OPTIONS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
            "--disable-component-update", "--disable-sync", "--window-size=1200,900"]  # fmt: skip
+SCENE = """
+[[live.scene]]
+shape = "box"
+name = "box"
+at = ["i.x", "g.y", 0.0]
+size = [0.2, 0.2, 0.2]
+color = "#3c78b4"
+"""
 PATIENCE = 30.0  # s, of a machine that is busy
 
 
@@ -40,7 +48,8 @@ class Live:
                 {"g": ("gain", "10 ms", {"k": 1.0, "offset": 0.0}), "i": ("integrator", "10 ms")},
                 ["g.y -> i.u"],
                 "100000 s",
-            ),
+            )
+            + SCENE,
             "utf-8",
         )
         env = {key: value for key, value in os.environ.items() if key != "PYTEST_CURRENT_TEST"}  # NiceGUI asks for it
@@ -73,7 +82,11 @@ class Browser:
         for option in OPTIONS:
             options.add_argument(option)
         self.driver = webdriver.Chrome(options=options, service=Service(str(DRIVER)))
-        self.driver.get(url)
+        try:
+            self.driver.get(url)
+        except BaseException:
+            self.driver.quit()
+            raise
 
     def text(self, name: str) -> str:
         found = self.driver.find_elements(By.CSS_SELECTOR, f'[data-test="{name}"]')
@@ -196,6 +209,23 @@ def test_a_second_viewer_is_read_only_until_the_first_lets_go(live: Live, first:
     until(lambda: "you drive" in first.text("role"))
 
 
+def test_the_scene_is_drawn_and_moves_with_its_signals(first: Browser) -> None:
+    until(lambda: first.script("return window.rig && rig.scenes > 1"))
+    where = "const p = rig.scene.groups.box.position; return [p.x, p.y, p.z]"
+    until(lambda: first.script(where)[1] == first.value("g.y"))
+    script = f"const [x] = (() => {{ {where} }})(), k = rig.number('i.x'); return rig.frames.some((f) => f.v[k] === x)"
+    until(lambda: first.script(script))
+    first.click("go")
+    until(lambda: "paused" in first.text("how"))
+    until(lambda: first.script(where)[0] == first.value("i.x"))
+    time.sleep(0.3)
+    drawn = first.script("return rig.scenes")
+    time.sleep(0.5)
+    assert first.script("return rig.scenes") == drawn, "a scene that stands still is not drawn again"
+    first.click("go")
+    until(lambda: first.script("return rig.scenes") > drawn)
+
+
 def test_the_page_fits_a_phone(live: Live, first: Browser) -> None:
     with browser(live.url) as phone:
         size = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
@@ -208,7 +238,9 @@ def test_a_server_that_dies_is_started_again_and_a_killed_browser_leaves_the_run
     opened = Browser(live.url)
     until(lambda: opened.value("g.y") == 0.5)
     reached = opened.script("return rig.time")
-    os.kill(opened.driver.service.process.pid, signal.SIGKILL)
+    driver = opened.driver.service.process.pid
+    for killed in [driver, *children(driver)]:  # without the others below it they stay for ever
+        os.kill(killed, signal.SIGKILL)
     pid = next(pid for pid in children(live.process.pid) if "live.page" in command(pid))
     os.kill(pid, signal.SIGKILL)
     with browser("about:blank") as later:
