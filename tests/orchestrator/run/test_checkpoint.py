@@ -13,7 +13,7 @@ import pytest
 from helpers import Part, edited, plan_of, system_text
 from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.loop import cells, run
+from rovbrush.orchestrator.loop import cells, run, turns
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files.netcdf import write_netcdf
 from rovbrush.orchestrator.results.tables import AT_START, Run
@@ -89,6 +89,7 @@ def test_ctrl_c_within_a_cycle_goes_on_bitwise(
 
         original = run.step
         monkeypatch.setattr(run, "step", step)
+        monkeypatch.setattr(turns, "step", step)
         session.advance()
         monkeypatch.undo()
         assert "interrupted by the user" in session.failure and session.resumable
