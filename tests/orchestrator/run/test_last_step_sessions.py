@@ -61,6 +61,7 @@ def test_ctrl_c_within_the_last_steps_goes_on_bitwise(
     algorithm: str, tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from rovbrush.orchestrator.loop import run as loop_run
+    from rovbrush.orchestrator.loop import turns
 
     plan = car(tmp_path, fmus, algorithm, "11 ms")
     with Session(plan, interpreted=True) as session:
@@ -72,6 +73,7 @@ def test_ctrl_c_within_the_last_steps_goes_on_bitwise(
 
         original = loop_run.step
         monkeypatch.setattr(loop_run, "step", step)
+        monkeypatch.setattr(turns, "step", step)
         session.advance()
         monkeypatch.undo()
         assert "interrupted" in session.failure and session.at.operation > 0 and session.at.cycle == 3

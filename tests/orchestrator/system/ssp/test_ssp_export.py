@@ -171,7 +171,7 @@ def test_the_command_writes_an_ssp_that_the_other_commands_take(
     assert "system test_stand: motor and brush on a test stand" in capsys.readouterr().out
     rovbrush("run", file, "--set", "motor.R=0.1", "--out", str(out))
     assert json.loads((out / "manifest.json").read_text())["components"]["motor"]["parameters"]["R"] == 0.1
-    with pytest.raises(InputError, match="choose one of --ssp and --container"):
+    with pytest.raises(InputError, match="choose one of --ssp, --fmu, --c DIR and --container"):
         rovbrush("export", file)
     with pytest.raises(InputError, match=r"SSP version '3' cannot be written; take 1\.0 or 2\.0"):
         rovbrush("export", file, "--ssp", "--ssp-version", "3", "--out", str(tmp_path / "other.ssp"))
