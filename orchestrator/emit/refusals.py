@@ -28,6 +28,7 @@ from ..loop.operations import (
     STEP,
     WORK,
 )
+from ..plan.algorithms.registry import ALGORITHMS, algorithm_of
 from ..plan.plan import Plan
 from ..system.model import System
 from ..system.replace.view import crossings_of
@@ -43,9 +44,10 @@ CONTAINER = "take --container, or an SSP (--ssp)"
 
 def check_system(system: System) -> None:
     """Raise InputError for what a system of C cannot hold; before it is planned."""
-    if system.algorithm not in ("jacobi", "gauss-seidel"):
+    if not algorithm_of(system).one_pass:
+        others = " and ".join(f"'{kind.name}'" for kind in ALGORITHMS if kind.one_pass)
         raise InputError(
-            f"algorithm '{system.algorithm}' is not written as C; 'jacobi' and 'gauss-seidel' are: choose one of them "
+            f"algorithm '{system.algorithm}' is not written as C; {others} are: choose one of them "
             f"({system.path.name}), or {CONTAINER}"
         )
     if system.events:

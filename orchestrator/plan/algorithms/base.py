@@ -44,6 +44,7 @@ class Algorithm:
     takes_noise: ClassVar[bool] = True  # a step may have other inputs than another one over the same time
     even: ClassVar[int] = 1  # where steps vary: each is a multiple of so many ticks
     parallel: ClassVar[bool] = False  # one pass, all components at once, as a container of FMUs does it
+    one_pass: ClassVar[bool] = False  # every step is made once, of fixed length
     takes_events: ClassVar[bool] = False  # goes along with steps that are stopped in the middle
     units: ClassVar[Mapping[str, str]] = {}  # of the signals `coupling.name` that it records
 

@@ -12,6 +12,7 @@ class GaussSeidel(Algorithm):
     """One pass, inputs from the latest values."""
 
     name = "gauss-seidel"
+    one_pass = True
     takes_events = True
 
     def explanation(self) -> str:

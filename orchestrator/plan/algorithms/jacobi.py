@@ -12,6 +12,7 @@ class Jacobi(Algorithm):
 
     name = "jacobi"
     parallel = True
+    one_pass = True
     takes_events = True
 
     def explanation(self) -> str:
