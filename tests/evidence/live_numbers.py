@@ -1,4 +1,6 @@
-"""`python -m tests.evidence.live_numbers [SECONDS]`: what a page of `hull_pass` costs, and how soon it is there.
+"""`python -m tests.evidence.live_numbers [SECONDS [OPTION...]]`: what a page costs, and how soon it is there.
+
+The options are those of `rovbrush live hull_pass`, for instance `--fifo 20`.
 
 It needs chromium and chromedriver, and built native FMUs (ROVBRUSH_FMUS). The browser draws by software.
 """
@@ -80,7 +82,7 @@ def awaited(look: Callable[[], Any], run: subprocess.Popen[bytes], said: Path) -
     return found
 
 
-def measure(seconds: float) -> None:
+def measure(seconds: float, options: list[str]) -> None:
     opened = browser()  # it takes a while by itself
     with tempfile.TemporaryDirectory() as folder:
         said = Path(folder) / "said"
@@ -97,7 +99,9 @@ def measure(seconds: float) -> None:
             "0",
         ]
         with said.open("wb") as target:
-            run = subprocess.Popen([*command, "--out", f"{folder}/out"], stdout=target, stderr=subprocess.STDOUT)
+            run = subprocess.Popen(
+                [*command, "--out", f"{folder}/out", *options], stdout=target, stderr=subprocess.STDOUT
+            )
         try:
             (place,) = awaited(lambda: re.findall(r"http://\S+", said.read_text()), run, said)
             opened.get(place)
@@ -142,4 +146,4 @@ def measure(seconds: float) -> None:
 
 if __name__ == "__main__":
     os.environ.pop("PYTEST_CURRENT_TEST", None)
-    measure(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0)
+    measure(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0, sys.argv[2:])
