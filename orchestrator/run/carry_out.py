@@ -91,8 +91,8 @@ def carry_out(
         with stop.heard(), Session(plan, file=file, stop_requests=stop, pace=pace) as session:
             if begin:
                 begin.restore(session, force)
-            remove(out, older)
-            with scheduled(pace), watched(session):
+            with scheduled(pace), watched(session):  # what refuses here has cost nobody their results
+                remove(out, older)
                 _advance(session, out, request, progress, go)
             resume = _resume(session, out, request) if go is Session.advance else ""  # another one is not known again
             run = session.run()

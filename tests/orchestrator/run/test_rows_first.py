@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import h5py
@@ -22,6 +23,8 @@ from rovbrush.orchestrator.results.files.writing import write_results, write_row
 from rovbrush.orchestrator.results.opened import open_tables
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.carry_out import Finished, carry_out, claim
+from rovbrush.orchestrator.run.pacing.pace import Pace
+from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
@@ -152,6 +155,24 @@ def test_a_run_replaces_its_own_files_and_nothing_else(tmp_path: Path, fmus: Pat
         path.write_text("")
     done(plan, out)
     assert not (out / "old.png").exists() and (out / "mine.png").exists() and (tmp_path / "no.txt").exists()
+
+
+@pytest.mark.parametrize("refused", ["processors", "watching"])
+def test_what_is_refused_as_a_run_begins_costs_no_earlier_results(refused: str, tmp_path: Path, fmus: Path) -> None:
+    def watched(_session: Session) -> AbstractContextManager[None]:
+        raise InputError("nobody can watch")
+
+    plan, out = plan_of(tmp_path, fmus, WAVE, stop="5 ms"), tmp_path / "out"
+    done(plan, out)
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    folder, older = claim(out, plan.system.name, True)
+    with pytest.raises(InputError, match=r"cannot be held on processors 4000|nobody can watch"):
+        if refused == "watching":
+            carry_out(plan, folder, Request("case"), older, watched=watched)
+        else:
+            paced = planned(plan.system, deadlines="")
+            carry_out(paced, folder, Request("case"), older, pace=Pace(cores=(4000,)))
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
 
 
 @pytest.mark.parametrize("others", ["another system", "a sweep"])
