@@ -1,7 +1,8 @@
 """The machine code of a pool, as text for LLVM.
 
 What one thread writes before a store of a state with `release` is seen by who reads that state with `acquire`: on
-x86-64 these are plain moves, on aarch64 `stlr` and `ldar`; a job is taken by one compare-and-exchange.
+x86-64 these are plain moves, on aarch64 `stlr` and `ldar`; a job is taken by one compare-and-exchange. Workers begin
+with the last job, the thread of the run with the first; while there are more, it waits for none that another has.
 """
 
 from __future__ import annotations
@@ -108,6 +109,48 @@ copy:
 end:
   ret void
 }}
+define internal ptr @taken() {{
+begin:
+  %pjobs = inttoptr i64 {count_at} to ptr
+  %count = load i64, ptr %pjobs
+  br label %next
+next:
+  %k = phi i64 [ %count, %begin ], [ %k1, %not ]
+  %k1 = sub i64 %k, 1
+  %left = icmp sge i64 %k1, 0
+  br i1 %left, label %at, label %nothing
+at:
+  %job = call ptr @job(i64 %k1)
+  %state = load atomic i64, ptr %job monotonic, align 8
+  %is = icmp eq i64 %state, {POSTED}
+  br i1 %is, label %try, label %not
+try:
+  %got = cmpxchg ptr %job, i64 {POSTED}, i64 {TAKEN} acquire monotonic
+  %mine = extractvalue {{ i64, i1 }} %got, 1
+  br i1 %mine, label %found, label %not
+not:
+  br label %next
+found:
+  ret ptr %job
+nothing:
+  ret ptr null
+}}
+define internal void @do(ptr %job) {{
+  %pt = call ptr @cell(ptr %job, i64 {TIME})
+  %t = load double, ptr %pt
+  %ph = call ptr @cell(ptr %job, i64 {LENGTH})
+  %h = load double, ptr %ph
+  %pf = call ptr @cell(ptr %job, i64 {FINAL})
+  %f64 = load i64, ptr %pf
+  %final = trunc i64 %f64 to i32
+  %flags = call ptr @cell(ptr %job, i64 {FLAGS})
+  %r = call i32 @call(ptr %job, double %t, double %h, i32 %final, ptr %flags)
+  %r64 = sext i32 %r to i64
+  %ps = call ptr @cell(ptr %job, i64 {STATUS})
+  store i64 %r64, ptr %ps
+  store atomic i64 {DONE}, ptr %job release, align 8
+  ret void
+}}
 define internal i32 @step(ptr %job, double %t, double %h, i32 %final, ptr %f) {{
   %pmode = inttoptr i64 {mode_at} to ptr
   %mode = load i64, ptr %pmode
@@ -165,10 +208,17 @@ steal:
   store atomic i64 {IDLE}, ptr %job release, align 8
   ret i32 %rs
 wait:
-  %n = phi i64 [ 0, %posted ], [ %n1, %again ]
+  %n = phi i64 [ 0, %posted ], [ %n1, %again ], [ 0, %help ]
   %now = load atomic i64, ptr %job acquire, align 8
   %done = icmp eq i64 %now, {DONE}
-  br i1 %done, label %finished, label %spin
+  br i1 %done, label %finished, label %look
+look:
+  %other2 = call ptr @taken()
+  %none = icmp eq ptr %other2, null
+  br i1 %none, label %spin, label %help
+help:
+  call void @do(ptr %other2)
+  br label %wait
 spin:
   %n1 = add i64 %n, 1
   %long = icmp sgt i64 %n1, {spins}
@@ -193,7 +243,6 @@ finished:
 define void @worker() {{
 begin:
   %pstop = inttoptr i64 {stop_at} to ptr
-  %pjobs = inttoptr i64 {count_at} to ptr
   br label %look
 look:
   %idle = phi i64 [ 0, %begin ], [ %idle1, %rested ], [ 0, %found ]
@@ -201,38 +250,11 @@ look:
   %go = icmp eq i64 %stop, 0
   br i1 %go, label %scan, label %end
 scan:
-  %count = load i64, ptr %pjobs
-  br label %next
-next:
-  %k = phi i64 [ 0, %scan ], [ %k1, %not ]
-  %left = icmp slt i64 %k, %count
-  br i1 %left, label %at, label %nothing
-at:
-  %job = call ptr @job(i64 %k)
-  %state = load atomic i64, ptr %job monotonic, align 8
-  %is = icmp eq i64 %state, {POSTED}
-  br i1 %is, label %try, label %not
-try:
-  %got = cmpxchg ptr %job, i64 {POSTED}, i64 {TAKEN} acquire monotonic
-  %mine = extractvalue {{ i64, i1 }} %got, 1
-  br i1 %mine, label %found, label %not
-not:
-  %k1 = add i64 %k, 1
-  br label %next
+  %job = call ptr @taken()
+  %none = icmp eq ptr %job, null
+  br i1 %none, label %nothing, label %found
 found:
-  %pt = call ptr @cell(ptr %job, i64 {TIME})
-  %t = load double, ptr %pt
-  %ph = call ptr @cell(ptr %job, i64 {LENGTH})
-  %h = load double, ptr %ph
-  %pf = call ptr @cell(ptr %job, i64 {FINAL})
-  %f64 = load i64, ptr %pf
-  %final = trunc i64 %f64 to i32
-  %flags = call ptr @cell(ptr %job, i64 {FLAGS})
-  %r = call i32 @call(ptr %job, double %t, double %h, i32 %final, ptr %flags)
-  %r64 = sext i32 %r to i64
-  %ps = call ptr @cell(ptr %job, i64 {STATUS})
-  store i64 %r64, ptr %ps
-  store atomic i64 {DONE}, ptr %job release, align 8
+  call void @do(ptr %job)
   br label %look
 nothing:
   %idle1 = add i64 %idle, 1

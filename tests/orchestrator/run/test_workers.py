@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import ctypes
 import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from time import monotonic
 
 import numpy as np
 import pytest
 from helpers import rovbrush
 from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.loop.workers.pool import why_not_here
+from rovbrush.orchestrator.loop.workers.pool import Pool, Stepped, why_not_here
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.session import Session
@@ -26,6 +28,8 @@ from rovbrush.orchestrator.system.request import Request
 from rovbrush.orchestrator.system.workers import with_workers
 
 pytestmark = [needs_gcc, pytest.mark.skipif(bool(why_not_here()), reason=why_not_here())]
+
+STEP_FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_int)
 
 
 @pytest.fixture
@@ -111,6 +115,37 @@ def test_python_fmus_in_processes_overlap_with_the_same_bits(fmus: Path, tmp_pat
     path.write_text(f'format = 2\nstop_time = "20 ms"\n{tables}')
     system = load_system(str(path), fmus)
     assert same(with_threads(system, 1), with_threads(system, 2))
+
+
+def test_no_thread_waits_for_a_step_while_another_one_is_not_begun() -> None:
+    begun = [threading.Event() for _ in range(4)]
+    last_begun: list[bool] = []
+
+    def step(k: int) -> Callable[[int | None, float, float, int], int]:
+        def do(instance: int | None, time: float, length: float, final: int) -> int:
+            begun[k].set()
+            if k == 0:  # the others are posted now; a worker takes one
+                until = monotonic() + 20.0
+                while not any(event.is_set() for event in begun[1:]) and monotonic() < until:
+                    pass
+            elif threading.current_thread() is not threading.main_thread():
+                last_begun.append(all(event.wait(20.0) for event in begun))
+            return 0
+
+        return do
+
+    functions = [STEP_FUNCTION(step(k)) for k in range(4)]
+    pool = Pool([[Stepped(2, ctypes.cast(f, ctypes.c_void_p).value or 0, 0) for f in functions]])
+    pool.share(1)
+    try:
+        stubs = [STEP_FUNCTION(address) for address in pool.addresses]
+        for order in ([0, 3, 1, 2], [0, 1, 2, 3], [0, 2, 3, 1]):  # whichever it waits for
+            for event in begun:
+                event.clear()
+            assert [stubs[k](None, 0.0, 1e-3, 1) for k in order] == [0] * 4
+    finally:
+        pool.close()
+    assert last_begun and all(last_begun)
 
 
 def test_steps_of_a_microsecond_stay_on_one_thread_and_long_ones_do_not() -> None:
