@@ -71,7 +71,7 @@ fmi2Status fmi2Reset(fmi2Component c) {
 #define GET(Name, Type, KIND, CONVERT)                                                                             \
     fmi2Status fmi2Get##Name(fmi2Component c, const fmi2ValueReference vr[], size_t count, Type values[]) {        \
         for (size_t k = 0; k < count; k++) {                                                                       \
-            const double *place = instance_readable(c, vr[k], 1, KIND);                                            \
+            const double *place = instance_read(c, vr[k], 1, KIND);                                                \
             if (!place) return fmi2Error;                                                                          \
             values[k] = CONVERT(*place);                                                                           \
         }                                                                                                          \

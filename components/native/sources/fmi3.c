@@ -89,7 +89,7 @@ static size_t size_of(fmi3ValueReference vr) {
 static bool is_time(fmi3ValueReference vr) { return vr == (unsigned)component.value_count; }
 
 static const double *readable(Instance *instance, fmi3ValueReference vr, size_t size, Kind kind) {
-    if (!is_time(vr)) return instance_readable(instance, vr, size, kind);
+    if (!is_time(vr)) return instance_read(instance, vr, size, kind);
     if (kind == REAL) return instance->v + vr;
     instance_report(instance, STATUS_ERROR, "%s: time is a Real (Float64)", instance->name);
     return NULL;

@@ -41,6 +41,16 @@ Status instance_require(const Instance *instance, int stages, const char *functi
 double *instance_readable(Instance *instance, unsigned reference, size_t count, Kind kind);
 double *instance_writable(Instance *instance, unsigned reference, size_t count, Kind kind);
 
+/* The same, at once where the outputs are those of the inputs, as they are behind every step. */
+static inline const double *instance_read(Instance *instance, unsigned reference, size_t count, Kind kind) {
+    if (instance->ready && !instance->stale && reference < (unsigned)component.value_count) {
+        const Variable *found = &component.variables[component.owners[reference]];
+        if (found->kind == kind && (size_t)(found->first + found->size) - reference >= count)
+            return instance->v + reference;
+    }
+    return instance_readable(instance, reference, count, kind);
+}
+
 Status instance_initialize(Instance *instance); /* parameters checked, state and outputs at the start */
 Status instance_step(Instance *instance, double time, double step);
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Sequence
 
-from ...fmu.types import BOOLEAN, TEXT, FmiType
+from ...fmu.types import BOOLEAN, FLOAT, TEXT, FmiType
 from ...plan.plan import Plan
 from ...results.files.csv import rate_names
 from ..carried import members
 from ..units import Unit
 from .exchange import Names
-from .exposed import Exposed
+from .exposed import OUTPUT, Exposed
 from .instants import Cycle
 from .names import comment, number, text, whole
 
@@ -114,6 +114,12 @@ def variables_table(name: str, shown: Iterable[Exposed]) -> str:
             f"{e.slot}, {e.reference}, {e.index}, {e.count}, {int(e.given)}, {start}, {said}}},"
         )
     return "\n".join([*lines, "};"])
+
+
+def in_cells_table(name: str, shown: Iterable[Exposed]) -> str:
+    """Where doubles are to be read at any step: outputs by their cells, -1 for all else."""
+    cells = [e.slot if e.causality == OUTPUT and e.kind.code == FLOAT and e.kind.size == 8 else -1 for e in shown]
+    return f"const int {name}_in_cells[{name}_VARIABLES] = {{{', '.join(map(str, cells or [-1]))}}};"
 
 
 def _kind(kind: FmiType) -> str:

@@ -18,6 +18,7 @@ from .requirements import requirements
 from .rows import Cost, Rows
 from .tables import (
     cells_table,
+    in_cells_table,
     instants_table,
     parts_table,
     references_table,
@@ -95,6 +96,7 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         *beginning,
         requirements(plan, shown, name),
         variables_table(name, shown),
+        in_cells_table(name, shown),
         words_table(name, names),
         f"const int {name}_loop_places[{name}_LOOPS + 1] = {{"
         + ", ".join([*(str(first + 1) for first in plan.layout.loops), "0"])

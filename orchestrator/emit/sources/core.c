@@ -167,7 +167,7 @@ int SYSTEM_go_to(SYSTEM *s, double time, double step) {
     if (!(fabs(time - s->now.time) <= near))
         return SYSTEM_say(s, s->name, 3, "a step from t = %.17g s is not possible: %s is at %.17g s", time, s->name, s->now.time);
     const int64_t end = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : s->now.first;
-    if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !is_instant(s, end))
+    if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !(end == SYSTEM_next(s) || is_instant(s, end)))
         return SYSTEM_say(s, s->name, 3, "a step of %.9g s from t = %.9g s is not possible: %s goes on by instants, the next one at %.9g s",
                     step, time, s->name, seconds(SYSTEM_next(s)));
     while (SYSTEM_next(s) <= end)
@@ -269,6 +269,17 @@ int SYSTEM_get_real(SYSTEM *s, int k, double *value) {
     SYSTEM_Value found;
     if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || number(s, k, &found)) return 1;
     *value = found.real;
+    return 0;
+}
+
+/* Outputs lie in their cells while it runs: a host that records hundreds of them at each step has them at once. */
+int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *values) {
+    const bool there = s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED;
+    for (size_t k = 0; k < n; k++) {
+        const int cell = there && variables[k] < SYSTEM_VARIABLES ? SYSTEM_in_cells[variables[k]] : -1;
+        if (cell >= 0) values[k] = s->now.z[cell];
+        else if (SYSTEM_get_real(s, variables[k] < SYSTEM_VARIABLES ? (int)variables[k] : -1, &values[k])) return 1;
+    }
     return 0;
 }
 

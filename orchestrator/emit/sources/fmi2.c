@@ -108,7 +108,10 @@ FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
         return fmi2OK;                                                                                             \
     }
 
-GET(Real, fmi2Real, real, double)
+FMI2_Export fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real v[]) {
+    return status_of(SYSTEM_get_reals(&((Instance *)c)->s, vr, n, v));
+}
+
 GET(Integer, fmi2Integer, whole, int64_t)
 GET(Boolean, fmi2Boolean, whole, int64_t)
 GET(String, fmi2String, text, const char *)

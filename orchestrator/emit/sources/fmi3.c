@@ -111,6 +111,10 @@ static bool of_type(Instance *instance, fmi3ValueReference vr, Type type) {
                                          size_t n_values) {                                                        \
         for (size_t k = 0; k < n && k < n_values; k++) {                                                           \
             ctype found;                                                                                           \
+            if (in_cell(c, vr[k], TYPE)) {                                                                         \
+                v[k] = (fmi3##Name)((Instance *)c)->s.now.z[SYSTEM_in_cells[vr[k]]];                               \
+                continue;                                                                                          \
+            }                                                                                                      \
             if (is_time(vr[k], TYPE)) found = (ctype)((Instance *)c)->s.now.time;                                  \
             else if (!of_type(c, vr[k], TYPE) || SYSTEM_get_##function(&((Instance *)c)->s, (int)vr[k], &found))   \
                 return fmi3Error;                                                                                  \
@@ -129,6 +133,13 @@ static bool of_type(Instance *instance, fmi3ValueReference vr, Type type) {
 #define BOTH(Name, TYPE, function, ctype) GET(Name, TYPE, function, ctype) SET(Name, TYPE, function)
 
 static bool is_time(fmi3ValueReference vr, Type type) { return vr == SYSTEM_VARIABLES && type == T_FLOAT64; }
+
+/* Whether a double can be read from its cell as it is: most are, at every step. */
+static inline bool in_cell(const Instance *instance, fmi3ValueReference vr, Type type) {
+    const SYSTEM_Stage stage = instance->s.now.stage;
+    return type == T_FLOAT64 && vr < SYSTEM_VARIABLES && SYSTEM_in_cells[vr] >= 0 &&
+           (stage == SYSTEM_RUNNING || stage == SYSTEM_TERMINATED);
+}
 
 BOTH(Float64, T_FLOAT64, real, double)
 BOTH(Float32, T_FLOAT32, real, double)

@@ -36,6 +36,7 @@ typedef struct {
 } Instant;
 
 extern const Part SYSTEM_parts[SYSTEM_PARTS];
+extern const int SYSTEM_in_cells[SYSTEM_VARIABLES]; /* the cell of a double that can be read there at any step, or -1 */
 extern const Instant SYSTEM_cycle[SYSTEM_INSTANTS], SYSTEM_last[SYSTEM_LAST_INSTANTS];
 
 int SYSTEM_first_cells(SYSTEM *s);

@@ -107,6 +107,7 @@ int SYSTEM_set_real(SYSTEM *s, int variable, double value);
 int SYSTEM_set_whole(SYSTEM *s, int variable, int64_t value); /* whole numbers, items of enumerations, 0 and 1 */
 int SYSTEM_set_text(SYSTEM *s, int variable, const char *value);
 int SYSTEM_get_real(SYSTEM *s, int variable, double *value);
+int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *values);
 int SYSTEM_get_whole(SYSTEM *s, int variable, int64_t *value);
 int SYSTEM_get_text(SYSTEM *s, int variable, const char **value);
 
