@@ -2,6 +2,7 @@
 
     fmus/HASH/       an unpacked archive (`fmu/files/unpacked.py`)
     kernels/NAME/    a compiled kernel (`components/python/kernel_cache.py`, which knows this layout by convention)
+    loops/NAME/      machine code of a plan (`loop/machine/objects.py`)
     servers/NAME/    what loads FMUs for Windows (`participant/windows/build.py`)
     users/, lock     what living processes need (`cache_users.py`)
     moving/          what is being unpacked or thrown away just now
@@ -30,6 +31,7 @@ UNITS = {"": 1, "B": 1, "kB": 10**3, "MB": 10**6, "GB": 10**9, "TB": 10**12}
 ENTRIES = {
     "fmus": r"[0-9a-f]{24}|unpacking-\w+",
     "kernels": r"\w+_[0-9a-f]{24}(\.py)?|__pycache__",
+    "loops": r"\w+_[0-9a-f]{24}",
     "servers": r"win\d\d_[0-9a-f]{24}",
     "moving": r"\w+",
 }

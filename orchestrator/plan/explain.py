@@ -20,6 +20,7 @@ from .happening.scenario_text import scenario_in_words
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
 from .schedule.operation_text import OperationText
+from .straight import straight_words
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:
@@ -105,6 +106,7 @@ def explain(plan: Plan, operations: int | None = None) -> str:
     if len(plan.last):
         lines += _listed(plan, plan.last, f"in the last {seconds_text(clock.seconds(clock.rest))}", operations)
         lines += fused_words(plan, plan.last, few)
+    lines += straight_words(plan)
     if plan.events:
         for name, rows in plan.at_events.bring.items():
             lines += _listed(plan, rows, f"to bring {name} to an event, as from the beginning of its step", operations)

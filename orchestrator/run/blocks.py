@@ -20,6 +20,7 @@ from .memory.program import Program, as_it_is, fused
 from .pacing.pacer import Pacer
 from .position import Position
 from .recording.recorder import Recorder
+from .straight_on import StraightOn
 
 if TYPE_CHECKING:
     from .workers import Workers
@@ -35,13 +36,14 @@ class Blocks:
 
     def __init__(
         self, function: Callable[..., int], plan: Plan, instances: dict[str, Participant], memory: Memory,
-        space: AlgorithmState, control: np.ndarray, fuses: bool = True,
+        space: AlgorithmState, control: np.ndarray, fuses: bool = True, straight: str = "pays",
     ) -> None:  # fmt: skip
         self.function, self.plan, self.memory = function, plan, memory
         self.space, self.control = space, control
         self.components, self.blocks, self.typed = memory.tables(instances)
         self._clock = plan.cycle_ticks, plan.clock.numerator, plan.clock.denominator
         self._fuses = fuses
+        self._straight = StraightOn(plan, straight if fuses else "never")
         self._programs: dict[tuple[int, bool], Program] = {}  # by operations, and whether they are fused
         self._prepared: tuple[object, object, Callable[..., int]] = (None, None, function)
         # The arrays of the recorder, and what does one whole cycle of the schedule with them; None where it is unknown.
@@ -82,12 +84,20 @@ class Blocks:
         """What is done in a cycle, or from an operation within it to its end."""
         key = id(operations), whole and self._fuses
         if key not in self._programs:
-            made = fused(self.plan, operations, self.components, self.blocks) if key[1] else as_it_is(operations)
+            made = as_it_is(operations)
+            if key[1]:
+                code = None
+                if isinstance(self.function, Loop) and operations is self.plan.cycle:
+                    code = self._straight.code(self.components, self.blocks, self.function.waits)
+                table = self.components, self.blocks
+                made = made._replace(code=code) if code else fused(self.plan, operations, *table)
             self._programs[key] = made
         return self._programs[key]
 
     def run(self, at: Position, size: int, recorder: Recorder) -> tuple[int, bool]:
         """Do a block from where the run is: the code that the loop ends with, and whether it is time to look around."""
+        if self._straight.is_time(at.cycle):
+            self._forget()
         program, arrays = self._program(self.plan.operations(at.cycle), at.operation == 0), recorder.arrays
         if self._prepared[0] is not program or self._prepared[1] is not arrays:
             self._prepared = program, arrays, self._prepare(program, arrays)
@@ -130,7 +140,7 @@ class Blocks:
             program.rows, self.plan.coefficients, self.components, self.blocks, self.memory.z,
             *self.typed, *recorded, self.control, *self.space.arrays, program.moves, program.turns,
         )  # fmt: skip
-        return with_arrays(self.function, arrays)
+        return with_arrays(program.code or self.function, arrays)
 
     def run_rows(self, rows: np.ndarray, cycle: int) -> int:
         """Do some operations at once, as of a cycle, whatever the loop is waiting for; the code that it ends with."""

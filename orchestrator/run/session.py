@@ -54,8 +54,8 @@ class Session:
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
     `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. `pace`:
     how it keeps pace with the clock on the wall, of a plan that has deadlines. `fuses`: whether the loop does in one
-    go what can be (`plan/fused.py`), bitwise equal. Raises FmuError or InputError if the
-    start cannot be reached.
+    go what can be (`plan/fused.py`), `straight`: when by machine code of its own (`straight_on.py`), bitwise equal.
+    Raises FmuError or InputError if the start cannot be reached.
     """
 
     def __init__(
@@ -66,6 +66,7 @@ class Session:
         stop_requests: StopRequests | None = None,
         pace: Pace | None = None,
         fuses: bool = True,
+        straight: str = "pays",
     ) -> None:
         self.plan = plan
         self.failure = ""
@@ -103,7 +104,9 @@ class Session:
                 self.space = make_state(plan, self.instances)
                 self.events = Events(plan, self.memory, self.control, self.space, file)
                 self._access = Access(plan, self.memory, self.instances)
-                self._blocks = Blocks(function, plan, self.instances, self.memory, self.space, self.control, fuses)
+                self._blocks = Blocks(
+                    function, plan, self.instances, self.memory, self.space, self.control, fuses, straight
+                )
                 self._blocks.pacer = self.pacer
                 if plan.together.groups:
                     self._blocks.workers = _workers(plan, self._blocks)

@@ -53,8 +53,15 @@ class Stepping(Session):
     those of a run: RunError, FmuError.
     """
 
-    def __init__(self, plan: Plan, interpreted: bool = False, pace: Pace | None = None, fuses: bool = True) -> None:
-        super().__init__(plan, interpreted, pace=pace, fuses=fuses)
+    def __init__(
+        self,
+        plan: Plan,
+        interpreted: bool = False,
+        pace: Pace | None = None,
+        fuses: bool = True,
+        straight: str = "pays",
+    ) -> None:
+        super().__init__(plan, interpreted, pace=pace, fuses=fuses, straight=straight)
         if self.stop_requests.asked:  # while the FMUs were initialized
             Session.close(self)
             raise KeyboardInterrupt

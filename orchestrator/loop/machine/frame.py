@@ -36,10 +36,14 @@ _PLAIN = ctypes.PYFUNCTYPE(ctypes.c_int64)
 
 
 class Loop:
-    """`run.run` by the address of its machine code. `owner` lives as long. `waits`: without Python's lock."""
+    """`run.run` by the address of its machine code. `owner` lives as long. `waits`: without Python's lock.
+    `addresses`: what stands behind the arrays in the table, for code that wants it (`loop/straight/`)."""
 
-    def __init__(self, address: int, owner: Any = None, waits: bool = False) -> None:
+    def __init__(
+        self, address: int, owner: Any = None, waits: bool = False, addresses: np.ndarray | None = None
+    ) -> None:
         self._function, self._owner = (_WITHOUT_LOCK if waits else _PROTOTYPE)(address), owner
+        self.waits, self._addresses = waits, addresses
 
     def __call__(self, *arguments: Any) -> int:
         """What `run.run` returns for the same arguments. Raises TypeError for an array of another kind."""
@@ -47,7 +51,9 @@ class Loop:
 
     def with_arrays(self, *arrays: np.ndarray) -> Callable[..., int]:
         """The loop with its arrays, to be called with the whole numbers. Raises TypeError for one of another kind."""
-        frame = np.zeros((len(ARRAYS), WORDS), dtype=np.int64)
+        frame = np.zeros((len(ARRAYS) + 1, WORDS), dtype=np.int64)
+        if self._addresses is not None:
+            frame[-1, 0] = self._addresses.ctypes.data
         for k, (kind, array) in enumerate(zip(ARRAYS, arrays, strict=True)):
             if (
                 array.dtype != _DTYPES[kind]

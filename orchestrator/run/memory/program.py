@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...loop import cells, turns
+from ...loop.machine.frame import Loop
 from ...loop.operations import COLUMNS, COPY, ESTIMATE, ITERATE, MOVES, REPEAT, SOLVE, TURNS
 from ...plan.fused import Fused, Turn, fuse
 from ...plan.plan import Plan
@@ -15,13 +16,14 @@ from ...plan.together import take_turns
 
 class Program(NamedTuple):
     """`rows`, `moves` and `turns` as `loop.run` wants them; and which operation of the plan each row begins with, and
-    every turn's set, step and get (turns, PARTS) are."""
+    every turn's set, step and get (turns, PARTS) are. `code`: what does them, if it is machine code of their own."""
 
     rows: np.ndarray
     moves: np.ndarray
     turns: np.ndarray
     begins: np.ndarray
     parts: np.ndarray
+    code: Loop | None = None
 
     def operation(self, code: int, row: int, part: int) -> int:
         """The operation of the plan at which the loop ended with a code, in a row, and a part of turns."""
