@@ -12,8 +12,10 @@ from pathlib import Path
 from ..clock import common_tick
 from ..errors import InputError
 from ..fmu.types import BINARY, TEXT
+from ..plan.happening.scenario import with_values_from_start
 from ..plan.plan import Plan
 from ..run.planned import planned
+from ..system.event import set_inputs
 from ..system.model import System
 from .carried import as_library
 from .code.exchange import Key
@@ -43,8 +45,9 @@ def plan_for_c(system: System) -> Plan:
         for variable in (*component.fmu.names("output"), *component.fmu.names("input"))
         if (kind := component.fmu.type_of(variable)) is not None and kind.code not in (TEXT, BINARY)
     ]
+    names += [".".join(key) for key in set_inputs(system.events)]
     kept = [name for name in system.record if "*" not in name and "?" not in name]
-    every = replace(system, record=tuple(dict.fromkeys([*names, *kept])), events=())
+    every = with_values_from_start(replace(system, record=tuple(dict.fromkeys([*names, *kept]))))
     periods = [c.period for c in every.components.values()]
     tick = common_tick(periods)
     whole = tick * lcm(*(int(period / tick) for period in periods))

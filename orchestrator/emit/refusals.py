@@ -5,40 +5,13 @@ from __future__ import annotations
 from ..errors import InputError, listed
 from ..fmu.kinds import CO_SIMULATION, WORDS
 from ..fmu.types import BINARY, TEXT
-from ..loop.operations import (
-    ACCUMULATE,
-    COPY,
-    FIT,
-    GET,
-    LEDGER,
-    LINEAR,
-    MEAN,
-    MIX,
-    MOVE,
-    NAMES,
-    NUMBER,
-    PUSH,
-    QUADRATIC,
-    RECORD,
-    RISE,
-    SAMPLE,
-    SERIES,
-    SET,
-    SOLVE,
-    STEP,
-    WORK,
-)
+from ..loop.operations import NAMES
 from ..plan.algorithms.registry import ALGORITHMS, algorithm_of
 from ..plan.plan import Plan
 from ..system.model import System
 from ..system.replace.view import crossings_of
+from .code.rows import WRITTEN
 
-KNOWN = frozenset(
-    {
-        *(COPY, LINEAR, MEAN, SET, STEP, GET, PUSH, ACCUMULATE, RECORD, MOVE, QUADRATIC, MIX, WORK, LEDGER, SERIES),
-        *(SAMPLE, SOLVE, NUMBER, FIT, RISE),
-    }
-)
 CONTAINER = "take --container, or an SSP (--ssp)"
 
 
@@ -49,12 +22,6 @@ def check_system(system: System) -> None:
         raise InputError(
             f"algorithm '{system.algorithm}' is not written as C; {others} are: choose one of them "
             f"({system.path.name}), or {CONTAINER}"
-        )
-    if system.events:
-        event = system.events[0]
-        raise InputError(
-            f"events are not written as C, and the system has {event.name} {event.where}; export it without "
-            f"[[events]] and set inputs from outside, or take an SSP (--ssp)"
         )
     for name, component in system.components.items():
         fmu = component.fmu
@@ -98,7 +65,7 @@ def check_plan(plan: Plan) -> None:
             )
     for rows in (plan.cycle, plan.last):
         for code in rows[:, 0].tolist():
-            if code not in KNOWN:
+            if code not in WRITTEN:
                 raise InputError(
                     f"the operation '{NAMES[code]}' of {plan.system.name} is not written as C; {CONTAINER}"
                 )

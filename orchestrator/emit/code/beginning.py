@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...fmu.conversions import Conversion, How
+from ...loop.cells import OFFSET_OR_VALUE
+from ...plan.happening.scenario import from_start
+from ...system.event import stream_of
 from ...system.model import Connection
 from .exchange import Key, Names, indented
 from .exposed import Exposed
@@ -87,7 +90,7 @@ class Beginning:
         layout = self.plan.layout
         return [
             f"{self.names.cell(slot)} = {self.names.cell(layout.outputs[key])};"
-            for table in (layout.previous, layout.before, layout.begins)
+            for table in (layout.previous, layout.before, layout.begins, layout.samples, layout.parts)
             for key, slot in table.items()
         ]
 
@@ -104,10 +107,35 @@ class Beginning:
         real = self.names.memory.kind(c.source).real
         target = self.names.memory.kind(c.target).real
         cell = self.names.cells[self.plan.layout.inputs[c.target]]
-        return [
+        lines = [
             f"{'double' if real else 'int64_t'} x;", *self.names.get_one(c.source, "x"),
             *self._converted(c, self.plan.conversions[c], cell, target),
         ]  # fmt: skip
+        broken = self._broken(c, target)
+        return (
+            lines
+            if not broken
+            else [
+                line.replace("const double sent", "double sent").replace("const int64_t sent", "int64_t sent")
+                for line in lines
+            ]
+            + broken
+        )
+
+    def _broken(self, c: Connection, real: bool) -> list[str]:
+        """What faults from the start make of it."""
+        lines = []
+        for n, event in enumerate(self.plan.system.events):
+            first = self.plan.layout.faults.get((n, c.target))
+            if first is None or event not in from_start(self.plan.system):
+                continue
+            stream, start = whole(stream_of(event.fault)), whole(self.plan.clock.start)
+            cell = f"{'z' if real else 's->now.whole'}[{first + OFFSET_OR_VALUE}]"
+            lines.append(f"if (z[{first}] == 2.0) sent = {cell};")
+            if real:
+                name = self.names.system
+                lines.append(f"else if (z[{first}] == 1.0) sent = {name}_faulted(s, {first}, {stream}, {start}, sent);")
+        return lines
 
     def _converted(self, c: Connection, found: Conversion, cell: str, real: bool) -> list[str]:
         gain, offset = number(c.gain), number(c.offset)

@@ -45,7 +45,8 @@ class Names:
         for table in (layout.outputs, layout.inputs, layout.previous, layout.before, layout.begins):
             for key, slot in table.items():
                 self.whole[slot] = not self.memory.kind(key).real
-        for rows in (plan.cycle, plan.last):  # what is kept of an input is what the input is
+        events = [*plan.at_events.bring.values(), *plan.at_events.after.values()]
+        for rows in (plan.cycle, plan.last, *events):  # what is kept of an input is what the input is
             for _, _, _, a, b, *_ in rows[np.isin(rows[:, 0], (MOVE, PUSH))].tolist():
                 self.whole[b] |= self.whole[a]
         self.references: dict[tuple[int, ...], str] = {}  # tables of value references, each once

@@ -12,7 +12,7 @@ from itertools import groupby, pairwise
 import numpy as np
 
 from ...clock import seconds_text
-from ...loop.operations import GET, RECORD, SAMPLE, SERIES, SOLVE, STEP
+from ...loop.operations import FAULT, GET, PAUSE, RECORD, SAMPLE, SERIES, SOLVE, STEP, STEP_ON
 from ...plan.schedule.operation_text import OperationText
 from .beginning import CELLS
 from .exchange import Names, indented
@@ -25,7 +25,7 @@ class Functions:
     """Functions of C, and the tables of instants that name them."""
 
     texts: list[str] = field(default_factory=list)
-    known: dict[tuple[str, tuple[Row, ...]], str] = field(default_factory=dict)
+    known: dict[tuple[str, tuple[Row, ...], tuple[str, ...]], str] = field(default_factory=dict)
     costs: dict[str, Cost] = field(default_factory=dict)
 
 
@@ -33,7 +33,8 @@ class Functions:
 class Cycle:
     """The instants of a cycle: where each is [ticks], the function that begins steps there, that which ends them."""
 
-    instants: tuple[tuple[int, str, str], ...]  # the first has nothing that ends, the last nothing that begins
+    instants: tuple[tuple[int, str, str, str], ...]  # the first has nothing that ends, the last nothing that begins;
+    # and the table of where steps begin that events before it find
     step: Cost  # of the dearest step from an instant to the next
     whole: Cost
 
@@ -46,6 +47,7 @@ class Instants:
         self.found = Functions()
         self.text = OperationText(names.plan)
         self.solvers: list[str] = []  # tables of settings of loops
+        self.starts: dict[tuple[int, ...], str] = {}  # tables of where steps begin, for events
 
     def cycle(self, operations: np.ndarray) -> Cycle:
         """The functions of a cycle's instants, made where they are not known."""
@@ -55,12 +57,16 @@ class Instants:
         ]
         if not listed or listed[0][0] != 0:
             listed.insert(0, (0, []))
-        instants: list[tuple[int, str, str]] = []
+        instants: list[tuple[int, str, str, str]] = []
+        events = self.plan.at_events if operations is self.plan.cycle else self.plan.at_last_events
+        self._behind, first = events.starts.behind, 0
         for tick, rows in listed:
             split = max((k for k, row in enumerate(rows) if row[0] == RECORD), default=len(rows) - 1) + 1
             split = split if tick else 0
-            ends = self._function("end", rows[:split], tick) if tick else ""
-            instants.append((tick, self._function("begin", rows[split:], tick), ends))
+            ends = self._function("end", rows[:split], tick, first) if tick else ""
+            starts = self._starts(first, tick) if self.plan.system.events else ""
+            instants.append((tick, self._function("begin", rows[split:], tick, first + split), ends, starts))
+            first += len(rows)
         costs = self.found.costs | {"": Cost()}
         steps = [costs[here[1]] + costs[there[2]] for here, there in pairwise(instants)]
         dearest, whole = Cost(), Cost()
@@ -68,20 +74,39 @@ class Instants:
             dearest, whole = dearest.most(cost), whole + cost
         return Cycle(tuple(instants), dearest, whole)
 
-    def _function(self, what: str, rows: list[Row], tick: int) -> str:
-        """The name of the function that does these rows; empty where there are none."""
+    def _starts(self, row: int, tick: int) -> str:
+        """The table of where each component's first step begins that is not done before an operation, from here on."""
+        key = tuple(start - tick for start in self._behind(row))
+        return self.starts.setdefault(key, f"STARTS_{len(self.starts)}")
+
+    def starts_tables(self) -> list[str]:
+        """All of these tables."""
+        return [f"static const int64_t {name}[] = {{{', '.join(map(str, k))}}};" for k, name in self.starts.items()]
+
+    def lines(self, rows: np.ndarray, at: str = "at") -> list[str]:
+        """Operations of an event as lines, as from time 0; `at`: where the steps begin to which faults belong."""
+        self.rows.begins = at
+        lines, _ = self._body([tuple(row) for row in rows.tolist()], 0)
+        self.rows.begins = "at"
+        return lines
+
+    def _function(self, what: str, rows: list[Row], tick: int, first: int) -> str:
+        """The name of the function that does these rows, of which `first` is the number of the first one; empty where
+        there are none."""
         if not rows:
             return ""
-        key = what, tuple(_from_here(row, tick) for row in rows)
+        pauses = [self._starts(first + k, tick) for k, row in enumerate(rows) if row[0] == PAUSE]
+        self.rows.pauses = iter(pauses)
+        key = what, tuple(_from_here(row, tick) for row in rows), tuple(pauses)
         if key in self.found.known:
             return self.found.known[key]
         name = f"{what}_{sum(known.startswith(f'{what}_') for known in self.found.known.values()) + 1}"
         self.found.known[key] = name
         lines, cost = self._body(rows, tick)
-        first = seconds_text(self.plan.clock.seconds(tick))
+        there = seconds_text(self.plan.clock.seconds(tick))
         words = "What ends" if what == "end" else "What begins"
         self.found.texts.append("\n".join([
-            f"/* {words} at an instant, as {first} behind the beginning of a cycle. */",
+            f"/* {words} at an instant, as {there} behind the beginning of a cycle. */",
             f"static int {name}({self.names.system} *s, int64_t at) {{",
             *CELLS, "    (void)at;", *indented(lines), "    return 0;", "}",
         ]))  # fmt: skip
@@ -103,7 +128,7 @@ class Instants:
                 continue
             said = " ".join(self.text.text(list(rows[k])).split(None, 1)[1:])
             made = self.rows.lines(rows[k], tick)
-            if rows[k][0] in (STEP, GET, SOLVE):
+            if rows[k][0] in (STEP, STEP_ON, GET, SOLVE):
                 lines.append("")
             if made:
                 lines += [f"/* {comment(said.strip())} */", *made]
@@ -127,8 +152,8 @@ class Instants:
 def _from_here(row: Row, tick: int) -> Row:
     """A row with its times from its instant on."""
     code, _, c, a, b, p, q, k = row
-    if code == STEP:
+    if code in (STEP, STEP_ON):
         b -= tick
-    if code in (SERIES, SAMPLE):
+    if code in (SERIES, SAMPLE, FAULT):
         p -= tick
     return (code, 0, c, a, b, p, q, k)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, log2
 
 from ...loop.operations import (
     ACCUMULATE,
+    ACCUMULATE_ON,
     AT_AN_INSTANT,
     COPY,
+    FAULT,
     FIT,
     GET,
     LEDGER,
@@ -18,6 +20,7 @@ from ...loop.operations import (
     MIX,
     MOVE,
     NUMBER,
+    PAUSE,
     PUSH,
     QUADRATIC,
     RECORD,
@@ -25,13 +28,37 @@ from ...loop.operations import (
     SAMPLE,
     SERIES,
     SET,
+    SOLVE,
     STEP,
+    STEP_ON,
+    WATCH,
     WORK,
+    WORK_ON,
 )
 from .exchange import Names, indented
 from .names import number, whole
 
 Row = tuple[int, ...]
+HOW = {
+    SET: "_set",
+    GET: "_get",
+    STEP: "_step",
+    RECORD: "_record",
+    NUMBER: "_number",
+    FIT: "_fit",
+    SERIES: "_series",
+    SAMPLE: "_sample",
+    MEAN: "_mean",
+    LEDGER: "_ledger",
+    **dict.fromkeys((COPY, LINEAR, QUADRATIC, MIX, ACCUMULATE, RISE, WORK), "_sum"),
+    **dict.fromkeys((MOVE, PUSH), "_move"),
+    STEP_ON: "_step_on",
+    **dict.fromkeys((ACCUMULATE_ON, WORK_ON), "_on"),
+    WATCH: "_watch",
+    FAULT: "_fault",
+    PAUSE: "_pause",
+}  # operations, and what writes them
+WRITTEN = frozenset({*HOW, SOLVE})  # loops of direct dependence around others
 
 
 @dataclass(frozen=True)
@@ -61,16 +88,13 @@ class Rows:
         self.names, self.plan = names, names.plan
         self.tables: dict[int, str] = {}  # where a table lies in the coefficients, and its name in C
         self.items: dict[tuple[int, ...], str] = {}
-        self._known: dict[int, Callable[[Row, int], list[str]]] = {
-            SET: self._set, GET: self._get, STEP: self._step, RECORD: self._record, NUMBER: self._number,
-            FIT: self._fit, SERIES: self._series, SAMPLE: self._sample, MEAN: self._mean, LEDGER: self._ledger,
-            COPY: self._sum, LINEAR: self._sum, QUADRATIC: self._sum, MIX: self._sum, ACCUMULATE: self._sum,
-            RISE: self._sum, WORK: self._sum, MOVE: self._move, PUSH: self._move,
-        }  # fmt: skip
+        self.begins = "at"  # where steps begin to which faults belong: here, or by a table of all components
+        self.pauses: Iterator[str] = iter(())  # tables of where steps begin, of the pauses to come
 
     def lines(self, row: Row, tick: int) -> list[str]:
         """The lines of an operation that is listed at `tick`."""
-        return self._known[row[0]](row, tick)
+        made: list[str] = getattr(self, HOW[row[0]])(row, tick)
+        return made
 
     def cost(self, row: Row) -> Cost:
         """What an operation costs at most."""
@@ -79,15 +103,16 @@ class Rows:
             name = self.names.components[component]
             blocks = self.names.given(name) if code == SET else self.names.taken(name, a == AT_AN_INSTANT)
             return Cost(0, len(blocks), sum(block.size for block in blocks))
-        if code == STEP:
+        if code in (STEP, STEP_ON):
             return Cost(8, 1)
-        if code == RECORD:
-            return Cost()  # of the program, not of the system
+        if code in (RECORD, PAUSE):
+            return Cost()  # of the program, and of events, not of the system
         if code in (SERIES, SAMPLE):
             rows = int(self.plan.coefficients[k])
             return Cost(2 * ceil(log2(rows + 1)) + (8 * rows + 16) * (code == SERIES), 0, 1)
         arithmetic = {COPY: 2, LINEAR: 5, ACCUMULATE: 3, RISE: 3, MEAN: 7, NUMBER: 3, FIT: 5 + 2 * q, WORK: 6}
-        arithmetic |= {LEDGER: 2, QUADRATIC: 10, MIX: 6, MOVE: 0, PUSH: 0}
+        arithmetic |= {LEDGER: 2, QUADRATIC: 10, MIX: 6, MOVE: 0, PUSH: 0, ACCUMULATE_ON: 5, WORK_ON: 6, WATCH: 2}
+        arithmetic |= {FAULT: 40}
         return Cost(arithmetic[code], 0, 1)
 
     # --- FMUs ---
@@ -105,16 +130,57 @@ class Rows:
         _, _, component, a, b, *_ = row
         name = self.names.components[component]
         begin = [f"const double t = seconds({_at(b - tick)});", f"const double h = length_of(s, t, seconds({a}));"]
+        return ["{", *indented([*begin, *self._do_step(name)]), "}"]
+
+    def _do_step(self, name: str) -> list[str]:
+        """The step of a component from `t` over `h`."""
         if self.names.units[name].version == 2:
-            lines = [*begin, self.names.call(name, "make a step", "DoStep", "t, h, s->final")]
-        else:
-            arguments = "t, h, s->final != 0, &event, &end, &early, &last"
-            lines = [
-                *begin, "fmi3Boolean event = 0, end = 0, early = 0;", "fmi3Float64 last = t;",
-                self.names.call(name, "make a step", "DoStep", arguments),
-                f"if (end || early || event) return asks(s, {self.names.parts[name]}, end, early);",
-            ]  # fmt: skip
+            return [self.names.call(name, "make a step", "DoStep", "t, h, s->final")]
+        arguments = "t, h, s->final != 0, &event, &end, &early, &last"
+        return [
+            "fmi3Boolean event = 0, end = 0, early = 0;", "fmi3Float64 last = t;",
+            self.names.call(name, "make a step", "DoStep", arguments),
+            f"if (end || early || event) return asks(s, {self.names.parts[name]}, end, early);",
+        ]  # fmt: skip
+
+    def _step_on(self, row: Row, tick: int) -> list[str]:
+        _, _, component, a, b, *_ = row
+        name = self.names.components[component]
+        part = self.names.parts[name]
+        lines = [
+            f"double t = seconds({_at(b - tick)}), h = seconds({a}), until = seconds({_at(b + a - tick)});",
+            f"if (part_of_step(s, {part}, &t, &h, &until)) {{", *indented(self._do_step(name)),
+            f"    s->now.reached[{part}] = until;", "}",
+        ]  # fmt: skip
         return ["{", *indented(lines), "}"]
+
+    # --- events ---
+
+    def _pause(self, row: Row, _tick: int) -> list[str]:
+        if not self.plan.system.events:
+            return []
+        return [f"if (at >= s->now.event_at && paused(s, at, {next(self.pauses)})) return 1;"]
+
+    def _watch(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, _ = row
+        value = f"(double)w[{self.names.cells[a]}]" if p else f"z[{self.names.cells[a]}]"
+        return [f"watch(s, {value}, {self.names.cells[b]}, {int(q)});"]
+
+    def _fault(self, row: Row, tick: int) -> list[str]:
+        _, _, component, a, b, p, q, _ = row
+        begins = "at" if self.begins == "at" else f"starts[{self.names.parts[self.names.components[component]]}]"
+        counter = f"{begins} + {p - tick}" if p != tick else begins
+        return [f"fault(s, {self.names.cells[a]}, {self.names.cells[b]}, {whole(q)}, {counter});"]
+
+    def _on(self, row: Row, _tick: int) -> list[str]:
+        code, _, component, a, b, p, q, k = row
+        part = self.names.parts[self.names.components[component]]
+        c = [number(value) for value in self.plan.coefficients[k : k + 2].tolist()]
+        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
+        h = f"(s->now.reached[{part}] - s->now.began[{part}])"
+        if code == ACCUMULATE_ON:
+            return [f"{zb} += {c[0]} * {h} * ({zp} + {za});"]
+        return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {h};"]
 
     def _record(self, row: Row, _tick: int) -> list[str]:
         return [f"if (s->record) s->record(s->user, s, {row[3]}, at);"]

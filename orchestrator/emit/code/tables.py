@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ...fmu.types import BOOLEAN, FLOAT, TEXT, FmiType
 from ...plan.plan import Plan
@@ -18,7 +18,11 @@ from .names import comment, number, text, whole
 TYPES = {"Real": "FLOAT64", "Integer": "INT32", "Boolean": "BOOLEAN", "String": "STRING"}
 
 
-def sizes(plan: Plan, names: Names, shown: Sequence[Exposed], versions: set[int], instants: int, last: int) -> str:
+def sizes(
+    plan: Plan, names: Names, shown: Sequence[Exposed], versions: set[int], instants: int, last: int,
+    more: Mapping[str, object],
+) -> str:  # fmt: skip
+    """Constants of the header; `more`: those of events."""
     clock, layout, name = plan.clock, plan.layout, names.system
     arrays = [place.count for c in plan.system.components.values() for place in c.fmu.places.values()]
     loops = [len(block.connections) for block in plan.start if block.loop]
@@ -28,7 +32,7 @@ def sizes(plan: Plan, names: Names, shown: Sequence[Exposed], versions: set[int]
         "BLOCKS": len(plan.start), "LOOPS": len(layout.loops), "SOLVER": max(layout.loop_cells, 1),
         "LARGEST_LOOP": max([1, *loops]), "LARGEST_ARRAY": max([1, *arrays]), "INSTANTS": instants,
         "LAST_INSTANTS": last, "TABLES": max(len(plan.groups), 1),
-        "FMI2": int(2 in versions), "FMI3": int(3 in versions),
+        "FMI2": int(2 in versions), "FMI3": int(3 in versions), **(more or {"EVENTS": 0}),
     }  # fmt: skip
     times = {
         "NUMERATOR": clock.numerator, "DENOMINATOR": clock.denominator, "HYPERPERIOD": clock.hyperperiod,
@@ -96,7 +100,10 @@ def references_table(names: Names) -> str:
 
 
 def instants_table(name: str, which: str, cycle: Cycle, size: str) -> str:
-    entries = [f"    {{{tick}, {begin or 'NULL'}, {end or 'NULL'}}}," for tick, begin, end in cycle.instants]
+    entries = [
+        f"    {{{tick}, {begin or 'NULL'}, {end or 'NULL'}, {starts or 'NULL'}}},"
+        for tick, begin, end, starts in cycle.instants
+    ]
     return "\n".join([f"const Instant {name}_{which}[{name}_{size}] = {{", *entries, "};"])
 
 

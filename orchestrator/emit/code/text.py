@@ -12,6 +12,7 @@ from ..units import SOURCES, Unit
 from .beginning import Beginning
 from .exchange import Key, Names
 from .exposed import Exposed
+from .happening import Happening
 from .instants import Cycle, Instants
 from .names import comment, identifier
 from .requirements import requirements
@@ -29,7 +30,7 @@ from .tables import (
     words_table,
 )
 
-SHARED = ("core.c", "loops.c", "parts.c", "state.c")
+SHARED = ("core.c", "loops.c", "parts.c", "state.c", "events.c")
 SHORT = (
     "unfit",
     "not_finite",
@@ -40,6 +41,7 @@ SHORT = (
     "held_at",
     "mean_over",
     "read_outputs",
+    "paused",
 )
 
 
@@ -63,6 +65,8 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
     rows = Rows(names)
     instants = Instants(names, rows)
     cycle, last = instants.cycle(plan.cycle), instants.cycle(plan.last)
+    happening = Happening(names, instants) if plan.system.events else None
+    happenings = happening.texts() if happening else []
     beginning = Beginning(names, shown, solutions).functions()
     own = tuple({unit.prefix: unit for unit in units.values()}.values())
     versions = {unit.version for unit in own}
@@ -71,7 +75,15 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
     places = {
         "@TITLE@": comment(f"{plan.system.name}: {plan.system.description}"),
         "@COUNTS@": counts,
-        "@SIZES@": sizes(plan, names, shown, versions, len(cycle.instants), len(last.instants)),
+        "@SIZES@": sizes(
+            plan,
+            names,
+            shown,
+            versions,
+            len(cycle.instants),
+            len(last.instants),
+            happening.sizes() if happening else {},
+        ),
         "@HEADERS@": "\n".join(f'#include "fmi{v}FunctionTypes.h"' for v in sorted(versions)),
         "@FUNCTIONS@": functions,
         "@TOKEN@": token(plan, shown),
@@ -90,7 +102,9 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         cells_table(names),
         references_table(names),
         "\n".join([*rows.constants(), *instants.solvers]),
+        "\n".join(instants.starts_tables()),
         *instants.found.texts,
+        *happenings,
         instants_table(name, "cycle", cycle, "INSTANTS"),
         instants_table(name, "last", last, "LAST_INSTANTS"),
         *beginning,

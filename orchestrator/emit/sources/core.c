@@ -102,6 +102,11 @@ int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
         if (SYSTEM_part_enter(s, part, start, with_stop, stop)) return 1;
     }
     if (SYSTEM_first_cells(s)) return 1;
+#if SYSTEM_EVENTS
+    if (s->now.first != SYSTEM_START)
+        return SYSTEM_say(s, s->name, 3, "%s has events, whose times count from its own start, %.9g s", s->name, seconds(SYSTEM_START));
+    SYSTEM_first_events(s);
+#endif
     s->now.stage = SYSTEM_INITIALIZING, s->now.stale = true;
     return 0;
 }
@@ -128,6 +133,9 @@ int SYSTEM_start(SYSTEM *s) {
     if (SYSTEM_read_outputs(s) || SYSTEM_settle_instant(s) || SYSTEM_requirements(s) || SYSTEM_first_history(s)) return 1;
     for (int k = 0; k < SYSTEM_LOOPS; k++) s->now.solver[SYSTEM_loop_places[k]] = -1.0;
     s->now.stage = SYSTEM_RUNNING;
+#if SYSTEM_EVENTS
+    if (SYSTEM_begin_events(s)) return 1;
+#endif
     return 0;
 }
 
@@ -140,6 +148,9 @@ int64_t SYSTEM_next(const SYSTEM *s) {
 
 static int go(SYSTEM *s, const Instant *here, const Instant *there) {
     if (here->begin && here->begin(s, s->now.begin + here->tick)) return 1;
+#if SYSTEM_EVENTS
+    if (SYSTEM_between(s, s->now.begin + there->tick, there->starts)) return 1;
+#endif
     if (there->end && there->end(s, s->now.begin + there->tick)) return 1;
     s->now.time = seconds(s->now.begin + there->tick);
     return 0;
@@ -179,6 +190,9 @@ int SYSTEM_rest(SYSTEM *s) {
     if (s->now.stage != SYSTEM_RUNNING || (s->now.instant && s->now.instant + 1 != SYSTEM_INSTANTS))
         return SYSTEM_say(s, s->name, 3, "%s is not behind a whole cycle", s->name);
     if (s->now.instant) s->now.begin += SYSTEM_HYPERPERIOD, s->now.instant = 0;
+#if SYSTEM_EVENTS
+    s->now.in_last = true;
+#endif
     for (int k = 0; k + 1 < SYSTEM_LAST_INSTANTS; k++)
         if (go(s, &SYSTEM_last[k], &SYSTEM_last[k + 1])) return 1;
     s->now.stage = SYSTEM_TERMINATED;

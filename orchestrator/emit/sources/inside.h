@@ -33,6 +33,7 @@ typedef struct {
     int64_t tick;
     int (*begin)(SYSTEM *s, int64_t at); /* steps that begin there */
     int (*end)(SYSTEM *s, int64_t at);   /* steps that end there */
+    const int64_t *starts;               /* of events before it: where each component's step begins, from it on; or NULL */
 } Instant;
 
 extern const Part SYSTEM_parts[SYSTEM_PARTS];
@@ -78,6 +79,42 @@ typedef int (*SYSTEM_Loop)(SYSTEM *s, const double *given, double *sent);
 int SYSTEM_solve_start(SYSTEM *s, SYSTEM_Loop loop, const int *cells, int n, double tolerance);
 int SYSTEM_iterate(double *z, int u, int g, int n, const double *settings, double *work); /* 1: again, -1: failed */
 
+#if SYSTEM_EVENTS
+/* Events: see events.c. Times are whole numbers of fine ticks, SYSTEM_FINE of them to one of the clock. */
+#define NEVER (INT64_C(1) << 62)
+typedef struct {
+    const char *name;
+    int64_t at, after, lasting, until; /* NEVER: not stated */
+    bool early, repeat;                /* there from the start; each time that it crosses */
+    int watch, signal, part;           /* cells of what is looked at, and whose it is; watch = -1: nothing */
+    bool whole, rising;
+    int parts;
+    const int *touched; /* components */
+} Event;
+/* What is done for events: a component brought to an instant from where its step began, by components; and values among
+   those that are at one instant. */
+typedef struct {
+    uint64_t parts;
+    int (*pass_on)(SYSTEM *s, const int64_t *starts);
+} Together;
+typedef struct {
+    int (*const *bring)(SYSTEM *s, int64_t at);
+    const Together *together;
+    int number;
+} EventRows;
+extern const Event SYSTEM_events[SYSTEM_EVENTS];
+extern const EventRows SYSTEM_at_events, SYSTEM_at_last_events;
+extern const int SYSTEM_order[SYSTEM_PARTS], SYSTEM_rank[SYSTEM_PARTS], SYSTEM_breakable[SYSTEM_BREAKABLE];
+extern const int64_t SYSTEM_spacing[SYSTEM_PARTS], SYSTEM_periods[SYSTEM_PARTS]; /* spacing 0: brought to an event */
+extern const uint64_t SYSTEM_stopped, SYSTEM_early;
+void SYSTEM_first_events(SYSTEM *s);                          /* thresholds, and faults that are there from the start */
+void SYSTEM_act(SYSTEM *s, int event, int part, int ends);    /* what an event does to a component */
+int SYSTEM_begin_events(SYSTEM *s);                           /* behind the initialization */
+int SYSTEM_paused(SYSTEM *s, int64_t at, const int64_t *starts); /* do what is due at an instant of the plan */
+int SYSTEM_between(SYSTEM *s, int64_t at, const int64_t *starts); /* and what is due before it */
+double SYSTEM_faulted(const SYSTEM *s, int fault, int64_t stream, int64_t counter, double value);
+#endif
+
 /* Tables. */
 double SYSTEM_held_at(const double *table, double time);
 double SYSTEM_mean_over(const double *table, double begin, double end);
@@ -95,13 +132,42 @@ double SYSTEM_mean_over(const double *table, double begin, double end);
 
 static inline double seconds(int64_t ticks) { return (double)(ticks * SYSTEM_NUMERATOR) / (double)SYSTEM_DENOMINATOR; }
 
-/* How long a step is that would take `length` and is not to end behind the stop, by rounding. */
-static inline double length_of(const SYSTEM *s, double time, double length) {
-    if (!(time + length > s->now.stop)) return length;
-    length = s->now.stop - time;
-    while (time + length > s->now.stop) length *= 1.0 - 0x1p-52;
+/* How long a step from `time` is that ends at `end` in doubles. */
+static inline double length_to(double time, double end) {
+    double length = end - time;
+    while (time + length > end) length *= 1.0 - 0x1p-52;
     return length;
 }
+
+/* How long a step is that would take `length` and is not to end behind the stop, by rounding. */
+static inline double length_of(const SYSTEM *s, double time, double length) {
+    return time + length > s->now.stop ? length_to(time, s->now.stop) : length;
+}
+
+#if SYSTEM_EVENTS
+/* The part of a step from `time` to `end` [s] that is still to be done, and to be done now; whether there is one. */
+static inline bool part_of_step(SYSTEM *s, int part, double *time, double *length, double *end) {
+    if (*end > s->now.latest) *end = s->now.latest, *length = length_to(*time, *end);
+    if (s->now.reached[part] > *time) *time = s->now.reached[part], *length = length_to(*time, *end);
+    *length = length_of(s, *time, *length);
+    s->now.began[part] = *time;
+    return *time < *end;
+}
+
+/* What a fault makes of an input that was formed: see `loop/run` of rovbrush. */
+static inline void fault(SYSTEM *s, int first, int cell, int64_t stream, int64_t counter) {
+    if (s->now.z[first] == 2.0) s->now.whole[cell] = s->now.whole[first + 2];
+    else if (s->now.z[first] == 1.0) s->now.z[cell] = SYSTEM_faulted(s, first, stream, counter, s->now.z[cell]);
+}
+
+/* Whether a signal crosses what is waited for: then the next pause is one. */
+static inline void watch(SYSTEM *s, double value, int cell, bool rising) {
+    double *const w = s->now.z + cell;
+    const double side = (rising ? value > w[1] : value < w[1]) ? 1.0 : -1.0;
+    if (w[0] * side < 0.0 && 0.0 < side) w[2] += 1.0, s->now.event_at = -NEVER;
+    w[0] = side;
+}
+#endif
 
 static inline bool among(int64_t value, const int64_t *items, int n) {
     for (int k = 0; k < n; k++)

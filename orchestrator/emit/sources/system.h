@@ -51,6 +51,14 @@ extern const char *const SYSTEM_cells[SYSTEM_CELLS]; /* what each cell is, in wo
 
 typedef enum { SYSTEM_NEW, SYSTEM_INITIALIZING, SYSTEM_RUNNING, SYSTEM_TERMINATED, SYSTEM_FAILED } SYSTEM_Stage;
 
+#if SYSTEM_EVENTS
+/* What is known to come of an event: when [ticks of SYSTEM_FINE to one of the clock], and whether its fault ends. */
+typedef struct {
+    int64_t time;
+    int event, part, ends;
+} SYSTEM_Due;
+#endif
+
 /* All that changes while it goes on, but the states of the components. */
 typedef struct {
     union {
@@ -67,6 +75,15 @@ typedef struct {
     int64_t begin;      /* ticks from time 0 to the beginning of the cycle */
     int64_t first;      /* and to the start */
     int instant;        /* that is reached in the cycle */
+#if SYSTEM_EVENTS
+    SYSTEM_Due due[SYSTEM_MOST_DUE];
+    int dues;
+    int64_t event_at, ends_at; /* ticks from time 0: an instant at which something is due, and one behind which */
+    double latest;             /* s: no step goes beyond it, to bring a component to an event */
+    double reached[SYSTEM_PARTS], began[SYSTEM_PARTS]; /* s: where each is within its step, and where that part began */
+    int64_t held_at, held[SYSTEM_BREAKABLE];           /* what could be held, as it was before that time */
+    bool in_last;
+#endif
 } SYSTEM_Now;
 
 typedef struct SYSTEM SYSTEM;

@@ -10,38 +10,40 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import count
 
 from ...loop.operations import (
-    ACCUMULATE,
-    ACCUMULATE_ON,
+    ADVANCE,
+    CONTROL,
     COPY,
+    ESTIMATE,
     FAULT,
     FIT,
+    GAUGE,
     GET,
+    HALVE,
+    ITERATE,
     LEDGER,
-    LINEAR,
     MEAN,
-    MIX,
     MOVE,
+    MOVES,
     NUMBER,
     PACE,
     PAUSE,
     PUSH,
-    QUADRATIC,
     RECORD,
-    RISE,
-    SAMPLE,
-    SERIES,
+    REPEAT,
+    RESTORE,
+    REWIND,
+    SAVE,
     SET,
+    SOLVE,
     STEP,
     STEP_ON,
+    TURNS,
     WATCH,
-    WORK,
-    WORK_ON,
 )
 from .values import Row
 
-FOLLOWED = {
-    ACCUMULATE, ACCUMULATE_ON, COPY, FAULT, FIT, GET, LEDGER, LINEAR, MEAN, MIX, MOVE, NUMBER, PACE, PAUSE, PUSH,
-    QUADRATIC, RECORD, RISE, SAMPLE, SERIES, SET, STEP, STEP_ON, WATCH, WORK, WORK_ON,
+REPEATED = {  # operations behind or around which others are done again
+    ADVANCE, CONTROL, ESTIMATE, GAUGE, HALVE, ITERATE, MOVES, REPEAT, RESTORE, REWIND, SAVE, SOLVE, TURNS,
 }  # fmt: skip
 
 
@@ -55,7 +57,7 @@ def without_repeats(
     Operations that are repeated or taken back stay as they are.
     """
     listed = list(rows)
-    if not all(row[0] in FOLLOWED for row in listed):
+    if any(row[0] in REPEATED for row in listed):
         return listed
     fresh = count()
     known: dict[object, int] = {}  # numbers of copies
