@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
+from hypothesis import settings
 from long_tests import MARKERS, leave_evidence, mark_sampled
 from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
@@ -35,6 +36,8 @@ FIXTURE_NAMES = (*sorted(path.parent.name for path in FIXTURES.glob("*/fmu.py"))
 
 def pytest_configure(config: pytest.Config) -> None:
     """Tests begin alike wherever they are started, and leave nothing in the user's folders."""
+    settings.register_profile("rovbrush", deadline=None)  # no test fails because the machine is slow
+    settings.load_profile("rovbrush")
     for marker in MARKERS:
         config.addinivalue_line("markers", marker)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # Python is started two thousand times

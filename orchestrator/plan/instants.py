@@ -29,15 +29,16 @@ class Instants:
         """`early`: components whose step is done at its beginning; `used`: outputs that are sent or recorded."""
         self.answers = {name: direct_answers(system, name) for name in system.components}
         self.system = system
-        outputs: dict[str, list[str]] = {}
+        answering: dict[str, set[frozenset[str]]] = {}  # many outputs depend on one set of inputs
         for name, output in used:
-            outputs.setdefault(name, []).append(output)
+            answering.setdefault(name, set()).add(self.answers[name].get(output, frozenset()))
+        asked = {name: frozenset[str]().union(*sets) for name, sets in answering.items()}
         self.held = tuple(
             c
             for c, choice in choices.items()
             if choice.transfer == "hold"
             and not {c.source[0], c.target[0]} & set(early)
-            and any(c.target[1] in self.answers[c.target[0]].get(output, ()) for output in outputs.get(c.target[0], ()))
+            and c.target[1] in asked.get(c.target[0], ())
         )
         self.cuts: dict[Connection, str] = {}  # connections at which a loop is cut, and which
         self._blocks: dict[Known, tuple[Block, ...]] = {}

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
 
 from ..extras import needed as require_library
 from ..system.model import Connection, System
@@ -19,19 +20,29 @@ LOOPED = "an algebraic loop at the start"
 Answers = Mapping[str, Mapping[str, frozenset[str]]]  # by component and output: the inputs on which it depends at once
 
 
+NAMED = 8  # inputs of a loop that its label names
+
+
 @dataclass(frozen=True)
 class Block:
-    """One connection, or all connections of one algebraic loop."""
+    """One connection, or all connections of one algebraic loop.
+
+    `torn`: connections of a loop whose values, if they were known, would give those of `behind` one after the other.
+    """
 
     connections: tuple[Connection, ...]
     loop: bool
+    torn: tuple[Connection, ...] = ()
+    behind: tuple[Connection, ...] = ()
 
     @property
     def label(self) -> str:
-        """The connection, or the inputs of the loop."""
+        """The connection, or the inputs of the loop, the first of them where there are many."""
         if not self.loop:
             return self.connections[0].label
-        return f"loop {', '.join('.'.join(c.target) for c in self.connections)}"
+        more = len(self.connections) - NAMED
+        inputs = ", ".join(".".join(c.target) for c in self.connections[:NAMED])
+        return f"loop {inputs}" + (f" and {more} more" if more > 0 else "")
 
 
 def start_order(system: System) -> tuple[Block, ...]:
@@ -149,10 +160,47 @@ def _with_loops(
         sets_of[number] = [x for x in needed if between[x]]
     order = _by_levels(sets_of, between)
     assert order is not None
-    return tuple(
-        Block(
-            tuple(connections[k] for k in groups[number]),
-            len(groups[number]) > 1 or labels[groups[number][0]] == labels[n + set_of[groups[number][0]]],
-        )
-        for number in order
-    )
+    blocks = []
+    for number in order:
+        group = groups[number]
+        loop = len(group) > 1 or labels[group[0]] == labels[n + set_of[group[0]]]
+        ways = _torn(group, set_of, members) if loop else ([], [])
+        parts = [tuple(connections[k] for k in way) for way in ways]
+        blocks.append(Block(tuple(connections[k] for k in group), loop, *parts))
+    return tuple(blocks)
+
+
+def _torn(group: Sequence[int], set_of: Sequence[int], members: Sequence[Sequence[int]]) -> tuple[list[int], list[int]]:
+    """Connections of a loop without which there would be none, and the others in an order in which each finds what it
+    needs. Always torn is the first that the set which misses least is waiting for; the fewest cannot be had in bounded
+    time (the minimum feedback vertex set is NP-complete: Karp 1972)."""
+    inside = set(group)
+    missing = {number: inside.intersection(members[number]) for number in dict.fromkeys(set_of[k] for k in group)}
+    needs: dict[int, list[int]] = {}
+    waiting: dict[int, list[int]] = {}
+    for number, found in missing.items():
+        for k in found:
+            needs.setdefault(k, []).append(number)
+    for k in group:
+        waiting.setdefault(set_of[k], []).append(k)
+    fewest = [(len(found), number) for number, found in missing.items()]
+    heapify(fewest)
+    torn: dict[int, None] = {}
+    behind: list[int] = []
+    known: list[int] = []
+    while len(torn) + len(behind) < len(group):
+        while known:
+            k = known.pop()
+            for number in needs.get(k, ()):
+                missing[number].discard(k)
+                heappush(fewest, (len(missing[number]), number))
+        size, number = heappop(fewest)
+        if size != len(missing[number]):
+            continue  # it misses less by now
+        if not missing[number]:
+            known = [k for k in waiting.pop(number, []) if k not in torn]
+            behind += known
+        else:
+            known = [min(missing[number])]
+            torn |= dict.fromkeys(known)
+    return list(torn), behind

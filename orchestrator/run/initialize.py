@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 
 import numpy as np
 
 from ..clock import Clock
 from ..errors import FmuError
-from ..extras import needed
 from ..fmu.binary import as_text
 from ..fmu.types import Value
 from ..participant.base import CallError, Participant
@@ -18,7 +17,7 @@ from ..participant.opening import start
 from ..plan.happening.scenario import with_values_from_start
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
-from ..plan.start import LOOPED
+from ..plan.start import Block
 from ..results.tables import Started
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Connection
@@ -26,10 +25,7 @@ from .events.faults import begin_events, broken
 from .memory.memory import Memory
 from .read_back import read_back
 from .requirements import broken_requirements
-
-TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
-NUDGE = 1e-7  # of an input, relative to its size or 1, to see whether a loop has one solution
-SINGULAR = 1e-6  # smallest singular value of its matrix against the largest, below which it has more
+from .start_loops import TOLERANCE, StartLoop
 
 
 def initialize(plan: Plan, instances: dict[str, Participant], memory: Memory) -> Started:
@@ -93,9 +89,8 @@ class Propagation:
                 for c in block.connections:
                     if not block.loop or not self.plan.system.is_real(c):
                         self._set(c, self._received(c))
-                unknowns = [c for c in block.connections if block.loop and self.plan.system.is_real(c)]
-                if unknowns:
-                    self._solve(block.label, unknowns)
+                if block.loop:
+                    self._solve(block)
             self.read_outputs()
             self.started.sweeps = sweep
             if (sweep > 1 and np.array_equal(before, self.memory.whole)) or not self.plan.start:
@@ -123,7 +118,7 @@ class Propagation:
         for block in blocks:
             with self._advised(block.connections[0].target[0]):
                 if block.loop:
-                    self._solve(block.label, list(block.connections))
+                    self._solve(block)
                 else:
                     self._set(block.connections[0], self._received(block.connections[0]))
         for name in dict.fromkeys(c.target[0] for block in blocks for c in block.connections):
@@ -175,50 +170,33 @@ class Propagation:
         self.memory.put(c.target, self.plan.layout.inputs[c.target], value)
         self.instances[c.target[0]].set(c.target[1], value)
 
-    def _solve(self, label: str, unknowns: list[Connection]) -> None:
+    def _solve(self, block: Block) -> None:
         """Find the inputs of a loop that their sources give back; those that are held take what they are sent."""
-        root = needed("scipy.optimize", LOOPED).root
-
-        def residual(inputs: np.ndarray) -> np.ndarray:
-            for c, value in zip(unknowns, inputs.tolist(), strict=True):
-                self._set(c, value)
-            given: np.ndarray = np.array([float(self._received(c)) for c in unknowns]) - inputs
-            return given
-
-        def size(inputs: np.ndarray) -> float:
-            return float(np.max(np.abs(residual(inputs)) / np.maximum(np.abs(inputs), 1.0)))
-
-        guess = self.memory.z[[self.plan.layout.inputs[c.target] for c in unknowns]]  # start values in the first sweep
-        found, wanted = size(guess), self.plan.system.loops.tolerance
-        allowed = max(TOLERANCE, wanted)
-        if found <= wanted and _singular(residual, guess):
+        torn, behind = ([c for c in part if self.plan.system.is_real(c)] for part in (block.torn, block.behind))
+        if not torn:
+            for c in behind:
+                self._set(c, self._received(c))
+            return
+        loop = StartLoop(torn, behind, self._set, lambda c: float(self._received(c)))
+        guess = self.memory.z[[self.plan.layout.inputs[c.target] for c in torn]]  # start values in the first sweep
+        wanted = self.plan.system.loops.tolerance
+        found, unique = loop.solve(guess, wanted)
+        if not unique:
             self._note(
-                f"the algebraic {label} has more than one solution: its inputs keep the start values that they were "
-                f"found with; break it with a state, or remove one of its connections"
+                f"the algebraic {block.label} has more than one solution: its inputs keep the start values that they "
+                f"were found with; break it with a state, or remove one of its connections"
             )
-        if found > wanted:
-            solution = root(residual, guess, method="hybr", options={"xtol": 1e-14}).x
-            found = size(solution)
-        if not found <= allowed:
+        if not found <= max(TOLERANCE, wanted):
             raise FmuError(
-                f"initialization: the algebraic {label} has no solution that can be found from the start values: "
-                f"residual {found:.3g}, relative to the inputs, allowed {allowed:g}; break it with a state, or give "
-                f"the FMUs start values near the solution"
+                f"initialization: the algebraic {block.label} has no solution that can be found from the start values: "
+                f"residual {found:.3g}, relative to the inputs, allowed {max(TOLERANCE, wanted):g}; break it with a "
+                f"state, or give the FMUs start values near the solution"
             )
-        self.started.loops[label] = found
+        self.started.loops[block.label] = found
 
     def _note(self, words: str) -> None:
         if words not in self.started.notes:
             self.started.notes.append(words)
-
-
-def _singular(residual: Callable[[np.ndarray], np.ndarray], inputs: np.ndarray) -> bool:
-    """Whether other inputs nearby are solutions of a loop, too; they are set again as they were."""
-    nudges = NUDGE * np.maximum(np.abs(inputs), 1.0)
-    columns = [residual(inputs + nudge) / size for nudge, size in zip(np.diag(nudges), nudges, strict=True)]
-    values = np.linalg.svd(np.array(columns), compute_uv=False)
-    residual(inputs)
-    return bool(values[-1] <= SINGULAR * values[0])
 
 
 def loop_residuals(plan: Plan) -> dict[str, float]:

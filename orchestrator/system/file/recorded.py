@@ -43,7 +43,7 @@ class Recorded:
 def _others(component: Component) -> list[str]:
     """What is recorded by its own name only."""
     fmu = component.fmu
-    inputs = fmu.names("input")
+    inputs = set(fmu.names("input"))
     return [name for name in fmu.names("input", *OTHERS, aliases=True) if name not in inputs]
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Any
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from rovbrush.orchestrator.plan.order import order_of
@@ -69,6 +70,40 @@ def test_every_block_comes_behind_what_it_needs_and_loops_are_the_connections_th
         together = {d for d in before[c] if c in before[d]} | {c}
         block = blocks[place[c]]
         assert set(block.connections) == together and block.loop == (c in before[c])
+
+
+@given(system=systems())
+def test_where_the_torn_inputs_of_a_loop_are_known_the_others_follow_one_after_the_other(system: Any) -> None:
+    for block in start_order(system):
+        assert sorted(c.label for c in (*block.torn, *block.behind)) == (
+            sorted(c.label for c in block.connections) if block.loop else []
+        )
+        known = set(block.torn)
+        for c in block.behind:
+            assert set(needs(system, c)) & set(block.connections) <= known
+            known.add(c)
+        assert bool(block.torn) == block.loop
+
+
+def chain_of(components: int, signals: int) -> Any:
+    """A ring whose components exchange some signals, all outputs depending on all inputs."""
+    inputs = [f"u{k}" for k in range(signals)]
+    fmu = Answers({f"y{k}": frozenset(inputs) for k in range(signals)})
+    one = SimpleNamespace(fmu=fmu, in_events=False)
+    connections = tuple(
+        Connection((f"c{n}", f"y{k}"), (f"c{(n + 1) % components}", f"u{k}"))
+        for n in range(components)
+        for k in range(signals)
+    )
+    return SimpleNamespace(components={f"c{n}": one for n in range(components)}, connections=connections)
+
+
+@pytest.mark.parametrize(("components", "signals"), [(1, 1), (2, 1), (300, 1), (2, 30), (5, 7)])
+def test_a_ring_is_torn_at_one_place(components: int, signals: int) -> None:
+    (block,) = start_order(chain_of(components, signals))
+    assert len(block.torn) == signals and len({c.target[0] for c in block.torn}) == 1
+    more = components * signals - 8
+    assert block.label.endswith(f" and {more} more") == (more > 0) and block.label.count(",") == min(7, 7 + more)
 
 
 @given(system=systems(), slow=st.sets(st.sampled_from(["c0", "c1", "c2", "c3", "c4"])))

@@ -8,7 +8,9 @@ import pytest
 from helpers import column, plan_of, run_of
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.plan.explain import explain
+from rovbrush.orchestrator.run import start_loops
 from rovbrush.orchestrator.run.simulation import simulate
+from rovbrush.orchestrator.run.start_loops import StartLoop
 
 
 def test_feedthrough_chains_settle_whatever_the_order_of_the_file(tmp_path: Path, fmus: Path) -> None:
@@ -75,3 +77,27 @@ def test_a_loop_that_any_value_solves_is_told(k: float, singular: bool, tmp_path
     run = run_of(tmp_path, fmus, parts, LOOP, stop="10 ms")
     told = [note for note in run.notes if "loop b.u, a.u has more than one solution" in note]
     assert len(told) == singular and column(run, "a.y")[1].tolist() == [0.0, 0.0]
+
+
+def test_a_large_ring_takes_some_passes_along_it_and_not_one_for_each_input(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sixty gains in a ring, of which the inputs of all were unknowns before: 61 passes for every derivative."""
+    names, passes = [f"g{k}" for k in range(60)], []
+    sent = StartLoop.sent
+    monkeypatch.setattr(StartLoop, "sent", lambda loop, inputs: passes.append(len(inputs)) or sent(loop, inputs))
+    parts = {name: ("gain", "10 ms", {"k": 0.99, "offset": 1.0}) for name in names}
+    wires = [f"{a}.y -> {b}.u" for a, b in zip(names, [*names[1:], names[0]], strict=True)]
+    run = run_of(tmp_path, fmus, parts, wires, stop="10 ms")
+    assert column(run, "g7.y")[1][0] == pytest.approx(100.0, rel=1e-9)
+    assert set(passes) == {1} and len(passes) < 30
+
+
+def test_outputs_that_depend_on_inputs_by_their_description_only_are_no_equations(
+    tmp_path: Path, fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A gain of 0 depends on its input as far as anybody knows; what it sends is what it sends."""
+    monkeypatch.setattr(start_loops, "needed", lambda *_: pytest.fail("a solver is not needed"))
+    parts = {name: ("gain", "10 ms", {"k": 0.0, "offset": 3.0}) for name in "ab"}
+    run = run_of(tmp_path, fmus, parts, LOOP, stop="10 ms")
+    assert column(run, "a.y")[1].tolist() == [3.0, 3.0] and run.started.loops == {"loop b.u, a.u": 0.0}
