@@ -7,6 +7,7 @@ References: FMI 2.0.4, sections 2.2.3 (UnitDefinitions), 2.2.7 (ModelVariables),
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 from importlib.metadata import version
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
@@ -42,7 +43,8 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
     })  # fmt: skip
     states = {key.replace("State", "state"): value for key, value in can_save(found).items()}
     interface = SubElement(root, "CoSimulation", {
-        "modelIdentifier": code.name, "needsExecutionTool": "false", "canHandleVariableCommunicationStepSize": "false",
+        "modelIdentifier": code.name, "needsExecutionTool": "false",
+        "canHandleVariableCommunicationStepSize": str(found.plan.adaptive).lower(),
         "canInterpolateInputs": "false", "canBeInstantiatedOnlyOncePerProcess": once(found),
         "canNotUseMemoryManagementFunctions": "true", **states,
     })  # fmt: skip
@@ -100,7 +102,9 @@ def can_save(found: Prepared) -> dict[str, str]:
 def experiment(found: Prepared) -> dict[str, str]:
     """From the system's start to its stop, by its fastest period."""
     clock = found.plan.clock
-    step = min(component.period for component in found.plan.system.components.values())
+    step = Fraction(min(component.period for component in found.plan.system.components.values()))
+    if found.plan.algorithm.saves_states and not found.plan.adaptive:  # its macro steps are whole
+        step = clock.seconds(clock.hyperperiod)
     stop = found.plan.system.stop
     return {"startTime": repr(clock.time(0)), "stopTime": repr(float(stop)), "stepSize": repr(float(step))}
 

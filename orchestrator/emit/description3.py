@@ -41,8 +41,8 @@ def description3(found: Prepared, token: str) -> bytes:
     timing = experiment(found)
     SubElement(root, "CoSimulation", {
         "modelIdentifier": code.name, "needsExecutionTool": "false", "canBeInstantiatedOnlyOncePerProcess": once(found),
-        "canHandleVariableCommunicationStepSize": "false", "fixedInternalStepSize": timing["stepSize"],
-        **can_save(found),
+        "canHandleVariableCommunicationStepSize": str(found.plan.adaptive).lower(),
+        **({} if found.plan.adaptive else {"fixedInternalStepSize": timing["stepSize"]}), **can_save(found),
     })  # fmt: skip
     add_units(root, found, more=("s",))
     categories = SubElement(root, "LogCategories")

@@ -17,11 +17,11 @@ CONTAINER = "take --container, or an SSP (--ssp)"
 
 def check_system(system: System) -> None:
     """Raise InputError for what a system of C cannot hold; before it is planned."""
-    if not algorithm_of(system).one_pass:
+    if system.events and not algorithm_of(system).one_pass:
         others = " and ".join(f"'{kind.name}'" for kind in ALGORITHMS if kind.one_pass)
         raise InputError(
-            f"algorithm '{system.algorithm}' is not written as C; {others} are: choose one of them "
-            f"({system.path.name}), or {CONTAINER}"
+            f"events with algorithm '{system.algorithm}' are not written as C, and the system has "
+            f"{system.events[0].name} {system.events[0].where}; choose {others}, or take an SSP (--ssp)"
         )
     for name, component in system.components.items():
         fmu = component.fmu

@@ -6,18 +6,34 @@ between the two, so that what it sets there is seen by all that begins there.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from itertools import groupby, pairwise
 
 import numpy as np
 
 from ...clock import seconds_text
-from ...loop.operations import FAULT, GET, PAUSE, RECORD, SAMPLE, SERIES, SOLVE, STEP, STEP_ON
+from ...loop.operations import (
+    ESTIMATE,
+    FAULT,
+    GET,
+    ITERATE,
+    PAUSE,
+    RECORD,
+    REPEAT,
+    SAMPLE,
+    SERIES,
+    SOLVE,
+    STEP,
+    STEP_ON,
+)
 from ...plan.schedule.operation_text import OperationText
 from .beginning import CELLS
 from .exchange import Names, indented
 from .names import comment, number
 from .rows import Cost, Row, Rows
+
+JUMPS = (ITERATE, REPEAT, ESTIMATE)  # lead to the row of their column a
 
 
 @dataclass
@@ -51,6 +67,8 @@ class Instants:
 
     def cycle(self, operations: np.ndarray) -> Cycle:
         """The functions of a cycle's instants, made where they are not known."""
+        if not self.plan.algorithm.one_pass:
+            return self._macro(operations)
         listed: list[tuple[int, list[Row]]] = [
             (tick, [tuple(row) for row in rows])
             for tick, rows in groupby(operations.tolist(), key=lambda row: int(row[1]))
@@ -73,6 +91,30 @@ class Instants:
         for cost in steps:
             dearest, whole = dearest.most(cost), whole + cost
         return Cycle(tuple(instants), dearest, whole)
+
+    def _macro(self, operations: np.ndarray) -> Cycle:
+        """A macro step that is done as a whole."""
+        rows: list[Row] = [tuple(row) for row in operations.tolist()]
+        vary = self.plan.algorithm.steps_vary
+        end = max((row[1] for row in rows), default=0)
+        if not rows:
+            return Cycle(((0, "", "", ""),), Cost(), Cost())
+        lines, cost = self._body(rows, 0 if vary else end, {row[3] for row in rows if row[0] in JUMPS})
+        again = [row for row in rows if row[0] == ITERATE]
+        passes = sum(int(self.plan.coefficients[row[7] + 1]) * (row[6] + 1) for row in again) or 1
+        name = f"{self.names.system}_macro_step" if vary else f"macro_step_{len(self.found.costs) + 1}"
+        head = (
+            f"int {name}({self.names.system} *s) {{"
+            if vary
+            else f"static int {name}({self.names.system} *s, int64_t at) {{"
+        )
+        first = ["    int64_t at = s->now.first + s->now.clock[NOW] + s->now.clock[OFFSET];"] if vary else []
+        self.found.texts.append("\n".join([
+            f"/* A macro step{' of the length that was chosen' if vary else ''}. */", head, *CELLS, *first,
+            "    (void)at;", *indented(lines), "    return 0;", "}",
+        ]))  # fmt: skip
+        self.found.costs[name] = cost = cost.times(passes)
+        return Cycle(((0, "", "", ""), (end, "", name, "")), cost, cost)
 
     def _starts(self, row: int, tick: int) -> str:
         """The table of where each component's first step begins that is not done before an operation, from here on."""
@@ -113,12 +155,14 @@ class Instants:
         self.found.costs[name] = cost
         return name
 
-    def _body(self, rows: list[Row], tick: int) -> tuple[list[str], Cost]:
-        """The lines of rows; those that a loop repeats stand in one."""
+    def _body(self, rows: list[Row], tick: int, labels: Collection[int] = ()) -> tuple[list[str], Cost]:
+        """The lines of rows; those that a loop repeats stand in one. `labels`: rows to which others lead."""
         again = {k - row[3]: (k, row) for k, row in enumerate(rows) if row[0] == SOLVE}
         lines: list[str] = []
         cost, k = Cost(), 0
         while k < len(rows):
+            if k in labels:
+                lines.append(f"row_{k}:;")
             if k in again:
                 end, solve = again[k]
                 inside, once = self._body(rows[k:end], tick)

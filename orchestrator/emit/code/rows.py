@@ -9,11 +9,17 @@ from math import ceil, log2
 from ...loop.operations import (
     ACCUMULATE,
     ACCUMULATE_ON,
+    ADVANCE,
     AT_AN_INSTANT,
+    CONTROL,
     COPY,
+    ESTIMATE,
     FAULT,
     FIT,
+    GAUGE,
     GET,
+    HALVE,
+    ITERATE,
     LEDGER,
     LINEAR,
     MEAN,
@@ -24,8 +30,12 @@ from ...loop.operations import (
     PUSH,
     QUADRATIC,
     RECORD,
+    REPEAT,
+    RESTORE,
+    REWIND,
     RISE,
     SAMPLE,
+    SAVE,
     SERIES,
     SET,
     SOLVE,
@@ -40,6 +50,15 @@ from .names import number, whole
 
 Row = tuple[int, ...]
 HOW = {
+    **dict.fromkeys((SAVE, RESTORE), "_state"),
+    REWIND: "_rewind",
+    ITERATE: "_iterate",
+    REPEAT: "_repeat",
+    GAUGE: "_gauge",
+    CONTROL: "_control",
+    HALVE: "_halve",
+    ADVANCE: "_advance",
+    ESTIMATE: "_estimate",
     SET: "_set",
     GET: "_get",
     STEP: "_step",
@@ -89,6 +108,10 @@ class Rows:
         self.tables: dict[int, str] = {}  # where a table lies in the coefficients, and its name in C
         self.items: dict[tuple[int, ...], str] = {}
         self.begins = "at"  # where steps begin to which faults belong: here, or by a table of all components
+        self.settings: list[str] = []  # tables of settings of macro steps
+        self.vary = self.plan.algorithm.steps_vary
+        self.step = " + s->now.clock[STEP_TICKS]" if self.vary else ""  # what is added to a length
+        self.final = "0" if self.plan.algorithm.saves_states else "s->final"
         self.pauses: Iterator[str] = iter(())  # tables of where steps begin, of the pauses to come
 
     def lines(self, row: Row, tick: int) -> list[str]:
@@ -105,7 +128,11 @@ class Rows:
             return Cost(0, len(blocks), sum(block.size for block in blocks))
         if code in (STEP, STEP_ON):
             return Cost(8, 1)
-        if code in (RECORD, PAUSE):
+        if code in (SAVE, RESTORE):
+            return Cost(0, int(component >= 0), a if component < 0 else 0)
+        if code in (GAUGE, CONTROL, ITERATE, ESTIMATE):
+            return Cost({GAUGE: 12, CONTROL: 200, ITERATE: 12 * q, ESTIMATE: 200 + 6 * q}[code])
+        if code in (RECORD, PAUSE, REWIND, REPEAT, HALVE, ADVANCE):
             return Cost()  # of the program, and of events, not of the system
         if code in (SERIES, SAMPLE):
             rows = int(self.plan.coefficients[k])
@@ -129,14 +156,17 @@ class Rows:
     def _step(self, row: Row, tick: int) -> list[str]:
         _, _, component, a, b, *_ = row
         name = self.names.components[component]
-        begin = [f"const double t = seconds({_at(b - tick)});", f"const double h = length_of(s, t, seconds({a}));"]
+        begin = [
+            f"const double t = seconds({_at(b - tick)});",
+            f"const double h = length_of(s, t, seconds({a}{self.step}));",
+        ]
         return ["{", *indented([*begin, *self._do_step(name)]), "}"]
 
     def _do_step(self, name: str) -> list[str]:
         """The step of a component from `t` over `h`."""
         if self.names.units[name].version == 2:
-            return [self.names.call(name, "make a step", "DoStep", "t, h, s->final")]
-        arguments = "t, h, s->final != 0, &event, &end, &early, &last"
+            return [self.names.call(name, "make a step", "DoStep", f"t, h, {self.final}")]
+        arguments = f"t, h, {self.final} != 0, &event, &end, &early, &last"
         return [
             "fmi3Boolean event = 0, end = 0, early = 0;", "fmi3Float64 last = t;",
             self.names.call(name, "make a step", "DoStep", arguments),
@@ -182,8 +212,73 @@ class Rows:
             return [f"{zb} += {c[0]} * {h} * ({zp} + {za});"]
         return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {h};"]
 
-    def _record(self, row: Row, _tick: int) -> list[str]:
-        return [f"if (s->record) s->record(s->user, s, {row[3]}, at);"]
+    def _record(self, row: Row, tick: int) -> list[str]:
+        at = "s->now.first + s->now.clock[NOW]" if self.vary else _at(row[1] - tick)
+        return [f"if (s->record) s->record(s->user, s, {row[3]}, {at});"]
+
+    # --- macro steps that are repeated or vary ---
+
+    def _state(self, row: Row, _tick: int) -> list[str]:
+        code, _, component, a, *_ = row
+        if component < 0:
+            to, what = ("s->saved", "z") if code == SAVE else ("z", "s->saved")
+            return [f"memcpy({to}, {what}, {a} * sizeof *z);"]
+        part = self.names.parts[self.names.components[component]]
+        return [f"if ({'keep' if code == SAVE else 'go_back'}(s, {part})) return 1;"]
+
+    def _rewind(self, row: Row, _tick: int) -> list[str]:
+        return [f"if (s->rewind) s->rewind(s->user, {row[3]}, {row[4]});"]
+
+    def _repeat(self, row: Row, _tick: int) -> list[str]:
+        return [f"goto row_{row[3]};"]
+
+    def _iterate(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, k = row
+        lines = [
+            f"const int verdict = iterate(z, {b}, {p}, {q}, {self._setting(k, 3 + q)}, s->now.work);",
+            f"if (verdict < 0) return not_converged(s, {b} + (int)s->now.work[3]);", f"if (!verdict) goto row_{a};",
+        ]  # fmt: skip
+        return ["{", *indented(lines), "}"]
+
+    def _gauge(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, k = row
+        cells = ", ".join(self.names.cells[slot] for slot in (a, b, p, q))
+        return [f"gauge(s, {cells}, {self._setting(k, 2)});"]
+
+    def _control(self, row: Row, _tick: int) -> list[str]:
+        a, k = row[3], row[7]
+        now, step, found = (f"z[{self.names.cells[a + j]}]" for j in range(3))
+        return [
+            f"{step} = seconds(s->now.clock[STEP_TICKS]);", f"{found} = choose_step(s, {self._setting(k, 5)});",
+            f"{now} = (double)s->now.clock[NOW];",
+        ]  # fmt: skip
+
+    def _halve(self, _row: Row, _tick: int) -> list[str]:
+        return ["s->now.clock[STEP_TICKS] /= 2;"]
+
+    def _advance(self, _row: Row, _tick: int) -> list[str]:
+        return [
+            "s->now.clock[OFFSET] = s->now.clock[STEP_TICKS];",
+            "at = s->now.first + s->now.clock[NOW] + s->now.clock[OFFSET];",
+        ]
+
+    def _estimate(self, row: Row, _tick: int) -> list[str]:
+        _, _, _, a, b, p, q, k = row
+        now, step, found, rejected = (f"z[{self.names.cells[b + j]}]" for j in range(4))
+        lines = [
+            f"{step} = seconds(2 * s->now.clock[STEP_TICKS]);",
+            f"const int verdict = estimate(s, {p}, {q}, {self._setting(k, 5 + q)});", "if (verdict < 0) return 1;",
+            "if (verdict == 0) {",
+            f"    {now} = (double)s->now.clock[NOW], {found} = s->now.work[0], {rejected} = s->now.work[2];",
+            "    s->now.work[2] = 0.0;", f"    goto row_{a};", "}", "at = s->now.first + s->now.clock[NOW];",
+        ]  # fmt: skip
+        return ["{", *indented(lines), "}"]
+
+    def _setting(self, k: int, count: int) -> str:
+        """The name of a table of settings."""
+        values = ", ".join(number(value) for value in self.plan.coefficients[k : k + count].tolist())
+        self.settings.append(f"static const double STEPS_{len(self.settings)}[] = {{{values}}};")
+        return f"STEPS_{len(self.settings) - 1}"
 
     # --- cells ---
 
@@ -203,7 +298,8 @@ class Rows:
         if code == RISE:
             return [f"{zb} += {c[0]} * ({za} - {zp});"]
         if code == WORK:
-            return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {c[2]};"]
+            h = "seconds(s->now.clock[STEP_TICKS])" if self.vary and self.plan.coefficients[k + 2] == 0.0 else c[2]
+            return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {h};"]
         if code == QUADRATIC:
             value = f"{za} + {c[2]} * ({za} - {zp}) + {c[3]} * ({za} - 2.0 * {zp} + {zq})"
             return [f"{zb} = {c[0]} * ({value}) + {c[1]};"]
@@ -248,7 +344,7 @@ class Rows:
 
     def _series(self, row: Row, tick: int) -> list[str]:
         _, _, _, _, b, p, q, k = row
-        begin, end = f"seconds({_at(p - tick)})", f"seconds({_at(p + q - tick)})"
+        begin, end = f"seconds({_at(p - tick)})", f"seconds({_at(p + q - tick)}{self.step})"
         return [f"z[{self.names.cells[b]}] = mean_over({self._table(k)}, {begin}, {end});"]
 
     def _sample(self, row: Row, tick: int) -> list[str]:
@@ -273,6 +369,7 @@ class Rows:
             f"static const double {name}[] = {{{', '.join(_bits(v) for v in c[k : k + 1 + 2 * int(c[k])])}}};"
             for k, name in self.tables.items()
         ]
+        lines += self.settings
         lines += [
             f"static const int64_t {name}[] = {{{', '.join(map(whole, items))}}};" for items, name in self.items.items()
         ]

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 
 from ...fmu.types import BOOLEAN, FLOAT, TEXT, FmiType
+from ...loop.operations import RECORD
 from ...plan.plan import Plan
 from ...results.files.csv import rate_names
 from ..carried import members
@@ -33,6 +34,11 @@ def sizes(
         "LARGEST_LOOP": max([1, *loops]), "LARGEST_ARRAY": max([1, *arrays]), "INSTANTS": instants,
         "LAST_INSTANTS": last, "TABLES": max(len(plan.groups), 1),
         "FMI2": int(2 in versions), "FMI3": int(3 in versions), **(more or {"EVENTS": 0}),
+    }  # fmt: skip
+    algorithm = plan.algorithm
+    sizes |= {
+        "REPEATS": int(algorithm.saves_states), "VARIES": int(algorithm.steps_vary), "EVEN": algorithm.even,
+        "WORK": len(algorithm.arrays(plan).work),
     }  # fmt: skip
     times = {
         "NUMERATOR": clock.numerator, "DENOMINATOR": clock.denominator, "HYPERPERIOD": clock.hyperperiod,
@@ -123,6 +129,17 @@ def variables_table(name: str, shown: Iterable[Exposed]) -> str:
     return "\n".join([*lines, "};"])
 
 
+def first_of_steps(plan: Plan, name: str) -> str:
+    """What macro steps that are repeated or vary begin with."""
+    if plan.algorithm.one_pass:
+        return ""
+    arrays = plan.algorithm.arrays(plan)
+    lines = [f"const double {name}_first_work[{name}_WORK] = {{{', '.join(map(number, arrays.work.tolist()))}}};"]
+    if plan.algorithm.steps_vary:
+        lines.append(f"const int64_t {name}_first_clock[7] = {{{', '.join(map(str, arrays.clock.tolist()))}}};")
+    return "\n".join(lines)
+
+
 def in_cells_table(name: str, shown: Iterable[Exposed]) -> str:
     """Where doubles are to be read at any step: outputs by their cells, -1 for all else."""
     cells = [e.slot if e.causality == OUTPUT and e.kind.code == FLOAT and e.kind.size == 8 else -1 for e in shown]
@@ -148,9 +165,13 @@ def tables_table(plan: Plan, names: Names) -> str:
     lines, entries = [], []
     for g, (group, file) in enumerate(zip(plan.groups, rate_names(plan), strict=True)):
         slots = group.slots.tolist()
+        most = 1
+        if plan.algorithm.saves_states:
+            most = max(int(((r[:, 0] == RECORD) & (r[:, 3] == g)).sum()) for r in (plan.cycle, plan.last)) or 1
+        lines.append(f"static int64_t ROWS_{g}[{most * (len(slots) + 1)}];")
         lines.append(f"static const int CELLS_{g}[] = {{{', '.join(map(str, slots))}}};")
         lines.append(f"static const bool WHOLE_{g}[] = {{{', '.join(str(int(names.whole[s])) for s in slots)}}};")
-        entries.append(f"    {{{text(file)}, {len(slots)}, CELLS_{g}, WHOLE_{g}}},")
+        entries.append(f"    {{{text(file)}, {len(slots)}, CELLS_{g}, WHOLE_{g}, {most}, ROWS_{g}, 0}},")
     if not entries:
-        return 'static const Table TABLES[] = {{"nothing.csv", 0, NULL, NULL}};'
-    return "\n".join([*lines, "static const Table TABLES[] = {", *entries, "};"])
+        return 'static int64_t NO_ROWS[1];\nstatic Table TABLES[] = {{"nothing.csv", 0, NULL, NULL, 1, NO_ROWS, 0}};'
+    return "\n".join([*lines, "static Table TABLES[] = {", *entries, "};"])

@@ -19,6 +19,7 @@ from .requirements import requirements
 from .rows import Cost, Rows
 from .tables import (
     cells_table,
+    first_of_steps,
     in_cells_table,
     instants_table,
     parts_table,
@@ -30,7 +31,7 @@ from .tables import (
     words_table,
 )
 
-SHARED = ("core.c", "loops.c", "parts.c", "state.c", "events.c")
+SHARED = ("core.c", "loops.c", "parts.c", "state.c", "events.c", "steps.c")
 SHORT = (
     "unfit",
     "not_finite",
@@ -42,6 +43,11 @@ SHORT = (
     "mean_over",
     "read_outputs",
     "paused",
+    "keep",
+    "go_back",
+    "gauge",
+    "choose_step",
+    "estimate",
 )
 
 
@@ -105,12 +111,19 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         "\n".join(instants.starts_tables()),
         *instants.found.texts,
         *happenings,
-        instants_table(name, "cycle", cycle, "INSTANTS"),
-        instants_table(name, "last", last, "LAST_INSTANTS"),
+        *(
+            []
+            if plan.algorithm.steps_vary
+            else [
+                instants_table(name, "cycle", cycle, "INSTANTS"),
+                instants_table(name, "last", last, "LAST_INSTANTS"),
+            ]
+        ),
         *beginning,
         requirements(plan, shown, name),
         variables_table(name, shown),
         in_cells_table(name, shown),
+        first_of_steps(plan, name),
         words_table(name, names),
         f"const int {name}_loop_places[{name}_LOOPS + 1] = {{"
         + ", ".join([*(str(first + 1) for first in plan.layout.loops), "0"])

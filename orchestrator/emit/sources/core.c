@@ -133,12 +133,45 @@ int SYSTEM_start(SYSTEM *s) {
     if (SYSTEM_read_outputs(s) || SYSTEM_settle_instant(s) || SYSTEM_requirements(s) || SYSTEM_first_history(s)) return 1;
     for (int k = 0; k < SYSTEM_LOOPS; k++) s->now.solver[SYSTEM_loop_places[k]] = -1.0;
     s->now.stage = SYSTEM_RUNNING;
+#if SYSTEM_REPEATS || SYSTEM_VARIES
+    memcpy(s->now.work, SYSTEM_first_work, sizeof s->now.work);
+#endif
+#if SYSTEM_VARIES
+    memcpy(s->now.clock, SYSTEM_first_clock, sizeof s->now.clock);
+    s->now.wanted = s->now.clock[STEP_TICKS];
+#endif
 #if SYSTEM_EVENTS
     if (SYSTEM_begin_events(s)) return 1;
 #endif
     return 0;
 }
 
+#if SYSTEM_VARIES
+int64_t SYSTEM_next(const SYSTEM *s) { return s->now.first + s->now.clock[NOW] + SYSTEM_EVEN; }
+
+int SYSTEM_step(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s cannot make a step now", s->name);
+    if (s->now.clock[STEP_TICKS] <= 0) return SYSTEM_say(s, s->name, 3, "%s is at its stop; SYSTEM_go_to leads further", s->name);
+    if (SYSTEM_macro_step(s)) return 1;
+    s->now.time = seconds(s->now.first + s->now.clock[NOW]);
+    return 0;
+}
+
+/* Steps of its own length, of which one ends there. */
+static int go_on(SYSTEM *s, int64_t end) {
+    int64_t *clock = s->now.clock;
+    if (s->now.stage != SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s cannot make a step now", s->name);
+    clock[STOP] = end - s->now.first;
+    clock[STEP_TICKS] = clock[NOW] ? SYSTEM_fitted(s, s->now.wanted) : s->now.wanted < clock[STOP] ? s->now.wanted : clock[STOP];
+    while (clock[NOW] < clock[STOP])
+        if (SYSTEM_step(s)) return 1;
+    return 0;
+}
+
+static bool is_instant(const SYSTEM *s, int64_t tick) {
+    return tick > s->now.first + s->now.clock[NOW] && (tick - s->now.first) % SYSTEM_EVEN == 0;
+}
+#else
 static int next_instant(const SYSTEM *s) { return s->now.instant + 1 < SYSTEM_INSTANTS ? s->now.instant + 1 : 1; }
 
 int64_t SYSTEM_next(const SYSTEM *s) {
@@ -173,6 +206,13 @@ static bool is_instant(const SYSTEM *s, int64_t tick) {
     return false;
 }
 
+static int go_on(SYSTEM *s, int64_t end) {
+    while (SYSTEM_next(s) <= end)
+        if (SYSTEM_step(s)) return 1;
+    return 0;
+}
+#endif
+
 int SYSTEM_go_to(SYSTEM *s, double time, double step) {
     const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time), ticks = (time + step) / SYSTEM_TICK;
     if (!(fabs(time - s->now.time) <= near))
@@ -181,12 +221,13 @@ int SYSTEM_go_to(SYSTEM *s, double time, double step) {
     if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !(end == SYSTEM_next(s) || is_instant(s, end)))
         return SYSTEM_say(s, s->name, 3, "a step of %.9g s from t = %.9g s is not possible: %s goes on by instants, the next one at %.9g s",
                     step, time, s->name, seconds(SYSTEM_next(s)));
-    while (SYSTEM_next(s) <= end)
-        if (SYSTEM_step(s)) return 1;
-    return 0;
+    return go_on(s, end);
 }
 
 int SYSTEM_rest(SYSTEM *s) {
+#if SYSTEM_VARIES
+    return SYSTEM_say(s, s->name, 3, "%s has no cycles; SYSTEM_go_to leads to its stop", s->name);
+#else
     if (s->now.stage != SYSTEM_RUNNING || (s->now.instant && s->now.instant + 1 != SYSTEM_INSTANTS))
         return SYSTEM_say(s, s->name, 3, "%s is not behind a whole cycle", s->name);
     if (s->now.instant) s->now.begin += SYSTEM_HYPERPERIOD, s->now.instant = 0;
@@ -197,6 +238,7 @@ int SYSTEM_rest(SYSTEM *s) {
         if (go(s, &SYSTEM_last[k], &SYSTEM_last[k + 1])) return 1;
     s->now.stage = SYSTEM_TERMINATED;
     return 0;
+#endif
 }
 
 int SYSTEM_terminate(SYSTEM *s) {
@@ -208,6 +250,10 @@ int SYSTEM_terminate(SYSTEM *s) {
 }
 
 void SYSTEM_close(SYSTEM *s) {
+#if SYSTEM_REPEATS
+    for (int part = 0; part < SYSTEM_PARTS; part++)
+        if (s->part[part]) SYSTEM_part_forget(s, part, &s->kept[part]);
+#endif
     for (int part = 0; part < SYSTEM_PARTS; part++) SYSTEM_part_free(s, part);
     for (int k = 0; k < SYSTEM_VARIABLES; k++) free(s->texts[k]);
     memset(s, 0, sizeof *s);

@@ -115,6 +115,26 @@ int SYSTEM_between(SYSTEM *s, int64_t at, const int64_t *starts); /* and what is
 double SYSTEM_faulted(const SYSTEM *s, int fault, int64_t stream, int64_t counter, double value);
 #endif
 
+/* Macro steps that are repeated or vary: see steps.c. */
+#if SYSTEM_REPEATS || SYSTEM_VARIES
+extern const double SYSTEM_first_work[SYSTEM_WORK];
+#endif
+#if SYSTEM_REPEATS
+int SYSTEM_keep(SYSTEM *s, int part);
+int SYSTEM_go_back(SYSTEM *s, int part);
+#endif
+#if SYSTEM_VARIES
+/* `clock`: the instant from the start on, the step that is done now, its limits, the stop, nothing, and where in the macro
+   step its second half begins. */
+enum { NOW, STEP_TICKS, MINIMUM, MAXIMUM, STOP, UNTIL, OFFSET };
+extern const int64_t SYSTEM_first_clock[7];
+int64_t SYSTEM_fitted(const SYSTEM *s, int64_t length); /* the next step, between its limits and to the stop */
+void SYSTEM_gauge(SYSTEM *s, int effort, int held_effort, int flow, int held_flow, const double *settings);
+double SYSTEM_choose_step(SYSTEM *s, const double *settings);
+int SYSTEM_estimate(SYSTEM *s, int p, int n, const double *settings); /* 0: good, 1: again, shorter, -1: failed */
+int SYSTEM_macro_step(SYSTEM *s);
+#endif
+
 /* Tables. */
 double SYSTEM_held_at(const double *table, double time);
 double SYSTEM_mean_over(const double *table, double begin, double end);

@@ -57,10 +57,13 @@ static int next_column(double *z, int u, int g, int n, const double *settings, d
 
 int SYSTEM_iterate(double *z, int u, int g, int n, const double *settings, double *work) {
     if (work[COLUMN] >= 0.0) return next_column(z, u, g, n, settings, work);
-    double *last = work + HEAD, *base = last + n, before = work[RESIDUAL], residual = 0.0;
+    double *last = work + HEAD, *base = last + n, before = work[RESIDUAL], residual = 0.0, above = 0.0, below = 0.0;
     for (int i = 0; i < n; i++) {
         const double r = z[g + i] - z[u + i], scale = fmax(settings[SETTINGS + i], fabs(z[g + i]));
         if (fabs(r) / scale > residual) residual = fabs(r) / scale, work[WORST] = i;
+        const double change = (r - last[i]) / scale;
+        above += last[i] / scale * change;
+        below += change * change;
         last[i] = r;
     }
     work[COUNT] += 1.0;
@@ -71,6 +74,11 @@ int SYSTEM_iterate(double *z, int u, int g, int n, const double *settings, doubl
         return 0;
     }
     if (work[COUNT] >= settings[LIMIT]) return -1;
+    if (settings[METHOD] == 0.0) { /* fixed point with Aitken's relaxation */
+        work[FACTOR] = work[COUNT] == 1.0 || below == 0.0 ? 1.0 : -work[FACTOR] * above / below;
+        for (int i = 0; i < n; i++) z[u + i] += work[FACTOR] * last[i];
+        return 1;
+    }
     for (int i = 0; i < n; i++) base[i] = z[u + i];
     if (work[COUNT] == 1.0 || residual > 0.1 * before) {
         perturb(z, u, 0, settings, work);

@@ -13,6 +13,9 @@ typedef struct {
     int columns;
     const int *cells;
     const bool *whole;
+    int most; /* rows of a step that may be repeated */
+    int64_t *kept; /* these: tick and cells of each */
+    int rows;
 } Table;
 
 @TABLES@
@@ -25,18 +28,36 @@ static void message(void *user, const char *component, int status, const char *t
     fprintf(stderr, "%s (status %d): %s\n", component, status, text);
 }
 
-static void row(void *user, const SYSTEM *s, int table, int64_t tick) {
-    const Table *t = &TABLES[table];
+/* Rows that nobody takes back any more. */
+static void written(int table) {
+    Table *t = &TABLES[table];
     FILE *file = files[table];
-    (void)user;
-    if (!file) return;
-    fprintf(file, "%.17g", SYSTEM_time(tick));
-    for (int k = 0; k < t->columns; k++) {
-        const int cell = t->cells[k];
-        if (t->whole[k]) fprintf(file, ",%lld", (long long)s->now.whole[cell]);
-        else fprintf(file, ",%.17g", s->now.z[cell]);
+    for (int r = 0; file && r < t->rows; r++) {
+        const int64_t *kept = t->kept + r * (t->columns + 1);
+        fprintf(file, "%.17g", SYSTEM_time(kept[0]));
+        for (int k = 0; k < t->columns; k++) {
+            double number;
+            memcpy(&number, &kept[k + 1], sizeof number);
+            if (t->whole[k]) fprintf(file, ",%lld", (long long)kept[k + 1]);
+            else fprintf(file, ",%.17g", number);
+        }
+        fputc('\n', file);
     }
-    fputc('\n', file);
+    t->rows = 0;
+}
+
+static void row(void *user, const SYSTEM *s, int table, int64_t tick) {
+    Table *t = &TABLES[table];
+    (void)user;
+    if (t->rows == t->most) written(table);
+    int64_t *kept = t->kept + t->rows++ * (t->columns + 1);
+    kept[0] = tick;
+    for (int k = 0; k < t->columns; k++) kept[k + 1] = s->now.whole[t->cells[k]];
+}
+
+static void taken_back(void *user, int table, int rows) {
+    (void)user;
+    TABLES[table].rows -= rows;
 }
 
 static int assigned(SYSTEM *s, char *text) {
@@ -66,16 +87,24 @@ int main(int count, char **words) {
         for (int k = 0; k < TABLES[t].columns; k++) fprintf(files[t], ",%s", SYSTEM_cells[TABLES[t].cells[k]]);
         fputc('\n', files[t]);
     }
-    s->record = row;
+    s->record = row, s->rewind = taken_back;
     if (SYSTEM_enter(s, SYSTEM_time(SYSTEM_START), 1, SYSTEM_time(SYSTEM_START + SYSTEM_STOP)) || SYSTEM_start(s)) return 1;
-    for (int t = 0; t < SYSTEM_TABLES; t++) row(NULL, s, t, SYSTEM_START);
-    for (int64_t k = 0; k < SYSTEM_CYCLES; k++)
-        for (int n = 1; n < SYSTEM_INSTANTS; n++)
-            if (SYSTEM_step(s)) return 1;
-    if (SYSTEM_LAST_INSTANTS > 1 && SYSTEM_rest(s)) return 1;
+    for (int t = 0; t < SYSTEM_TABLES; t++) row(NULL, s, t, SYSTEM_START), written(t);
+    int failed = 0;
+#if SYSTEM_VARIES
+    failed = SYSTEM_go_to(s, s->now.time, SYSTEM_time(SYSTEM_START + SYSTEM_STOP) - s->now.time);
+#else
+    for (int64_t k = 0; k < SYSTEM_CYCLES && !failed; k++)
+        for (int n = 1; n < SYSTEM_INSTANTS && !failed; n++) {
+            failed = SYSTEM_step(s);
+            for (int t = 0; t < SYSTEM_TABLES && !failed; t++) written(t);
+        }
+    failed = failed || (SYSTEM_LAST_INSTANTS > 1 && SYSTEM_rest(s));
+#endif
+    for (int t = 0; t < SYSTEM_TABLES && !failed; t++) written(t);
     for (int t = 0; t < SYSTEM_TABLES; t++)
         if (files[t] && fflush(files[t])) return fprintf(stderr, "the rows cannot be written\n"), 1;
     SYSTEM_terminate(s);
     SYSTEM_close(s);
-    return 0;
+    return failed;
 }

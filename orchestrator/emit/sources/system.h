@@ -75,6 +75,12 @@ typedef struct {
     int64_t begin;      /* ticks from time 0 to the beginning of the cycle */
     int64_t first;      /* and to the start */
     int instant;        /* that is reached in the cycle */
+#if SYSTEM_REPEATS || SYSTEM_VARIES
+    double work[SYSTEM_WORK]; /* of the iteration, or of the choice of steps */
+#endif
+#if SYSTEM_VARIES
+    int64_t clock[7], wanted; /* ticks: see inside.h; and the step as it would be if nothing came in its way */
+#endif
 #if SYSTEM_EVENTS
     SYSTEM_Due due[SYSTEM_MOST_DUE];
     int dues;
@@ -89,6 +95,7 @@ typedef struct {
 typedef struct SYSTEM SYSTEM;
 typedef void (*SYSTEM_Message)(void *user, const char *component, int status, const char *text);
 typedef void (*SYSTEM_Record)(void *user, const SYSTEM *s, int table, int64_t tick);
+typedef void (*SYSTEM_Rewind)(void *user, int table, int rows);
 
 struct SYSTEM {
     SYSTEM_Now now;
@@ -98,7 +105,12 @@ struct SYSTEM {
     const char *name, *resources;
     SYSTEM_Message message;
     SYSTEM_Record record; /* called with every row of a table, if it is there */
+    SYSTEM_Rewind rewind; /* so many rows are taken back: their step is repeated */
     void *user;
+#if SYSTEM_REPEATS
+    double saved[SYSTEM_CELLS]; /* as the macro step began */
+    void *kept[SYSTEM_PARTS];
+#endif
     int final;      /* 1: no state before a step will be restored behind it */
     bool in_memory; /* of the caller: texts were allocated */
     void *callbacks[8];

@@ -15,12 +15,6 @@ from rovbrush.orchestrator.system.file.reader import load_system
 pytestmark = needs_gcc
 
 
-def test_another_algorithm_is_named_with_those_that_are_written(masses: Masses, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="algorithm 'iterated' is not written as C; 'gauss-seidel' and 'jacobi' are"):
-        export_c(masses(algorithm="iterated"), tmp_path / "c")
-    assert not (tmp_path / "c").exists()
-
-
 def test_events_at_times_that_cannot_be_counted_are_named(carried: Path, tmp_path: Path) -> None:
     path = tmp_path / "eventful.toml"
     path.write_text(
