@@ -55,16 +55,28 @@ def medians(rows: Rows) -> str:
     return f"medians of {rows[0]['runs']} runs" if rows[0]["runs"] > 1 else "one run of each"
 
 
+def _number(row: Mapping[str, Any] | None, key: str) -> str:
+    """A number of a row as text; empty without the row."""
+    return "" if row is None else "failed" if row[key] is None else f"{row[key]:.3g}"
+
+
+def _tell_failures(rows: Rows) -> None:
+    """Why other masters did not come to an end."""
+    for words in dict.fromkeys(r["failed"] for r in rows if "failed" in r):
+        tell(words)
+
+
 def print_systems(rows: Rows) -> None:
     """The systems and masters."""
     cells = []
     for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
         same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
-        costs = [f"{same[on]['us_per_macro_step']:.3g}" if on in same else "" for on in (False, True)]
+        costs = [_number(same.get(on), "us_per_macro_step") for on in (False, True)]
         real_time = same.get(True, {}).get("real_time_factor")
         cells.append((system, master, *costs, "" if real_time is None else f"{real_time:.3g}"))
     headings = ("system", "master", "off [us]", "recording on [us]", "times real time")
     print_table(f"Cost per macro step, {medians(rows)}", headings, cells, words=(0, 1))
+    _tell_failures(rows)
 
 
 def print_loop(rows: Rows) -> None:
@@ -89,10 +101,11 @@ def print_foreign(rows: Rows) -> None:
     for system, master in dict.fromkeys((r["system"], r["master"]) for r in rows):
         same = {r["recording"]: r for r in rows if (r["system"], r["master"]) == (system, master)}
         both = [same.get(on) for on in (False, True)]
-        texts = [f"{r[key]:.3g}" if r else "" for key in ("us_per_macro_step", "ratio") for r in both]
+        texts = [_number(r, key) for key in ("us_per_macro_step", "ratio") for r in both]
         cells.append((system, master, *texts))
     headings = ("system", "master", "off [us]", "recording on [us]", "to bare calls: off", "on")
     print_table(f"FMUs as other tools export them, per macro step, {medians(rows)}", headings, cells, words=(0, 1))
+    _tell_failures(rows)
 
 
 def print_start(rows: Rows) -> None:

@@ -83,9 +83,10 @@ def foreign_rows(folder: Path, hosts: Sequence[str], quick: bool) -> Iterator[tu
 
 
 def with_ratios(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Each row with what it takes in times of the bare calls."""
+    """Each row with what it takes in times of the bare calls, None where it failed."""
     bare = next(row["us_per_macro_step"] for row in rows if row["master"] == "calls alone")
-    return [{**row, "ratio": row["us_per_macro_step"] / bare} for row in rows]
+    costs = [row["us_per_macro_step"] for row in rows]
+    return [{**row, "ratio": cost and cost / bare} for row, cost in zip(rows, costs, strict=True)]
 
 
 def _exchange_row(folder: Path, stop: str, quick: bool) -> dict[str, Any]:

@@ -146,8 +146,15 @@ LOOPS: dict[str, Callable[[System, Path, int, bool], tuple[float, dict[str, floa
 LOOPS = {"libcosimpy": _libcosimpy, "ecospy": _ecospy, "fmpy": _fmpy}
 
 
+MEMORY = 8_000_000_000  # bytes that a host may take
+
+
 def main(host: str, ssp: str, steps: str, recording: str, answer: str) -> None:
     """The process of its own: run the host and leave the answer in a file."""
+    if sys.platform != "win32":  # an allocation that fails ends this process, not the machine's others
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
     system = load_system(ssp)
     seconds, outputs = LOOPS[host](system, Path(ssp), int(steps), recording == "1")
     Path(answer).write_text(json.dumps({"seconds_per_step": seconds, "outputs": outputs}), encoding="utf-8")

@@ -46,14 +46,21 @@ def measured(case: Case, hosts: list[str], quick: bool = False) -> list[dict[str
                 least = per_step(system, floor_loop, repeats)
                 rows.append({**label, "master": "calls alone", "us_per_macro_step": least})
             for host in hosts:
-                seconds = statistics.median(
-                    run_host(host, system, case.steps_elsewhere, recording).seconds_per_step for _ in range(elsewhere)
-                )
-                rows.append({**label, "master": host, "us_per_macro_step": 1e6 * seconds})
+                rows.append({**label, "master": host, **_elsewhere(host, system, case.steps_elsewhere, elsewhere)})
         else:
             wall = 1e-6 * rows[-1]["us_per_macro_step"] / float(min(c.period for c in system.components.values()))
             rows[-1]["real_time_factor"] = 1.0 / wall
     return rows
+
+
+def _elsewhere(host: str, system: System, steps: int, runs: int) -> dict[str, Any]:
+    """What a macro step takes in another master [us]; None, and why, where that one fails."""
+    recording = bool(system.record)
+    try:
+        seconds = statistics.median(run_host(host, system, steps, recording).seconds_per_step for _ in range(runs))
+    except RunError as error:
+        return {"us_per_macro_step": None, "failed": str(error)}
+    return {"us_per_macro_step": 1e6 * seconds}
 
 
 def per_step(system: System, loop: Callable[[Plan], float], repeats: int = REPEATS) -> float:
