@@ -23,14 +23,18 @@ def constants(L: float, c: Constants, k: Stiffness, u: Inputs, p: Parameters, m:
     c.L = L
     c.R_tip = p.R_brush + max(0.0, L - p.L)
     c.share = 1.0 / (p.n_strips * p.n_groups)
-    c.x_a = R_h * cos(p.alpha) + L
-    c.x_t = -R_h * sin(p.alpha)
+    c.R_h = R_h
+    c.sin_alpha = sin(p.alpha)
+    c.cos_alpha = cos(p.alpha)
+    c.x_a = R_h * c.cos_alpha + L
+    c.x_t = -R_h * c.sin_alpha
     c.chi = p.rho / (p.rho + p.C_a * p.rho_w)
     c.M = p.bristles_per_filament * p.rho * 0.25 * pi * p.d * p.d / c.chi * L
+    c.per_M = 1.0 / c.M
     c.speed_2 = 0.0
     if p.centrifugal:
         c.speed_2 = u.omega_b * u.omega_b
-    c.omega_max = stiffness(R_h * sin(p.alpha), k, p, c, m, S)
+    c.omega_max = stiffness(-c.x_t, k, p, c, m, S)
     c.mu_s = u.friction_scale * p.mu_s
     c.mu_c = u.friction_scale * p.mu_c
     c.fouling = u.friction_scale
@@ -69,8 +73,10 @@ def rate_limit(rate: float, mobility: float, Delta: float, normal: Normal, frict
     return sqrt(rate * rate + rise * mobility) + fall * mobility + friction.forgets
 
 
-def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, G: Matrix) -> Reach:
-    """Add the tip force to the accelerations; fills in forces and powers."""
+def tip_force(
+    limited: bool, f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, G: Matrix,
+) -> Reach:
+    """Add the tip force to the accelerations; fills in forces and powers. `limited`: is the rate asked for?"""
     F_n = 0.0
     F_f = 0.0
     moment = 0.0
@@ -92,7 +98,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
     if Delta > 0.0 or at.cos_psi < 0.0:  # else foreshortening only takes the tip farther away
         shortening = 0.0
         shortening_dot = 0.0
-        mobility = 0.0
+        square = 0.0
         for r in range(p.N_m):
             g = 0.0
             if p.foreshortening:
@@ -101,7 +107,7 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             shortening = shortening + 0.5 * g * f.eta[r]
             shortening_dot = shortening_dot + g * f.eta_dot[r]
             f.g[r] = g
-            mobility = mobility + (m.Y_L[r] * m.Y_L[r] + g * g) / c.M
+            square = square + (m.Y_L[r] * m.Y_L[r] + g * g)
         x = (c.x_a - shortening) * at.sin_psi - x_t * at.cos_psi
         z = (c.x_a - shortening) * at.cos_psi + x_t * at.sin_psi
         Delta = z - at.h_plane  # Eq. 8
@@ -112,11 +118,12 @@ def tip_force(f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m
             friction = friction_coefficient(v_s, f.z, growth_of_contact(Delta, Delta_dot), p, c)
             F_n = normal.F_n
             F_f = friction.mu * F_n  # Eq. 9
-            rate = rate_limit(rate, mobility, Delta, normal, friction, p)
+            if limited:
+                rate = rate_limit(rate, square * c.per_M, Delta, normal, friction, p)
             F_a = -F_f * at.sin_psi - F_n * at.cos_psi  # Eq. 6
             F_t = F_f * at.cos_psi - F_n * at.sin_psi  # Eq. 6
             for r in range(p.N_m):
-                f.a[r] = f.a[r] + (F_t * m.Y_L[r] - F_a * f.g[r]) / c.M  # Eq. 5, by virtual work
+                f.a[r] = f.a[r] + (F_t * m.Y_L[r] - F_a * f.g[r]) * c.per_M  # Eq. 5, by virtual work
             moment = x * F_n - z * F_f
             P_friction = F_f * v_s
             f.P_contact = (F_n - normal.F_e) * Delta_dot

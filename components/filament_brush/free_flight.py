@@ -1,6 +1,6 @@
 """Free flight: filaments that cannot reach the hull within a step share one linear map over it (Eq. 4)."""
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from ..declare.record import Matrix
 from ..library.matrices import multiply
@@ -10,7 +10,9 @@ from .records import Constants, Drag, Inputs, Losses, Modes, Placement, Scratch,
 from .water import book_drag, torque_of_drag
 
 
-def free_flight(h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, s: Scratch) -> None:
+def free_flight(
+    h: float, omega_max: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, s: Scratch,
+) -> None:
     """Fill P with the map of (eta, eta_dot, 1) over h without contact: Runge-Kutta in 2^k equal micro-steps.
 
     With drag, of (eta, eta_dot, 1, 1 m/s of water that passes the bristle along -e_t).
@@ -19,7 +21,7 @@ def free_flight(h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: S
     give the whole step. The fastest rate times the micro-step is at most 0.2.
     """
     size = 2 * p.N_m + 1
-    fastest = c.omega_max
+    fastest = omega_max
     if p.C_d > 0.0:
         size = size + 1
         fastest = fastest + 2.0 * c.drag * c.slip * abs(u.omega_b) * c.x_a * c.L / c.M
@@ -196,13 +198,12 @@ def drag_on_way(
     return Drag(F_w, M_w, work)
 
 
-def advance_free_in_water(psi: float, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
-    """Map a filament over the communication step, psi in its middle, and book what damping and drag take.
+def advance_free_in_water(at: Placement, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
+    """Map a filament over the communication step, in whose middle it stands so, and book what damping and drag take.
 
-    Forces are linear in the rates, so that their impulses follow from the deflections exactly; psi counts as in the
-    middle. What both losses are together follows from the energy; they share it as their powers do at the two ends.
+    Forces are linear in the rates, so that their impulses follow from the deflections exactly; its angle counts as in
+    the middle. What both losses are together follows from the energy; they share it as their powers do at the two ends.
     """
-    at = Placement(sin(psi), cos(psi), h_plane=0.0)
     passing = u.v_rov * at.cos_psi + u.delta_dot * at.sin_psi
     begin = losses(s.now, u, p, s.c, s.modes, s.shapes)
     lost = modal_mass(s.c) * map_in_water(s.now, s.end, s.second, passing, p, s.c, s.k, s)

@@ -3,18 +3,19 @@
 Frames and symbols are those of README.md, names and units those of records.py.
 """
 
-from math import cos, pi, sin
+from math import cos, pi
 
 from .calendar import keep_map, turn_page
 from .contact import contact_energy
 from .filament import hub_radius, modal_mass, share_of, tip_radius
-from .free_flight import advance_free, advance_free_in_water, free_flight, is_near_the_flow, tip_speed_bound
+from .free_flight import advance_free, advance_free_in_water, is_near_the_flow, tip_speed_bound
 from .micro_steps import advance_touching, count_strike, evaluate, touches
 from .modes import centrifugal_energy, deflection_ratio, mode_table, slope_integrals
+from .nearby_maps import map_of_step
 from .parameters import Parameters
 from .reach import follow_speed, is_far, start_bounds, swing_of, within_step
 from .reactions import give, take
-from .records import Advanced, Constants, Inputs, Modes, Outputs, Placement, Scratch, State
+from .records import Advanced, Constants, Inputs, Modes, Outputs, Scratch, State
 from .rods import at_strip, place, take_group
 from .sleepers import (
     are_asleep,
@@ -28,7 +29,8 @@ from .sleepers import (
     wake_all,
     wake_near,
 )
-from .totals import brush_sums, fill_table
+from .standing import at_begin, at_end, spread, stand, turn_by, turned
+from .totals import add_rod, begin_left, brush_sums, clear, close, evaluate_at, fill_table, group_sums
 from .water import add_drag, drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
@@ -74,6 +76,7 @@ def initialize(p: Parameters, x: State) -> None:
         for r in range(p.N_m):
             x.eta[i, r] = 0.0
             x.eta_dot[i, r] = 0.0
+    spread(p, x)
     wake_all(p, x)
     start_bounds(p, x)
 
@@ -92,8 +95,13 @@ def table(u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
 
 
 def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """The outputs at a penetration, which goes on within a step."""
+    """The outputs at a penetration."""
     brush_sums(delta, u, p, x, y, s)
+    write_others(u, p, x, y, s)
+
+
+def write_others(u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """The outputs that are no sums over the rods, and those that follow from them."""
     if has_pack_torque(p):
         T_pack = pack_torque(u, p, s.c)
         y.T_water = y.T_water + T_pack
@@ -123,13 +131,13 @@ def write_outputs(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, 
     y.micro_steps = x.micro_steps
     y.h_micro_min = x.h_micro_min
     write_modes(x.nominal, y)
-    write_sizes(p, y)
+    write_sizes(p, s.c, y)
 
 
-def write_sizes(p: Parameters, y: Outputs) -> None:
+def write_sizes(p: Parameters, c: Constants, y: Outputs) -> None:
     """What a maker must know: hub, mass of the bristles, and how densely they stand on the hub."""
     section = p.n * p.bristles_per_filament * 0.25 * pi * p.d * p.d
-    y.R_h = hub_radius(p)
+    y.R_h = c.R_h
     y.m_filaments = section * p.rho * p.L
     y.packing = section / (2.0 * pi * y.R_h * p.width)
 
@@ -150,13 +158,18 @@ def write_modes(m: Modes, y: Outputs) -> None:
         y.omega_r[r] = m.omega_r[r]
 
 
-def advance_rod(k: int, g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
-    """Advance rod k of group g, which is awake, by h, in micro-steps if it can reach the hull."""
-    E_end = 0.0
-    psi = x.theta_b + 2.0 * pi * filament_of(k, p) / p.n - p.alpha
+def advance_rod(
+    k: int, g: int, w: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch,
+) -> Advanced:
+    """Advance rod k of group g, which is awake, by h, in micro-steps if it can reach the hull; add it to the outputs.
+
+    w: where its strip is; delta is that of the strip.
+    """
+    i = filament_of(k, p)
     take(k, s.now, p, x)
-    at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
-    reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    at = at_begin(i, u.delta, p, x, s)
+    end = at_end(i, u.delta + u.delta_dot * h, p, x, s)
+    reach = evaluate(True, s.now, at, u, p, s.c, s.modes, s.k, s.G)
     count_strike(x.touches[k], s.now, s.c, x)
     E_start = contact_energy(reach.Delta, p)
     rate = reach.rate
@@ -170,24 +183,32 @@ def advance_rod(k: int, g: int, h: float, u: Inputs, p: Parameters, x: State, s:
             x.linear[k] = 1.0
     elif not may_sleep(p):
         way = within_step(h, u, p)
-        far = is_far(g, psi, swing_of(g, s.now, p, s.k, x.at_rest), way, s.c, x)
-    if p.C_d > 0.0 and x.linear[k] > 0.0:
-        advance_free_in_water(psi + 0.5 * u.omega_b * h, h, u, p, x, s)
-    elif far:
-        lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
-        x.W_damping = x.W_damping + share_of(s.c) * lost
+        far = is_far(g, at, swing_of(g, s.now, p, s.k, x.at_rest), way, s.c, x)
+    Delta = 0.0
+    if far or x.linear[k] > 0.0:
+        if far:
+            lost = modal_mass(s.c) * advance_free(s.now, s.end, p, s.k, s)
+            x.W_damping = x.W_damping + share_of(s.c) * lost
+        else:
+            turn = turn_by(0.5 * u.omega_b * h)
+            middle = turned(at, turn, 0.0, u)
+            advance_free_in_water(middle, h, u, p, x, s)
+        reach = evaluate_at(x.linear[k], end, u, p, s)
+        Delta = reach.Delta
+        x.deflection_ratio = max(x.deflection_ratio, deflection_ratio(s.now, p, s.c, s.modes))
     else:
-        touched = advance_touching(psi, h, x.h_next[k], rate, u, p, x, s)
+        touched = advance_touching(at, h, x.h_next[k], rate, u, p, x, s)
         x.h_next[k] = touched.h_next
-        E_end = contact_energy(touched.Delta, p)
+        Delta = touched.Delta
     x.touches[k] = touches(s.now)
+    E_end = contact_energy(Delta, p)
+    add_rod(w, E_end, end, p, s.c, s.modes, s.now, y, s)
     give(k, s.now, p, x)
-    x.deflection_ratio = max(x.deflection_ratio, deflection_ratio(s.now, p, s.c, s.modes))
     return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, s.modes, s.S))
 
 
-def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> Advanced:
-    """Advance the rods of group g by h: those that are awake one by one, the sleepers together."""
+def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> Advanced:
+    """Advance the rods of group g by h, those that are awake one by one, the sleepers together; add to the outputs."""
     E_start = 0.0
     E_end = 0.0
     E_per_speed_2 = 0.0
@@ -198,14 +219,14 @@ def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scrat
         settle(g, h, u, p, x, s)
         wake_near(g, h, u, p, x, s)
     if are_asleep(g, p, x) or not may_sleep(p):
-        free_flight(h, u, p, s.c, s.modes, s.k, s)
+        map_of_step(g, h, u, p, s.c, s.modes, s.k, x, s)
     for a in range(int(x.awake_count[g])):
         k = int(x.awake[g * p.n * p.n_strips + a])
         w = place(strip_of(k, g, p), p)
         there = at_strip(w, u.delta, u, p)
         J_x = x.J_x
         J_z = x.J_z
-        rod = advance_rod(k, g, h, there, p, x, s)
+        rod = advance_rod(k, g, w, h, there, p, x, y, s)
         x.J_Mx = x.J_Mx + w * (x.J_z - J_z)
         x.J_Mz = x.J_Mz - w * (x.J_x - J_x)
         E_start = E_start + rod.E_start
@@ -217,6 +238,8 @@ def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scrat
         first = g * (2 * p.N_m + 1)
         E_per_speed_2 = E_per_speed_2 + centrifugal_energy_of_sum(first, p, s.c, s.modes, s.S, x.sums)
         x.deflection_ratio = max(x.deflection_ratio, mean_ratio(first, p, s.c, s.modes, x.sums))
+        begin_left(g, p, x, s)
+    group_sums(g, p, x, y, s)
     share = share_of(s.c)
     return Advanced(share * E_start, share * E_end, share * E_per_speed_2)
 
@@ -239,12 +262,16 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
     E_end = 0.0
     E_per_speed_2 = 0.0
     x.deflection_ratio = 0.0
+    clear(p, y, s)
+    stand(u.omega_b * h, x, s)
     for g in range(p.n_groups):
-        group = advance_group(g, h, u, p, x, s)
+        group = advance_group(g, h, u, p, x, y, s)
         E_start = E_start + group.E_start
         E_end = E_end + group.E_end
         E_per_speed_2 = E_per_speed_2 + group.E_per_speed_2
+    close(y, s)
     turn_page(x)
+    x.h_before = h
     x.delta = u.delta
     x.delta_end = u.delta + u.delta_dot * h
     if has_pack_torque(p):
@@ -256,7 +283,7 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
     x.W_hull = x.W_hull + u.v_rov * (x.J_x - J_x) - u.delta_dot * (x.J_z - J_z)
     book_step(E_start, E_end, E_per_speed_2, acting_speed_2(s.c), x)
     x.deflection_ratio_max = max(x.deflection_ratio, x.deflection_ratio_max)
-    write_outputs(u.delta + u.delta_dot * h, u, p, x, y, s)
+    write_others(u, p, x, y, s)
 
 
 def acting_speed_2(c: Constants) -> float:

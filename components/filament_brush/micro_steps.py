@@ -1,6 +1,6 @@
 """A filament near the hull: classical Runge-Kutta in error-controlled micro-steps of its own."""
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from ..declare.record import Matrix
 from ..library.integration import runge_kutta_sum
@@ -8,21 +8,16 @@ from .filament import free_acceleration, tip_force
 from .modes import deflection_ratio
 from .parameters import Parameters
 from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Stiffness, Touched, Trial
+from .standing import turn_by, turned
 from .water import add_drag, book_drag
 
 
-def placement(psi: float, tau: float, u: Inputs, p: Parameters) -> Placement:
-    """How the filament stands at tau, which stood at psi when the step began."""
-    angle = psi + u.omega_b * tau
-    return Placement(sin(angle), cos(angle), h_plane=p.R_brush - u.delta - u.delta_dot * tau)
-
-
 def evaluate(
-    f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, G: Matrix,
+    limited: bool, f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, G: Matrix,
 ) -> Reach:
-    """The right-hand side: accelerations, forces and powers from deflection and rates."""
+    """The right-hand side: accelerations, forces and powers from deflection and rates. `limited`: as in `tip_force`."""
     free_acceleration(f, p, m, k)
-    reach = tip_force(f, at, u, p, c, m, G)
+    reach = tip_force(limited, f, at, u, p, c, m, G)
     return reach
 
 
@@ -63,33 +58,34 @@ def with_velocities(error: float, end: Stage, fourth: Stage, h_s: float, p: Para
     return total
 
 
-def runge_kutta(psi: float, tau: float, h_s: float, u: Inputs, p: Parameters, s: Scratch) -> Trial:
-    """Micro-step h_s from `now`, where stage 1 is known, to `end`; psi as at tau = 0.
+def runge_kutta(at: Placement, h_s: float, u: Inputs, p: Parameters, s: Scratch) -> Trial:
+    """Micro-step h_s from `now`, which stands at `at` and where stage 1 is known, to `end`.
 
     The error estimate is the difference to the third-order companion that takes k5, the rate at the end of the step,
     for k4.
     """
-    half = placement(psi, tau + 0.5 * h_s, u, p)
-    whole = placement(psi, tau + h_s, u, p)
+    turn = turn_by(0.5 * h_s * u.omega_b)
+    half = turned(at, turn, 0.5 * h_s, u)
+    whole = turned(half, turn, 0.5 * h_s, u)
     predict(s.second, s.now, s.now, 0.5 * h_s, p)
-    reach = evaluate(s.second, half, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.second, half, u, p, s.c, s.modes, s.k, s.G)
     if p.C_d > 0.0:
         add_drag(0.0, s.second, half, u, p, s.c, s.modes, s.shapes)
     predict(s.third, s.now, s.second, 0.5 * h_s, p)
-    reach = evaluate(s.third, half, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.third, half, u, p, s.c, s.modes, s.k, s.G)
     if p.C_d > 0.0:
         add_drag(0.0, s.third, half, u, p, s.c, s.modes, s.shapes)
     predict(s.fourth, s.now, s.third, h_s, p)
-    reach = evaluate(s.fourth, whole, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.fourth, whole, u, p, s.c, s.modes, s.k, s.G)
     if p.C_d > 0.0:
         add_drag(0.0, s.fourth, whole, u, p, s.c, s.modes, s.shapes)
     error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, s.modes)
-    reach = evaluate(s.end, whole, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(True, s.end, whole, u, p, s.c, s.modes, s.k, s.G)
     rate = reach.rate
     if p.C_d > 0.0:
         rate = rate + add_drag(0.0, s.end, whole, u, p, s.c, s.modes, s.shapes)
     error = with_velocities(error, s.end, s.fourth, h_s, p, s.c)
-    return Trial(sqrt(error), reach.Delta, rate)
+    return Trial(sqrt(error), reach.Delta, rate, whole.sin_psi, whole.cos_psi, whole.h_plane)
 
 
 def book(
@@ -117,6 +113,7 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
         now.eta[r] = end.eta[r]
         now.eta_dot[r] = end.eta_dot[r]
         now.a[r] = end.a[r]
+        now.g[r] = end.g[r]
     if p.friction_law == 2:
         now.z = end.z
         now.z_dot = end.z_dot
@@ -125,6 +122,7 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
     now.F_f = end.F_f
     now.F_n = end.F_n
     now.moment = end.moment
+    now.x = end.x
     now.v_slip = end.v_slip
     now.P_friction = end.P_friction
     now.P_contact = end.P_contact
@@ -135,12 +133,12 @@ def adopt(now: Stage, end: Stage, p: Parameters) -> None:
         now.P_water = end.P_water
 
 
-def book_water(tau: float, h_s: float, psi: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
-    """Impulses of the drag in a micro-step from tau on, and its loss."""
-    begin = placement(psi, tau, u, p)
-    half = placement(psi, tau + 0.5 * h_s, u, p)
-    whole = placement(psi, tau + h_s, u, p)
-    book_stage(h_s / 6.0, s.now, begin, s.c, x)
+def book_water(at: Placement, h_s: float, u: Inputs, x: State, s: Scratch) -> None:
+    """Impulses of the drag in a micro-step that begins at `at`, and its loss."""
+    turn = turn_by(0.5 * h_s * u.omega_b)
+    half = turned(at, turn, 0.5 * h_s, u)
+    whole = turned(half, turn, 0.5 * h_s, u)
+    book_stage(h_s / 6.0, s.now, at, s.c, x)
     book_stage(h_s / 3.0, s.second, half, s.c, x)
     book_stage(h_s / 3.0, s.third, half, s.c, x)
     book_stage(h_s / 6.0, s.fourth, whole, s.c, x)
@@ -175,9 +173,9 @@ def accept(h_s: float, p: Parameters, x: State, s: Scratch) -> None:
 
 
 def advance_touching(
-    psi: float, h: float, h_first: float, rate_first: float, u: Inputs, p: Parameters, x: State, s: Scratch,
+    begin: Placement, h: float, h_first: float, rate_first: float, u: Inputs, p: Parameters, x: State, s: Scratch,
 ) -> Touched:
-    """Advance `now` over h from the axis angle psi; h_first: first micro-step to try.
+    """Advance `now` over h from how it stands; h_first: first micro-step to try.
 
     At the start the rate and, in `now`, accelerations and forces are known.
     """
@@ -186,6 +184,7 @@ def advance_touching(
     rate = rate_first
     Delta = 0.0
     tau = 0.0
+    at = Placement(begin.sin_psi, begin.cos_psi, begin.h_plane)
     running = True
     while running:
         left = h - tau
@@ -194,7 +193,7 @@ def advance_touching(
             h_s = left
         elif 2.0 * h_s > left:  # two equal steps rather than a last tiny one
             h_s = 0.5 * left
-        trial = runge_kutta(psi, tau, h_s, u, p, s)
+        trial = runge_kutta(at, h_s, u, p, s)
         Delta = trial.Delta
         error = trial.error / v_tolerance
         h_new = 2.0 * h_s
@@ -213,9 +212,10 @@ def advance_touching(
                 h_goal = h_new
             h_goal = min(h_goal, p.h_max)
             if p.C_d > 0.0:
-                book_water(tau, h_s, psi, u, p, x, s)
+                book_water(at, h_s, u, x, s)
             accept(h_s, p, x, s)
             rate = trial.rate
+            at = Placement(trial.sin_psi, trial.cos_psi, trial.h_plane)
             running = h_s < left
             tau = tau + h_s
     return Touched(h_goal, Delta)

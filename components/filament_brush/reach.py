@@ -5,12 +5,13 @@ change of the speed moves the rest and stiffens the modes: it raises all bounds 
 a term.
 """
 
-from math import atan2, ceil, cos, floor, pi, sin, sqrt
+from math import atan2, ceil, floor, pi, sqrt
 
 from ..declare.record import Matrix
 from ..library.matrices import solve
 from .parameters import Parameters
-from .records import Constants, Inputs, Modes, Scratch, Span, Stage, State, Stiffness, Sweep
+from .records import Constants, Inputs, Modes, Placement, Scratch, Span, Stage, State, Stiffness, Sweep
+from .standing import turn_by
 
 
 def start_bounds(p: Parameters, x: State) -> None:
@@ -22,6 +23,10 @@ def start_bounds(p: Parameters, x: State) -> None:
         x.since[g] = 0.0
         x.y_rest[g] = 0.0
         x.y_per_swing[g] = 0.0
+        x.nearby_h[g] = 0.0
+        for j in range(p.n_strips):
+            x.arc_low[g * p.n_strips + j] = 0.0
+            x.arc_high[g * p.n_strips + j] = -1.0
         for r in range(p.N_m):
             x.at_rest[g, r] = 0.0
 
@@ -134,9 +139,10 @@ def note_swing(g: int, swing: float, x: State) -> float:
 
 def within_step(h: float, u: Inputs, p: Parameters) -> Sweep:
     """What happens within h."""
-    turn = u.omega_b * h
+    angle = u.omega_b * h
+    turn = turn_by(angle)
     deepest = max(u.delta, u.delta + u.delta_dot * h)
-    return Sweep(turn, sin(turn), cos(turn), h_least=p.R_brush - deepest)
+    return Sweep(angle, turn.sine, turn.cosine, h_least=p.R_brush - deepest)
 
 
 def tip_range(g: int, swing: float, x: State) -> float:
@@ -144,8 +150,8 @@ def tip_range(g: int, swing: float, x: State) -> float:
     return 1.000001 * x.y_per_swing[g] * swing
 
 
-def is_far(g: int, psi: float, swing: float, way: Sweep, c: Constants, x: State) -> bool:
-    """Does a rod of this swing, at psi when the step begins, certainly stay off the hull?
+def is_far(g: int, at: Placement, swing: float, way: Sweep, c: Constants, x: State) -> bool:
+    """Does a rod of this swing, which stands so when the step begins, certainly stay off the hull?
 
     The tip goes on a circle for each deflection; between the least and the largest its height is linear. Foreshortening
     takes it farther away (as long as it points downwards: a hull within the deflection of the axis counts as near).
@@ -154,14 +160,12 @@ def is_far(g: int, psi: float, swing: float, way: Sweep, c: Constants, x: State)
     y = tip_range(g, swing, x)
     middle = c.x_t + x.y_rest[g]
     if x.y_per_swing[g] > 0.0 and way.h_least > abs(middle) + y:
-        sin_0 = sin(psi)
-        cos_0 = cos(psi)
-        sin_1 = sin_0 * way.cos_turn + cos_0 * way.sin_turn
-        cos_1 = cos_0 * way.cos_turn - sin_0 * way.sin_turn
+        sin_1 = at.sin_psi * way.cos_turn + at.cos_psi * way.sin_turn
+        cos_1 = at.cos_psi * way.cos_turn - at.sin_psi * way.sin_turn
         far = True
         for side in range(2):
             x_t = middle + (2.0 * side - 1.0) * y
-            top = highest_tip(x_t, sin_0, cos_0, sin_1, cos_1, way.turn, c)
+            top = highest_tip(x_t, at.sin_psi, at.cos_psi, sin_1, cos_1, way.turn, c)
             if top + 1e-9 * c.R_tip >= way.h_least:
                 far = False
     return far
@@ -182,36 +186,72 @@ def span_within(g: int, way: Sweep, p: Parameters, c: Constants, x: State) -> Sp
     y = tip_range(g, known_swing(g, x.widest[g], x), x)
     low = c.x_t + x.y_rest[g] - y
     high = c.x_t + x.y_rest[g] + y
-    first = 0
-    count = p.n
     if x.y_per_swing[g] > 0.0 and way.h_least > max(abs(low), abs(high)):
-        begin = min(arc_begin(low, way, c), arc_begin(high, way, c)) - max(way.turn, 0.0)
-        end = max(arc_end(low, way, c), arc_end(high, way, c)) - min(way.turn, 0.0)
-        first = ceil((begin + p.alpha - x.theta_b) * p.n / (2.0 * pi) - 1e-6)
-        last = floor((end + p.alpha - x.theta_b) * p.n / (2.0 * pi) + 1e-6)
-        if last - first < p.n:
-            count = max(0, last - first + 1)
-            count = min(count, p.n)
+        begin = min(arc_begin(low, way.h_least, c), arc_begin(high, way.h_least, c))
+        end = max(arc_end(low, way.h_least, c), arc_end(high, way.h_least, c))
+    else:
+        begin = -4.0
+        end = 4.0
+    span = span_between(begin, end, way, p, x)
+    return Span(span.first, span.count)
+
+
+def span_in_step(g: int, j: int, way: Sweep, p: Parameters, c: Constants, x: State) -> Span:
+    """The same of strip j, which remembers the arc as long as it is wide enough and not far too wide."""
+    at = g * p.n_strips + j
+    y = tip_range(g, known_swing(g, x.widest[g], x), x)
+    low = c.x_t + x.y_rest[g] - y
+    high = c.x_t + x.y_rest[g] + y
+    small = 1e-6 * p.R_brush
+    holds = x.arc_low[at] <= low and high <= x.arc_high[at] and x.arc_h[at] <= way.h_least
+    if x.y_per_swing[g] == 0.0:
+        x.arc_low[at] = 0.0
+        x.arc_high[at] = -1.0  # none is of less than nothing
+        x.arc_begin[at] = -4.0
+        x.arc_end[at] = 4.0
+    elif not holds or (
+        2.0 * y < 0.9 * (x.arc_high[at] - x.arc_low[at]) - 4.0 * small or way.h_least > x.arc_h[at] + small
+    ):
+        x.arc_low[at] = low - 0.02 * y - small
+        x.arc_high[at] = high + 0.02 * y + small
+        x.arc_h[at] = way.h_least
+        x.arc_begin[at] = -4.0
+        x.arc_end[at] = 4.0
+        if way.h_least > max(abs(x.arc_low[at]), abs(x.arc_high[at])):
+            x.arc_begin[at] = min(arc_begin(x.arc_low[at], way.h_least, c), arc_begin(x.arc_high[at], way.h_least, c))
+            x.arc_end[at] = max(arc_end(x.arc_low[at], way.h_least, c), arc_end(x.arc_high[at], way.h_least, c))
+    span = span_between(x.arc_begin[at], x.arc_end[at], way, p, x)
+    return Span(span.first, span.count)
+
+
+def span_between(begin: float, end: float, way: Sweep, p: Parameters, x: State) -> Span:
+    """The rods of a strip whose axes come into an arc; -4 to 4: all."""
+    first = ceil((begin - max(way.turn, 0.0) + p.alpha - x.theta_b) * p.n / (2.0 * pi) - 1e-6)
+    last = floor((end - min(way.turn, 0.0) + p.alpha - x.theta_b) * p.n / (2.0 * pi) + 1e-6)
+    count = min(max(0, last - first + 1), p.n)
+    if begin == -4.0 and end == 4.0:
+        first = 0
+        count = p.n
     return Span(first, count)
 
 
-def arc_begin(x_t: float, way: Sweep, c: Constants) -> float:
+def arc_begin(x_t: float, h_least: float, c: Constants) -> float:
     """The least psi at which a tip of this deflection reaches the hull; 4 for one that never does."""
-    square = c.x_a * c.x_a + x_t * x_t - way.h_least * way.h_least
+    square = c.x_a * c.x_a + x_t * x_t - h_least * h_least
     begin = 4.0
     if square > -1e-8 * c.x_a * c.x_a:
         along = sqrt(square + 1e-8 * c.x_a * c.x_a)
-        begin = atan2(x_t * way.h_least - c.x_a * along, c.x_a * way.h_least + x_t * along)
+        begin = atan2(x_t * h_least - c.x_a * along, c.x_a * h_least + x_t * along)
     return begin
 
 
-def arc_end(x_t: float, way: Sweep, c: Constants) -> float:
+def arc_end(x_t: float, h_least: float, c: Constants) -> float:
     """The largest psi, or -4."""
-    square = c.x_a * c.x_a + x_t * x_t - way.h_least * way.h_least
+    square = c.x_a * c.x_a + x_t * x_t - h_least * h_least
     end = -4.0
     if square > -1e-8 * c.x_a * c.x_a:
         along = sqrt(square + 1e-8 * c.x_a * c.x_a)
-        end = atan2(x_t * way.h_least + c.x_a * along, c.x_a * way.h_least - x_t * along)
+        end = atan2(x_t * h_least + c.x_a * along, c.x_a * h_least - x_t * along)
     return end
 
 

@@ -1,9 +1,7 @@
 """Reactions at the filaments' bases (Eqs. 11-13) and their sums over the brush (Eqs. 14, 15)."""
 
-from math import cos, pi, sin
+from math import pi
 
-from .contact import contact_energy
-from .filament import hub_radius
 from .modes import deflection
 from .parameters import Parameters
 from .records import Base, Constants, Load, Modes, Outputs, Placement, Stage, State
@@ -124,20 +122,14 @@ def add_base(
     y.M_b_eq12 = y.M_b_eq12 + c.share * base.moment
     y.F_z_eq13 = y.F_z_eq13 + c.share * f.F_n * slope - c.share * f.F_f  # Eq. 13
     # Eq. 15: cos(phi) = cos(psi + alpha)
-    cos_phi = at.cos_psi * cos(p.alpha) - at.sin_psi * sin(p.alpha)
+    cos_phi = at.cos_psi * c.cos_alpha - at.sin_psi * c.sin_alpha
     y.T_brush_eq15 = y.T_brush_eq15 + p.R_brush * (c.share * base.shear) * cos_phi  # Eq. 15
     return base.y
 
 
-def add_contact_energy(Delta: float, p: Parameters, c: Constants, y: Outputs) -> None:
-    """Add the elastic energy of a tip's contact."""
-    y.E_contact = y.E_contact + c.share * contact_energy(Delta, p)
-
-
 def filament_inertia(c: Constants, p: Parameters) -> float:
     """Moment of inertia of the filaments about the brush axis, of a group's share."""
-    R_h = hub_radius(p)
-    return p.n * c.M * c.chi * (R_h * R_h + R_h * cos(p.alpha) * c.L + c.L * c.L / 3.0) / p.n_groups
+    return p.n * c.M * c.chi * (c.R_h * c.R_h + c.R_h * c.cos_alpha * c.L + c.L * c.L / 3.0) / p.n_groups
 
 
 def take(i: int, f: Stage, p: Parameters, x: State) -> None:

@@ -105,6 +105,8 @@ class State(Record):
     S_nominal: Matrix = value("1", "centrifugal stiffness over omega_b^2 and the modal mass there", (MODES, MODES))
     S_root: Matrix = value("1", "what of it goes with the radius of the root", (MODES, MODES))
     Y: Matrix = value("1", "Y_r at the points along a bristle", (MODES, MODES))
+    sin_at: Vector = value("1", "sine of the angle of each filament's axis where the brush stands at 0", lambda p: p.n)
+    cos_at: Vector = value("1", "its cosine", lambda p: p.n)
     linear: Vector = value("1", "1: drag of each rod linear in the last step", lambda p: rods(p))
     eta: Matrix = value("m", "modal deflections of each rod", lambda p: (rods(p), p.N_m))
     eta_dot: Matrix = value("m/s", "their rates", lambda p: (rods(p), p.N_m))
@@ -121,6 +123,11 @@ class State(Record):
                          lambda p: (p.n_groups * (2 * p.N_m + 1), 2 * p.N_m + 1))
     around: Matrix = value("", "w cos(theta_i) and w sin(theta_i) over them, theta_i the angle on the hub",
                            lambda p: (p.n_groups * 2, 2 * p.N_m + 1))
+    nearby: Matrix = value("", "the map of a step over the square of the speed, of each group; see `nearby_maps.py`",
+                           lambda p: (p.n_groups * 6 * p.N_m, 2 * p.N_m + 1))
+    nearby_h: Vector = value("s", "length of that step; 0: none", lambda p: p.n_groups)
+    nearby_speed_2: Vector = value("rad2/s2", "square of the speed in its middle", lambda p: p.n_groups)
+    nearby_range: Vector = value("rad2/s2", "how far it holds to both sides", lambda p: p.n_groups)
     maps: Matrix = value("", "maps of past steps, epochs and the era, of each group; see `calendar.py`",
                          lambda p: (p.n_groups * 68 * p.N_m, 2 * p.N_m + 1))
     at_rest: Matrix = value("m", "deflections at rest in the turning brush, by group", lambda p: (p.n_groups, p.N_m))
@@ -129,11 +136,18 @@ class State(Record):
     grow: Vector = value("1", "growth of all bounds by changes of speed, of each group", lambda p: p.n_groups)
     lift: Vector = value("m/s", "what those add to bounds, before growth", lambda p: p.n_groups)
     widest: Vector = value("m/s", "the largest bound of a group", lambda p: p.n_groups)
+    arc_low: Vector = value("m", "least tip deflection that the arc is of, of each strip of each group",
+                            lambda p: p.n_groups * p.n_strips)
+    arc_high: Vector = value("m", "largest", lambda p: p.n_groups * p.n_strips)
+    arc_h: Vector = value("m", "distance of the hull that it is of", lambda p: p.n_groups * p.n_strips)
+    arc_begin: Vector = value("rad", "angle where tips come within reach", lambda p: p.n_groups * p.n_strips)
+    arc_end: Vector = value("rad", "angle where they leave it", lambda p: p.n_groups * p.n_strips)
     since: Vector = value("1", "how many fell asleep since that was looked for", lambda p: p.n_groups)
     theta_b: float = value("rad", "brush angle")
     delta: float = value("m", "penetration given to the last step")
     delta_end: float = value("m", "penetration where it ended")
     steps: float = value("1", "steps so far")
+    h_before: float = value("s", "length of the last step")
     epoch_begin: float = value("1", "steps before the present epoch")
     era_begin: float = value("1", "steps before the present era")
     J_x: float = value("N.s", "time integral of F_x")
@@ -196,7 +210,11 @@ class Constants(Record):
     share: float = value("1", "share of a filament that a rod is")
     x_a: float = value("m", "straight tip along e_a")
     x_t: float = value("m", "straight tip along e_t")
+    R_h: float = value("m", "hub radius")
+    sin_alpha: float = value("1", "sine of the cant")
+    cos_alpha: float = value("1", "its cosine")
     M: float = value("kg", "modal mass of a bundle")
+    per_M: float = value("1/kg", "one over it")
     chi: float = value("1", "share of the bristle in it")
     speed_2: float = value("rad2/s2", "omega_b^2 as far as it acts on the filaments")
     omega_max: float = value("rad/s", "bound on the highest natural frequency")
@@ -235,6 +253,10 @@ class Scratch(Record):
     looked_at: Vector = value("1", "rods that are looked at by themselves", lambda p: p.n * p.n_strips)
     left_around: Matrix = value("", "`around` of that", lambda p: (2, 2 * p.N_m + 1))
     shares: Vector = value("1", "weights of the points along a bristle", MODES)
+    sin_begin: float = value("1", "sine of the brush angle where the step begins")
+    cos_begin: float = value("1", "its cosine")
+    sin_end: float = value("1", "sine of the brush angle where the step ends")
+    cos_end: float = value("1", "its cosine")
     x_front: float = value("m", "place of the foremost tip in contact")
     x_rear: float = value("m", "place of the rearmost")
     filament_phi: Vector = value("rad", "angle from +z_t of filament i", lambda p: p.n, shown=True)
@@ -251,6 +273,13 @@ class Placement(Record):
     h_plane: float = value("m", "distance of the hull from the brush axis")
 
 
+class Turn(Record):
+    """An angle by which something turns."""
+
+    sine: float = value("1", "its sine")
+    cosine: float = value("1", "its cosine")
+
+
 class Reach(Record):
     """How far a tip is in the hull, and how fast it can react."""
 
@@ -264,6 +293,9 @@ class Trial(Record):
     error: float = value("m/s", "error of the velocity")
     Delta: float = value("m", "penetration at the end")
     rate: float = value("1/s", "what limits the next micro-step")
+    sin_psi: float = value("1", "how the filament stands at the end, as in `Placement`")
+    cos_psi: float = value("1", "the same")
+    h_plane: float = value("m", "the same")
 
 
 class Drag(Record):

@@ -10,10 +10,11 @@ from ..declare.record import Matrix
 from .calendar import catch_up
 from .filament import modal_mass, share_of
 from .parameters import Parameters
-from .reach import filament_at, is_far, known_swing, note_swing, span_within, swing_of, within_step
+from .reach import filament_at, is_far, known_swing, note_swing, span_in_step, swing_of, within_step
 from .reactions import give, take
 from .records import Constants, Inputs, Modes, Scratch, Stage, State, Stiffness
 from .rods import at_strip, place
+from .standing import at_begin
 
 
 def may_sleep(p: Parameters) -> bool:
@@ -39,6 +40,7 @@ def wake_all(p: Parameters, x: State) -> None:
                 x.sums[(2 * p.N_m + 1) * g + i, j] = 0.0
     x.delta = 0.0
     x.delta_end = 0.0
+    x.h_before = 0.0
     x.steps = 0.0
     x.epoch_begin = 0.0
     x.era_begin = 0.0
@@ -71,11 +73,6 @@ def count_in(g: int, sign: float, i: int, f: Stage, p: Parameters, sums: Matrix,
                 sums[size * g + q, r] = sums[size * g + r, q]
 
 
-def axis_angle(k: int, p: Parameters, x: State) -> float:
-    """Angle of the axis of rod k from +z_t."""
-    return x.theta_b + 2.0 * pi * filament_of(k, p) / p.n - p.alpha
-
-
 def filament_of(k: int, p: Parameters) -> int:
     """The filament that rod k is one of."""
     return k - p.n * floor((k + 0.5) / p.n)
@@ -87,18 +84,22 @@ def strip_of(k: int, g: int, p: Parameters) -> int:
 
 
 def settle(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
-    """Those of group g that are awake and cannot reach the hull within this step fall asleep."""
+    """Those of group g that are awake, touch nothing and cannot reach the hull within this step fall asleep."""
     first = g * p.n * p.n_strips
     kept = 0
     for a in range(int(x.awake_count[g])):
         k = int(x.awake[first + a])
-        take(k, s.now, p, x)
-        swing = swing_of(g, s.now, p, s.k, x.at_rest)
-        there = at_strip(place(strip_of(k, g, p), p), u.delta, u, p)
-        way = within_step(h, there, p)
-        if is_far(g, axis_angle(k, p, x), swing, way, s.c, x):
-            fall_asleep(k, g, swing, p, x, s)
-        else:
+        sleepy = x.touches[k] == 0.0
+        if sleepy:
+            take(k, s.now, p, x)
+            swing = swing_of(g, s.now, p, s.k, x.at_rest)
+            there = at_strip(place(strip_of(k, g, p), p), u.delta, u, p)
+            way = within_step(h, there, p)
+            at = at_begin(filament_of(k, p), there.delta, p, x, s)
+            sleepy = is_far(g, at, swing, way, s.c, x)
+            if sleepy:
+                fall_asleep(k, g, swing, p, x, s)
+        if not sleepy:
             x.awake[first + kept] = 1.0 * k
             kept = kept + 1
     x.awake_count[g] = 1.0 * kept
@@ -142,17 +143,17 @@ def wake_near(g: int, h: float, u: Inputs, p: Parameters, x: State, s: Scratch) 
     for j in range(p.n_strips):
         there = at_strip(place(j, p), u.delta, u, p)
         way = within_step(h, there, p)
-        within = span_within(g, way, p, s.c, x)
+        within = span_in_step(g, j, way, p, s.c, x)
         for m in range(within.count):
             i = filament_at(within.first, m, p)
             k = (g * p.n_strips + j) * p.n + i
             if x.clock[k] >= 0.0:
-                psi = axis_angle(k, p, x)
-                if not is_far(g, psi, known_swing(g, x.swing[k], x), way, s.c, x):
+                at = at_begin(i, there.delta, p, x, s)
+                if not is_far(g, at, known_swing(g, x.swing[k], x), way, s.c, x):
                     catch_up(k, g, s.now, p, x, s)
                     give(k, s.now, p, x)
                     swing = swing_of(g, s.now, p, s.k, x.at_rest)
-                    if is_far(g, psi, swing, way, s.c, x):
+                    if is_far(g, at, swing, way, s.c, x):
                         x.swing[k] = note_swing(g, swing, x)
                         stamp(k, g, p, x)
                     else:
@@ -188,26 +189,29 @@ def carry(g: int, p: Parameters, x: State, s: Scratch) -> None:
     size = 2 * p.N_m + 1
     first = size * g
     before = energy_of_sum(first, p, s.k, x.sums)
-    for i in range(size):
+    last = size - 1  # the map leaves 1 as it is
+    for i in range(last):
         for j in range(size):
             total = 0.0
             for k in range(size):
                 total = total + s.P[i, k] * x.sums[first + k, j]
             s.Q[i, j] = total
-    for i in range(size):
+    for i in range(last):
         for j in range(i + 1):
             total = 0.0
             for k in range(size):
                 total = total + s.Q[i, k] * s.P[j, k]
             x.sums[first + i, j] = total
             x.sums[first + j, i] = total
+        x.sums[first + i, last] = s.Q[i, last]
+        x.sums[first + last, i] = s.Q[i, last]
     for row in range(2 * g, 2 * g + 2):
-        for i in range(size):
+        for i in range(last):
             total = 0.0
             for k in range(size):
                 total = total + s.P[i, k] * x.around[row, k]
             s.Q[0, i] = total
-        for i in range(size):
+        for i in range(last):
             x.around[row, i] = s.Q[0, i]
     lost = modal_mass(s.c) * (before - energy_of_sum(first, p, s.k, x.sums))
     x.W_damping = x.W_damping + share_of(s.c) * lost

@@ -1,16 +1,16 @@
 """What the whole brush does: sums over the rods that are awake one by one, over the sleepers by their sums (Eq. 14)."""
 
-from math import cos, floor, pi, sin
+from math import floor, pi
 
 from ..declare.record import Matrix
 from .calendar import catch_up
+from .contact import contact_energy
 from .filament import free_acceleration
 from .micro_steps import evaluate
 from .parameters import Parameters
 from .reach import filament_at, is_far, known_swing, span_within, within_step
 from .reactions import (
     add_base,
-    add_contact_energy,
     add_energies,
     add_tip,
     base_reactions,
@@ -18,17 +18,30 @@ from .reactions import (
     filament_inertia,
     take,
 )
-from .records import Constants, Inputs, Load, Modes, Outputs, Placement, Scratch, Stage, State, Stiffness
+from .records import Constants, Inputs, Load, Modes, Outputs, Placement, Reach, Scratch, Stage, State, Stiffness
 from .rods import at_strip, place, take_group
-from .sleepers import are_asleep, axis_angle, count_in, filament_of, strip_of
+from .sleepers import are_asleep, count_in, filament_of, strip_of
+from .standing import at_begin, stand
 from .water import add_drag, add_water
 
 
-def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Forces, torques, powers and energies of the whole brush."""
+def clear(p: Parameters, y: Outputs, s: Scratch) -> None:
+    """Nothing is summed yet."""
     clear_sums(y)
     s.x_front = -p.R_brush
     s.x_rear = p.R_brush
+
+
+def close(y: Outputs, s: Scratch) -> None:
+    """What is known when all rods are summed."""
+    y.contact_length = max(0.0, s.x_front - s.x_rear)
+    y.v_sliding = y.v_sliding / max(y.contact_count, 1e-30)
+
+
+def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Forces, torques, powers and energies of the whole brush between two steps, whatever the inputs are now."""
+    clear(p, y, s)
+    stand(0.0, x, s)
     for g in range(p.n_groups):
         take_group(g, u, p, x, s)
         begin_left(g, p, x, s)
@@ -41,12 +54,18 @@ def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: 
                 count_in(0, -1.0, filament_of(k, p), s.now, p, s.left, s.left_around)
             else:
                 take(k, s.now, p, x)
-            rod_sums(k, w, there, p, x, y, s)
-        if are_asleep(g, p, x):
-            add_left(p, s.c, s.modes, s.k, x, y, s)
-        y.J_filaments = y.J_filaments + filament_inertia(s.c, p)
-    y.contact_length = max(0.0, s.x_front - s.x_rear)
-    y.v_sliding = y.v_sliding / max(y.contact_count, 1e-30)
+            at = at_begin(filament_of(k, p), there.delta, p, x, s)
+            reach = evaluate_at(x.linear[k], at, there, p, s)
+            add_rod(w, contact_energy(reach.Delta, p), at, p, s.c, s.modes, s.now, y, s)
+        group_sums(g, p, x, y, s)
+    close(y, s)
+
+
+def group_sums(g: int, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
+    """Add the sleepers of group g, which are in `left`, and what holds for all its rods."""
+    if are_asleep(g, p, x):
+        add_left(p, s.c, s.modes, s.k, y, s)
+    y.J_filaments = y.J_filaments + filament_inertia(s.c, p)
 
 
 def begin_left(g: int, p: Parameters, x: State, s: Scratch) -> None:
@@ -71,27 +90,33 @@ def look_at(g: int, delta: float, u: Inputs, p: Parameters, x: State, s: Scratch
             within = span_within(g, way, p, s.c, x)
             for m in range(within.count):
                 k = (g * p.n_strips + j) * p.n + filament_at(within.first, m, p)
-                if x.clock[k] >= 0.0 and not is_far(
-                    g, axis_angle(k, p, x), known_swing(g, x.swing[k], x), way, s.c, x
-                ):
-                    s.looked_at[count] = 1.0 * k
-                    count = count + 1
+                if x.clock[k] >= 0.0:
+                    at = at_begin(filament_of(k, p), there.delta, p, x, s)
+                    if not is_far(g, at, known_swing(g, x.swing[k], x), way, s.c, x):
+                        s.looked_at[count] = 1.0 * k
+                        count = count + 1
     return count
 
 
-def rod_sums(k: int, w: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
-    """Add rod k of a strip at y_t = w, which is in `now`."""
-    psi = axis_angle(k, p, x)
-    at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
-    reach = evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
-    add_tip(w, s.now, s.c, y)
-    extend(s.now, s)
+def evaluate_at(linear: float, at: Placement, u: Inputs, p: Parameters, s: Scratch) -> Reach:
+    """What the hull and the water do to the rod in `now`, which stands so."""
+    reach = evaluate(False, s.now, at, u, p, s.c, s.modes, s.k, s.G)
     if p.C_d > 0.0:
-        add_drag(x.linear[k], s.now, at, u, p, s.c, s.modes, s.shapes)
-        add_water(w, s.now, at, s.c, y)
-    shortening = add_energies(s.now, p, s.c, s.modes, y)
-    add_base(s.now, at, shortening, p, s.c, s.modes, y)
-    add_contact_energy(reach.Delta, p, s.c, y)
+        add_drag(linear, s.now, at, u, p, s.c, s.modes, s.shapes)
+    return reach
+
+
+def add_rod(
+    w: float, E_contact: float, at: Placement, p: Parameters, c: Constants, m: Modes, f: Stage, y: Outputs, s: Scratch,
+) -> float:
+    """Add a rod of a strip at y_t = w that stands so, as it has been evaluated; returns its tip deflection."""
+    add_tip(w, f, c, y)
+    extend(f, s)
+    if p.C_d > 0.0:
+        add_water(w, f, at, c, y)
+    shortening = add_energies(f, p, c, m, y)
+    y.E_contact = y.E_contact + c.share * E_contact
+    return add_base(f, at, shortening, p, c, m, y)
 
 
 def extend(f: Stage, s: Scratch) -> None:
@@ -101,8 +126,8 @@ def extend(f: Stage, s: Scratch) -> None:
         s.x_rear = min(s.x_rear, f.x)
 
 
-def add_left(p: Parameters, c: Constants, m: Modes, k: Stiffness, x: State, y: Outputs, s: Scratch) -> None:
-    """Energies, losses and base reactions of rods that feel no hull, from their sums in `left`."""
+def add_left(p: Parameters, c: Constants, m: Modes, k: Stiffness, y: Outputs, s: Scratch) -> None:
+    """Energies, losses and base reactions of rods that feel no hull where a step ends, from their sums in `left`."""
     N_m = p.N_m
     for r in range(N_m):
         kinetic = c.share * (0.5 * c.M * s.left[N_m + r, N_m + r])
@@ -110,8 +135,8 @@ def add_left(p: Parameters, c: Constants, m: Modes, k: Stiffness, x: State, y: O
         y.E_kinetic = y.E_kinetic + kinetic
         y.E_strain = y.E_strain + c.share * (0.5 * c.M * m.omega_r[r] * m.omega_r[r] * s.left[r, r])
         y.P_damping = y.P_damping + 2.0 * m.damping[r] * kinetic
-    cosine = cos(x.theta_b)
-    sine = sin(x.theta_b)
+    cosine = s.cos_end
+    sine = s.sin_end
     cosines = cosine * s.left_around[0, 2 * N_m] - sine * s.left_around[1, 2 * N_m]
     # A base reaction is a constant and a linear part: of the sum of w, and of that with cosines, it holds the constant
     # once; of a rod at rest, the first, it is the constant.
@@ -148,6 +173,7 @@ def free_rod(once: float, a: float, b: float, f: Stage, p: Parameters, sums: Mat
 
 def fill_table(delta: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """Fill the table `filament`."""
+    stand(0.0, x, s)
     for i in range(p.n):
         phi = x.theta_b + 2.0 * pi * i / p.n
         s.filament_phi[i] = phi - 2.0 * pi * floor((phi + pi) / (2.0 * pi))
@@ -168,11 +194,8 @@ def fill_table(delta: float, u: Inputs, p: Parameters, x: State, s: Scratch) -> 
 
 def tell(i: int, k: int, u: Inputs, p: Parameters, x: State, s: Scratch) -> None:
     """What rod k of filament i, which is in `now`, adds to the table."""
-    psi = axis_angle(k, p, x)
-    at = Placement(sin(psi), cos(psi), h_plane=p.R_brush - u.delta)
-    evaluate(s.now, at, u, p, s.c, s.modes, s.k, s.G)
-    if p.C_d > 0.0:
-        add_drag(x.linear[k], s.now, at, u, p, s.c, s.modes, s.shapes)
+    at = at_begin(i, u.delta, p, x, s)
+    evaluate_at(x.linear[k], at, u, p, s)
     add_row(i, s.now, at, p, s.c, s.modes, s)
 
 

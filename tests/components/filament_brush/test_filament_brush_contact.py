@@ -23,8 +23,9 @@ def test_normal_force_never_pulls_and_starts_from_zero() -> None:
 def test_friction_curve_is_odd_and_its_slope_is_bounded() -> None:
     v = np.linspace(-3.0, 3.0, 6001)
     p = DECLARED.parameters(v_0=0.05, k_v=0.1, v_eps=0.02)
-    c = Constants(L=0.08, R_tip=0.15, share=1.0, x_a=0.0, x_t=0.0, M=1.0, chi=1.0, speed_2=0.0, omega_max=0.0, mu_s=0.6,
-                  mu_c=0.4, fouling=1.0, drag=0.0, slip=1.0)  # fmt: skip
+    c = Constants(L=0.08, R_tip=0.15, share=1.0, x_a=0.0, x_t=0.0, R_h=0.0, sin_alpha=0.0, cos_alpha=1.0, M=1.0,
+                  per_M=1.0, chi=1.0, speed_2=0.0, omega_max=0.0, mu_s=0.6, mu_c=0.4, fouling=1.0, drag=0.0,
+                  slip=1.0)  # fmt: skip
     found = [friction_coefficient(float(x), 0.0, 0.0, p, c) for x in v]
     law = np.array([(one.mu, one.slope) for one in found])
     assert law[:, 0] == pytest.approx(-law[::-1, 0], abs=1e-12)  # the grid is symmetric to rounding

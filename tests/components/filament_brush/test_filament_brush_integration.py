@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.filament_brush.micro_steps import advance_touching, evaluate, placement
+from rovbrush.components.filament_brush.micro_steps import advance_touching, evaluate
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
-from rovbrush.components.filament_brush.records import Inputs, Scratch, State
+from rovbrush.components.filament_brush.records import Inputs, Placement, Scratch, State
 from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("filament_brush")
@@ -61,8 +61,9 @@ def error_estimate(h: float) -> float:
     p, x, s = brush.parameters, brush.record(State), brush.record(Scratch)
     u = Inputs(15.7, 5e-3, 0.0, 0.05, 1.0, 0.0)
     psi = -0.45 - p.alpha
-    reach = evaluate(s.now, placement(psi, 0.0, u, p), u, p, s.c, s.modes, s.k, s.G)
-    advance_touching(psi, h, h, reach.rate, u, p, x, s)
+    at = Placement(np.sin(psi), np.cos(psi), p.R_brush - u.delta)
+    reach = evaluate(True, s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    advance_touching(at, h, h, reach.rate, u, p, x, s)
     return float(np.max(np.abs(h / 6.0 * (s.end.a[:3] - s.fourth.a[:3]))))
 
 
