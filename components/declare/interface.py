@@ -34,6 +34,7 @@ class Variable:
     depends: tuple[str, ...] = ()  # inputs with direct feedthrough to this output
     sampled: bool = False  # matters or changes at samples only (FMI variability `discrete`)
     tunable: bool = False  # a parameter that may change between two steps: nothing is derived from it at the start
+    usual: bool = False  # a parameter that mostly is what it starts with: `step` is compiled for that value as well
 
     @property
     def element_names(self) -> list[str]:
@@ -81,6 +82,13 @@ def tunable(*declared: Any, **named: Any) -> Any:
     nothing from it."""
     field = parameter(*declared, **named)
     return dataclasses.field(default=field.default, metadata={**field.metadata, "tunable": True})
+
+
+def usual(*declared: Any, **named: Any) -> Any:
+    """As `parameter`, of one that is mostly left as it is: what it decides is decided in a second copy of `step`, which
+    an instance takes in which all such parameters have their start values. The bits are the same."""
+    field = parameter(*declared, **named)
+    return dataclasses.field(default=field.default, metadata={**field.metadata, "usual": True})
 
 
 def parameter_variables(parameters: type[Any]) -> tuple[Variable, ...]:

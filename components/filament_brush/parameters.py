@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..declare.interface import parameter
+from ..declare.interface import parameter, usual
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Parameters:
     R_brush: float = parameter(0.15, "m", "radius of the undeformed tips", "Table 2", minimum=2e-3, maximum=2.0)
     mu_s: float = parameter(0.6, "1", "static friction coefficient", "Table 2", minimum=0.0, maximum=3.0)
     mu_c: float = parameter(0.4, "1", "Coulomb friction coefficient", "Table 2", minimum=0.0, maximum=3.0)
-    N_m: int = parameter(3, "1", "number of bending modes", "section 3.6", minimum=1, maximum=6)
+    N_m: int = usual(3, "1", "number of bending modes", "section 3.6", minimum=1, maximum=6)
     zeta: tuple[float, ...] = parameter(
         (0.02,) * 6, "1", "modal damping ratio of modes 1 to 6", "section 6.2", minimum=0.0, maximum=0.9
     )
@@ -51,7 +51,7 @@ class Parameters:
     v_eps: float = parameter(
         0.02, "m/s", "sliding velocity over which the sign function is smoothed", "assumed", minimum=1e-4, maximum=1.0
     )
-    friction_law: int = parameter(
+    friction_law: int = usual(
         0,
         "1",
         "0: Eq. 9 smoothed over v_eps; 1: the same with its largest dry value mu_s, at v_eps; 2: LuGre",
@@ -78,7 +78,7 @@ class Parameters:
     )
     rho_w: float = parameter(1025.0, "kg/m3", "density of sea water", "assumed", minimum=0.0, maximum=2000.0)
     nu_w: float = parameter(1.2e-6, "m2/s", "kinematic viscosity of sea water", "assumed: 15 degrees", 1e-8, 1e-3)
-    C_d: float = parameter(
+    C_d: float = usual(
         0.0, "1", "drag coefficient of a bristle across the flow (0: no drag, as the paper)", "section 6.2", 0.0, 10.0
     )
     shielding: float = parameter(
@@ -93,7 +93,7 @@ class Parameters:
         minimum=0.0, maximum=1e9,
     )
     width: float = parameter(0.3, "m", "length of the brush along its axis", "assumed", minimum=1e-3, maximum=5.0)
-    pack_drag: float = parameter(
+    pack_drag: float = usual(
         0.0, "1", "torque of the spinning pack over that of a rough cylinder (0: none, as the paper)",
         "Theodorsen and Regier 1944; 1 is their law", minimum=0.0, maximum=100.0,
     )
@@ -101,16 +101,16 @@ class Parameters:
         0.0094, "m", "height of that cylinder's roughness", "assumed: half the gap between bundles at the tips",
         minimum=0.0, maximum=0.1,
     )
-    C_paddle: float = parameter(
+    C_paddle: float = usual(
         0.0, "1", "drag coefficient of the bundles as paddles, a bound from above (0: none)", "assumed", 0.0, 10.0
     )
-    n_strips: int = parameter(
+    n_strips: int = usual(
         1, "1", "strips across the width, each with its own penetration", "assumed", minimum=1, maximum=50
     )
     hull_curvature: float = parameter(
         0.0, "1/m", "curvature of the hull across the width; convex is positive", "assumed", minimum=-10.0, maximum=10.0
     )
-    n_groups: int = parameter(
+    n_groups: int = usual(
         1, "1", "groups of free length in a bundle, spread evenly", "assumed", minimum=1, maximum=50
     )
     length_spread: float = parameter(
@@ -120,9 +120,9 @@ class Parameters:
     tolerance: float = parameter(
         1e-6, "1", "velocity error allowed per micro-step over omega_1 L", "assumed", minimum=1e-12, maximum=1.0
     )
-    foreshortening: bool = parameter(True, "1", "tip moves inwards as the filament bends", "section 1.3")
-    centrifugal: bool = parameter(True, "1", "centrifugal stiffening, softening and load", "section 3.5")
-    mode_acceleration: bool = parameter(
+    foreshortening: bool = usual(True, "1", "tip moves inwards as the filament bends", "section 1.3")
+    centrifugal: bool = usual(True, "1", "centrifugal stiffening, softening and load", "section 3.5")
+    mode_acceleration: bool = usual(
         True, "1", "base reactions exact in statics (false: Eqs. 11, 12 as printed)", "assumed"
     )
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..declare.interface import Array, Variable, parameter_variables
 from ..declare.model_description import GUID_PLACEHOLDER
+from ..declare.usual import usual_sizes, usual_values
 from ..errors import BuildError
 from ..python.kernels import argument_names
 
@@ -57,6 +58,9 @@ class Tables:
         for v in self.variables:
             self.first[v.name] = self.count
             self.count += len(v.start)
+        self.usual = usual_values(self.variables)
+        self.given: dict[str, str] = {}  # arguments that are known where a call stands
+        self.sizes: dict[str, tuple[int | None, int | None]] = {}  # and sizes of arrays
 
     def source(self, kernel: str) -> str:
         """The whole C file of a component, around its kernel."""
@@ -67,7 +71,7 @@ class Tables:
             [head + '#include <stdlib.h>\n\n#include "component.h"\n', kernel, self._places(), self._variables(),
              self._shapes(),
              self._entry("start", ("setup", "initialize", "outputs")), self._entry("outputs", ("outputs",)),
-             self._entry("step", ("step",)), self._component()]
+             self._usual(), self._entry("step", ("step",)), self._component()]
         )  # fmt: skip
 
     def _places(self) -> str:
@@ -110,15 +114,41 @@ class Tables:
 
     def _entry(self, entry: str, stages: tuple[str, ...]) -> str:
         """A function of the component: the kernel's own in turn, then the rows of arrays that are shown."""
-        shown = self._show_rows()
-        calls = [
-            self._call(stage) for stage in (*stages, *["table"] * bool(shown)) if hasattr(self.component.kernel, stage)
-        ]
-        body = "\n".join([*calls, *shown])
+        calls = [self._call(stage) for stage in stages if hasattr(self.component.kernel, stage)]
+        unusual = [self._branch()] * (entry == "step" and bool(self.usual))
+        body = "\n".join([*unusual, *calls, *self._table_and_rows()])
         return (
             f"static void {self.name}_{entry}(double *v, double *const *a, const Shape *shape) {{\n"
             f"    (void)a, (void)shape;\n{body}\n}}\n"
         )
+
+    def _table_and_rows(self) -> list[str]:
+        """What fills in the rows of arrays that are shown."""
+        shown = self._show_rows()
+        table = [self._call("table")] if shown and hasattr(self.component.kernel, "table") else []
+        return [*table, *shown]
+
+    def _usual(self) -> str:
+        """The step where all parameters that are declared `usual` have their start values."""
+        if not self.usual:
+            return ""
+        values = ", ".join(f"{name} = {value:g}" for name, value in self.usual.items())
+        comment = textwrap.fill(f"The step for {values}: much is decided there.", 112, subsequent_indent="   ")
+        self.given = {v.name: _literal(v, self.usual[v.name]) for v in self.variables if v.name in self.usual}
+        self.sizes = usual_sizes(self.variables, self.arrays)
+        body = "\n".join([self._call("step"), *self._table_and_rows()])
+        self.given, self.sizes = {}, {}
+        return (
+            f"/* {comment} */\n"
+            f"FLAT static void {self.name}_usual_step(double *v, double *const *a, const Shape *shape) {{\n"
+            f"    (void)a, (void)shape;\n{body}\n}}\n"
+        )
+
+    def _branch(self) -> str:
+        """Take the step for usual values where they are."""
+        tests = [f"v[at_{name}] == {_number(value)}" for name, value in self.usual.items()]
+        condition = textwrap.fill(" && ".join(tests), 100, initial_indent="    if (", subsequent_indent="        ")
+        return f"{condition}) {{\n        {self.name}_usual_step(v, a, shape);\n        return;\n    }}"
 
     def _call(self, stage: str) -> str:
         names = argument_names(self.component.kernel, stage)
@@ -134,11 +164,15 @@ class Tables:
         for array in self.arrays:
             if array.name == name:
                 at = f"array_{name}"
-                return f"(Matrix){{a[{at}], shape[{at}].columns}}" if taken.startswith("Matrix ") else f"a[{at}]"
+                known = self.sizes.get(name, (None, None))[1]
+                columns = f"shape[{at}].columns" if known is None else str(known)
+                return f"(Matrix){{a[{at}], {columns}}}" if taken.startswith("Matrix ") else f"a[{at}]"
         declared = next((v for v in self.variables if v.name == name), None)
         if declared is None:
             raise BuildError(f"{self.name}: {stage}: argument '{name}' is no variable of the interface")
         place = f"v[at_{name}]"
+        if name in self.given:
+            return self.given[name]
         if declared.size:
             return f"v + at_{name}"
         return {"Real": place, "Integer": f"(int64_t){place}", "Boolean": f"{place} != 0.0"}[declared.kind]
@@ -169,6 +203,10 @@ class Tables:
 
 def _causality(v: Variable) -> str:
     return "TUNABLE" if v.tunable else CAUSALITIES[v.causality]
+
+
+def _literal(v: Variable, value: float) -> str:
+    return _number(value) if v.kind == "Real" else str(int(value))
 
 
 def _number(value: float) -> str:

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from ..declare.usual import usual_sizes, usual_values
 from ..lowering.lowered import Lowered, lowered
 from .kernel_cache import entry_folder, keep, kept
 from .memory import Memory, places_of
@@ -45,7 +46,7 @@ def bound(kernel: ModuleType, memory: Memory) -> dict[str, Bound]:
         if stage in source.arguments and hasattr(kernel, stage):
             entries[stage], others = places_of(memory, source.arguments[stage])
             arrays |= {name: memory.store[name] for name in others}
-    code = _machine_code(kernel, source, entries, arrays)
+    code = _machine_code(kernel, source, entries, arrays, memory)
     if code is None:
         return _by_numba(kernel, memory, entries)
     table = np.zeros((len(arrays), 3), dtype=np.int64)
@@ -71,7 +72,7 @@ def repeated(function: Any, count: int) -> None:
 
 
 def _machine_code(
-    kernel: ModuleType, source: Lowered, entries: Mapping[str, list[str]], arrays: Mapping[str, Any]
+    kernel: ModuleType, source: Lowered, entries: Mapping[str, list[str]], arrays: Mapping[str, Any], memory: Memory
 ) -> Any:
     """From the cache, or compiled now; None where Numba is to do it."""
     if os.environ.get(WITH_NUMBA) == "numba" or os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
@@ -81,7 +82,8 @@ def _machine_code(
     except ImportError:
         return None
     dimensions = {name: array.ndim for name, array in arrays.items()}
-    made_of = "\0".join([source.text, repr(entries), repr(dimensions), compiler(), here()])
+    usual = usual_values(memory.variables.values())
+    made_of = "\0".join([source.text, repr(entries), repr(dimensions), repr(usual), compiler(), here()])
     name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
     if name not in _loaded:
         path = entry_folder(name) / OBJECT
@@ -90,12 +92,28 @@ def _machine_code(
             if content is None:
                 from .machine.module import machine_text
 
-                content = object_of(machine_text(source.text, entries, dimensions))
+                known = _known(source, entries, memory) if usual else None
+                content = object_of(machine_text(source.text, entries, dimensions, known))
                 keep(path, content)
             _loaded[name] = Loaded(content)
         except _unknown():
             _loaded[name] = None
     return _loaded[name]
+
+
+def _known(source: Lowered, entries: Mapping[str, list[str]], memory: Memory) -> Any:
+    """What is known of the step where parameters are what they usually are."""
+    from .machine.module import Usual
+
+    variables = list(memory.variables.values())
+    usual = usual_values(variables)
+    literals = {
+        name: repr({"Integer": int, "Boolean": bool, "Real": float}[memory.variables[name].kind](value))
+        for name, value in usual.items()
+    }
+    given = [literals.get(name, text) for name, text in zip(source.arguments["step"], entries["step"], strict=True)]
+    places = {memory.index[name]: value for name, value in usual.items()}
+    return Usual("step", places, given, usual_sizes(variables, memory.arrays))
 
 
 def _unknown() -> tuple[type[Exception], ...]:

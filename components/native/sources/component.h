@@ -19,6 +19,13 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/* Of a function that takes in all that it calls: there numbers decide that it gives to them. */
+#ifdef __GNUC__
+#define FLAT __attribute__((flatten))
+#else
+#define FLAT
+#endif
+
 typedef struct {
     double *data;
     int64_t columns;

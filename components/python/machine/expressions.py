@@ -45,6 +45,7 @@ class Expressions:
         self.arrays: dict[str, Array] = {}
         self.counters: set[str] = set()
         self.local: set[str] = set()  # names that the function writes to
+        self.prefix = "k"  # of the functions that are called
 
     # --- text ---
 
@@ -297,7 +298,7 @@ class Expressions:
                 raise UnknownError(ast.unparse(node))
             given += [f"ptr {array.pointer}", *(f"i64 {size}" for size in array.sizes)]
         kinds = returned(called)
-        what = f"call {result_type(kinds)} @k.{called.name}({', '.join(given)})"
+        what = f"call {result_type(kinds)} @{self.prefix}.{called.name}({', '.join(given)})"
         if kinds:
             return self.new(what)
         self.do(what)

@@ -19,8 +19,10 @@ class Function(Expressions):
         functions: dict[str, ast.FunctionDef],
         namespace: dict[str, Any],
         externals: set[str],
+        prefix: str = "k",
     ) -> None:
         super().__init__(functions, namespace, externals)
+        self.prefix = prefix
         self.node, self.result = node, returned(node)
         self.local = {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         self.kinds = variables(node, self.kind_of, self.kinds_of_call)
@@ -47,7 +49,8 @@ class Function(Expressions):
             self.do(f"store {kind} {first}, ptr %v.{name}")
         self.statements(self.node.body)
         self.do(f"ret {result_type(self.result)} zeroinitializer" if self.result else "ret void")
-        head = f"define internal {result_type(self.result)} @k.{self.node.name}({', '.join(taken)}) nounwind {{"
+        name = f"@{self.prefix}.{self.node.name}"
+        head = f"define internal {result_type(self.result)} {name}({', '.join(taken)}) nounwind {{"
         return "\n".join([head, "entry:", *self.lines, "}", ""])
 
     def statements(self, nodes: list[ast.stmt]) -> None:

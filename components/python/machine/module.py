@@ -7,12 +7,13 @@ is `@NAME.repeat(ptr %table, i64 %count)`, which calls it so often, for measurem
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from .expressions import Expressions
 from .functions import Function
-from .kinds import Array, UnknownError
+from .kinds import Array, UnknownError, constant
 
 WORDS = 3  # of an array in the table
 REPEAT = """define i64 @{name}.repeat(ptr %table, i64 %count) nounwind {{
@@ -32,11 +33,24 @@ end:
 """
 
 
-def machine_text(text: str, entries: Mapping[str, Sequence[str]], arrays: Mapping[str, int]) -> str:
+@dataclass(frozen=True)
+class Usual:
+    """What is known where `values` holds these values at these places: arguments of `function`, and sizes of arrays."""
+
+    function: str
+    values: Mapping[int, float]
+    given: Sequence[str]
+    sizes: Mapping[str, tuple[int | None, ...]]
+
+
+def machine_text(
+    text: str, entries: Mapping[str, Sequence[str]], arrays: Mapping[str, int], usual: Usual | None = None
+) -> str:
     """LLVM's text of a lowered kernel.
 
     `entries`: for each function that is called from outside, its arguments as expressions over the `arrays`, which have
-    so many dimensions. Raises UnknownError for what only Numba compiles.
+    so many dimensions. `usual`: a second copy is made of that function and all that it calls. Raises UnknownError for
+    what only Numba compiles.
     """
     nodes = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
     functions = {node.name: node for node in nodes}
@@ -47,12 +61,21 @@ def machine_text(text: str, entries: Mapping[str, Sequence[str]], arrays: Mappin
     externals: set[str] = set()
     needed = _needed(functions, entries)
     made = [Function(functions[name], functions, namespace, externals).text() for name in functions if name in needed]
+    if usual:
+        copied = _needed(functions, [usual.function])
+        made += [Function(functions[n], functions, namespace, externals, "u").text() for n in functions if n in copied]
+        known = _Entry(functions, namespace, externals, arrays, usual.sizes)
+        known.prefix = "u"
+        made.append(known.text(f"{usual.function}.usual", usual.function, usual.given))
     for name, given in entries.items():
-        made += [_Entry(functions, namespace, externals, arrays).text(name, given), REPEAT.format(name=name)]
+        entry = _Entry(functions, namespace, externals, arrays)
+        if usual and name == usual.function:
+            entry.branch(usual)
+        made += [entry.text(name, name, given), REPEAT.format(name=name)]
     return "\n".join([*sorted(externals), *made])
 
 
-def _needed(functions: Mapping[str, ast.FunctionDef], first: Mapping[str, object]) -> set[str]:
+def _needed(functions: Mapping[str, ast.FunctionDef], first: Iterable[str]) -> set[str]:
     """The names of the functions that are called, directly or not."""
     found, waiting = set[str](), list(first)
     while waiting:
@@ -72,6 +95,7 @@ class _Entry(Expressions):
         namespace: dict[str, Any],
         externals: set[str],
         arrays: Mapping[str, int],
+        sizes: Mapping[str, tuple[int | None, ...]] | None = None,
     ) -> None:
         super().__init__(functions, namespace, externals)
         for k, (name, dimensions) in enumerate(arrays.items()):
@@ -79,11 +103,29 @@ class _Entry(Expressions):
                 self.new(f"load {kind}, ptr {self.new(f'getelementptr i64, ptr %table, i64 {WORDS * k + j}')}")
                 for j, kind in enumerate(["ptr", *["i64"] * dimensions])
             ]
-            self.arrays[name] = Array(words[0], tuple(words[1:]))
+            known = (sizes or {}).get(name, (None, None))
+            found = (word if size is None else str(size) for word, size in zip(words[1:], known, strict=False))
+            self.arrays[name] = Array(words[0], tuple(found))
 
-    def text(self, name: str, given: Sequence[str]) -> str:
-        """Its definition."""
-        self.call_own(ast.Call(ast.Name(name), [ast.parse(one, mode="eval").body for one in given], []))
+    def branch(self, usual: Usual) -> None:
+        """Leave it to the copy for usual values where they are."""
+        tests = []
+        for place, value in usual.values.items():
+            cell = self.new(f"getelementptr double, ptr {self.arrays['values'].pointer}, i64 {place}")
+            tests.append(self.new(f"fcmp oeq double {self.new(f'load double, ptr {cell}')}, {constant(value).text}"))
+        condition = tests[0]
+        for test in tests[1:]:
+            condition = self.new(f"and i1 {condition}, {test}")
+        yes, no = self.label(), self.label()
+        self.do(f"br i1 {condition}, label %{yes}, label %{no}")
+        self.begin(yes)
+        self.new(f"call i64 @{usual.function}.usual(ptr %table)")
+        self.do("ret i64 0")
+        self.begin(no)
+
+    def text(self, name: str, function: str, given: Sequence[str]) -> str:
+        """Its definition: a call of a function."""
+        self.call_own(ast.Call(ast.Name(function), [ast.parse(one, mode="eval").body for one in given], []))
         lines = [f"define i64 @{name}(ptr %table) nounwind noinline {{", "entry:", *self.lines, "  ret i64 0", "}", ""]
         return "\n".join(lines)
 
