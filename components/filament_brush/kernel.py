@@ -30,7 +30,7 @@ from .sleepers import (
     wake_near,
 )
 from .standing import at_begin, at_end, spread, stand, turn_by, turned
-from .totals import add_rod, begin_left, brush_sums, clear, close, evaluate_at, fill_table, group_sums
+from .totals import add_rod, begin_left, begin_sums, brush_sums, end_sums, evaluate_at, fill_table, group_sums
 from .water import add_drag, drag_points, has_pack_torque, pack_torque, pushed_by_water
 
 
@@ -262,14 +262,14 @@ def step(h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -
     E_end = 0.0
     E_per_speed_2 = 0.0
     x.deflection_ratio = 0.0
-    clear(p, y, s)
+    begin_sums(p, y, s)
     stand(u.omega_b * h, x, s)
     for g in range(p.n_groups):
         group = advance_group(g, h, u, p, x, y, s)
         E_start = E_start + group.E_start
         E_end = E_end + group.E_end
         E_per_speed_2 = E_per_speed_2 + group.E_per_speed_2
-    close(y, s)
+    end_sums(y, s)
     turn_page(x)
     x.h_before = h
     x.delta = u.delta

@@ -25,14 +25,14 @@ from .standing import at_begin, stand
 from .water import add_drag, add_water
 
 
-def clear(p: Parameters, y: Outputs, s: Scratch) -> None:
+def begin_sums(p: Parameters, y: Outputs, s: Scratch) -> None:
     """Nothing is summed yet."""
     clear_sums(y)
     s.x_front = -p.R_brush
     s.x_rear = p.R_brush
 
 
-def close(y: Outputs, s: Scratch) -> None:
+def end_sums(y: Outputs, s: Scratch) -> None:
     """What is known when all rods are summed."""
     y.contact_length = max(0.0, s.x_front - s.x_rear)
     y.v_sliding = y.v_sliding / max(y.contact_count, 1e-30)
@@ -40,7 +40,7 @@ def close(y: Outputs, s: Scratch) -> None:
 
 def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
     """Forces, torques, powers and energies of the whole brush between two steps, whatever the inputs are now."""
-    clear(p, y, s)
+    begin_sums(p, y, s)
     stand(0.0, x, s)
     for g in range(p.n_groups):
         take_group(g, u, p, x, s)
@@ -58,7 +58,7 @@ def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: 
             reach = evaluate_at(x.linear[k], at, there, p, s)
             add_rod(w, contact_energy(reach.Delta, p), at, p, s.c, s.modes, s.now, y, s)
         group_sums(g, p, x, y, s)
-    close(y, s)
+    end_sums(y, s)
 
 
 def group_sums(g: int, p: Parameters, x: State, y: Outputs, s: Scratch) -> None:
