@@ -99,7 +99,7 @@ def _require_once(system: System) -> None:
 
 def solutions(plan: Plan) -> dict[Key, float]:
     """The inputs of loops at the start as `run` finds them; FMUs are loaded only if there is a loop."""
-    looped = [c for block in plan.start if block.loop for c in block.connections if plan.system.is_real(c)]
+    looped = [c for block in plan.start if block.loop for c in block.torn if plan.system.is_real(c)]
     if not looped:
         return {}
     from ..run.session import Session

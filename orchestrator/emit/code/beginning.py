@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from ...fmu.conversions import Conversion, How
 from ...loop.cells import OFFSET_OR_VALUE
 from ...plan.happening.scenario import from_start
+from ...plan.start import Block
 from ...system.event import stream_of
 from ...system.model import Connection
 from .exchange import Key, Names, indented
@@ -60,12 +61,10 @@ class Beginning:
     def _propagate(self) -> list[str]:
         lines: list[str] = []
         for block in self.plan.start:
-            unknowns = [c for c in block.connections if block.loop and self.plan.system.is_real(c)]
             for c in block.connections:
-                if c not in unknowns:
+                if not block.loop or not self.plan.system.is_real(c):
                     lines += self._passed(c)
-            if unknowns:
-                lines += self._loop(unknowns)
+            lines += self._loop(block)
         return [*lines, "if (read_outputs(s)) return 1;"]
 
     def _instant(self) -> list[str]:
@@ -73,7 +72,7 @@ class Beginning:
         lines: list[str] = []
         blocks = plan.instants.blocks(frozenset(plan.system.components) - set(plan.early))
         for block in blocks:
-            lines += self._loop(list(block.connections)) if block.loop else self._passed(block.connections[0])
+            lines += self._loop(block) if block.loop else self._passed(block.connections[0])
         for name in dict.fromkeys(c.target[0] for block in blocks for c in block.connections):
             lines += [line for found in self.names.taken(name) for line in self.names.get_block(name, found)]
         return lines
@@ -160,14 +159,19 @@ class Beginning:
             lines.append(f"if (!among(sent, {name}, {len(found.items)})) return unfit(s, {cell});")
         return lines
 
-    def _loop(self, unknowns: list[Connection]) -> list[str]:
-        """Find the inputs of a loop that their sources give back."""
+    def _loop(self, block: Block) -> list[str]:
+        """Find the inputs of a loop that their sources give back: those that are torn, which give the others."""
+        unknowns, behind = ([c for c in part if self.plan.system.is_real(c)] for part in (block.torn, block.behind))
+        if not unknowns:
+            return [line for c in behind for line in self._passed(c)]
         number_of = sum(text.startswith("/* The loop") for text in self.loops)
         name = f"loop_{number_of}"
         layout = self.plan.layout
         lines = []
         for k, c in enumerate(unknowns):
             lines += [f"z[{self.names.cells[layout.inputs[c.target]]}] = given[{k}];", *self.names.set_one(c.target)]
+        for c in behind:
+            lines += self._passed(c)
         for k, c in enumerate(unknowns):
             lines += ["{", *indented([*self._received(c), f"sent_back[{k}] = sent;"]), "}"]
         words = ", ".join(".".join(c.target) for c in unknowns)

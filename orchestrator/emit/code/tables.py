@@ -26,8 +26,8 @@ def sizes(
     """Constants of the header; `more`: those of events."""
     clock, layout, name = plan.clock, plan.layout, names.system
     arrays = [place.count for c in plan.system.components.values() for place in c.fmu.places.values()]
-    loops = [len(block.connections) for block in plan.start if block.loop]
-    loops += [len(b.connections) for b in plan.instants.blocks(frozenset(names.components) - set(plan.early)) if b.loop]
+    loops = [len(block.torn) for block in plan.start if block.loop]
+    loops += [len(b.torn) for b in plan.instants.blocks(frozenset(names.components) - set(plan.early)) if b.loop]
     sizes = {
         "CELLS": max(layout.size, 1), "VARIABLES": max(len(shown), 1), "PARTS": len(names.components),
         "BLOCKS": len(plan.start), "LOOPS": len(layout.loops), "SOLVER": max(layout.loop_cells, 1),

@@ -221,6 +221,8 @@ int SYSTEM_go_to(SYSTEM *s, double time, double step) {
     if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !(end == SYSTEM_next(s) || is_instant(s, end)))
         return SYSTEM_say(s, s->name, 3, "a step of %.9g s from t = %.9g s is not possible: %s goes on by instants, the next one at %.9g s",
                     step, time, s->name, seconds(SYSTEM_next(s)));
+    if (seconds(end) > s->now.stop + near)
+        return SYSTEM_say(s, s->name, 3, "a step to t = %.9g s is not possible: %s was told to stop at %.9g s", seconds(end), s->name, s->now.stop);
     return go_on(s, end);
 }
 
@@ -304,8 +306,8 @@ int SYSTEM_set_whole(SYSTEM *s, int k, int64_t value) {
 
 int SYSTEM_set_text(SYSTEM *s, int k, const char *value) {
     if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || set(s, k)) return 1;
-    char *copy = malloc(strlen(value) + 1);
-    if (!copy) return SYSTEM_say(s, s->name, 3, "not enough memory");
+    char *copy = value ? malloc(strlen(value) + 1) : NULL;
+    if (!copy) return SYSTEM_say(s, s->name, 3, value ? "not enough memory" : "a text is wanted");
     free(s->texts[k]);
     s->texts[k] = strcpy(copy, value);
     return passed_on(s, k);

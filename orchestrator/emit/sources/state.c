@@ -5,6 +5,13 @@
 
 static const char TOKEN[] = "@TOKEN@";
 
+/* So that bytes that were damaged are known: Fowler, Noll, Vo, FNV-1a of 64 bits. */
+static uint64_t sum_of(const char *bytes, size_t size) {
+    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    for (size_t k = 0; k < size; k++) sum = (sum ^ (unsigned char)bytes[k]) * UINT64_C(0x100000001b3);
+    return sum;
+}
+
 int SYSTEM_save(SYSTEM *s, SYSTEM_State **state) {
     const bool fresh = *state == NULL;
     if (fresh) *state = calloc(1, sizeof **state);
@@ -35,7 +42,8 @@ void SYSTEM_forget(SYSTEM *s, SYSTEM_State **state) {
 }
 
 int SYSTEM_state_size(SYSTEM *s, SYSTEM_State *state, size_t *size) {
-    *size = sizeof TOKEN + sizeof state->now;
+    if (!state) return SYSTEM_say(s, s->name, 3, "there is no state to write");
+    *size = sizeof TOKEN + sizeof state->now + sizeof(uint64_t);
     for (int part = 0; part < SYSTEM_PARTS; part++) {
         size_t own = 0;
         if (SYSTEM_part_state_size(s, part, state->part[part], &own))
@@ -46,6 +54,7 @@ int SYSTEM_state_size(SYSTEM *s, SYSTEM_State *state, size_t *size) {
 }
 
 int SYSTEM_write_state(SYSTEM *s, SYSTEM_State *state, char *bytes, size_t size) {
+    const char *const begin = bytes;
     size_t needed;
     if (SYSTEM_state_size(s, state, &needed)) return 1;
     if (size < needed) return SYSTEM_say(s, s->name, 3, "a state needs %lu bytes", (unsigned long)needed);
@@ -59,14 +68,20 @@ int SYSTEM_write_state(SYSTEM *s, SYSTEM_State *state, char *bytes, size_t size)
         if (SYSTEM_part_write(s, part, state->part[part], bytes, own)) return SYSTEM_say(s, s->name, 3, "a state cannot be written");
         bytes += own;
     }
+    const uint64_t sum = sum_of(begin, (size_t)(bytes - begin));
+    memcpy(bytes, &sum, sizeof sum);
     return 0;
 }
 
 int SYSTEM_read_state(SYSTEM *s, const char *bytes, size_t size, SYSTEM_State **state) {
-    const char *const end = bytes + size;
+    const size_t least = sizeof TOKEN + sizeof(SYSTEM_Now) + sizeof(uint64_t);
+    const char *const end = bytes + (size < least ? 0 : size - sizeof(uint64_t));
+    uint64_t sum;
     SYSTEM_State *found = calloc(1, sizeof *found);
     if (!found) return SYSTEM_say(s, s->name, 3, "not enough memory for a state");
-    if (size < sizeof TOKEN + sizeof found->now || memcmp(bytes, TOKEN, sizeof TOKEN) != 0) goto refused;
+    if (!bytes || size < least || memcmp(bytes, TOKEN, sizeof TOKEN) != 0) goto refused;
+    memcpy(&sum, end, sizeof sum);
+    if (sum != sum_of(bytes, size - sizeof sum)) goto refused;
     bytes += sizeof TOKEN;
     memcpy(&found->now, bytes, sizeof found->now), bytes += sizeof found->now;
     if (found->now.instant < 0 || found->now.instant >= SYSTEM_INSTANTS || found->now.stage > SYSTEM_FAILED) goto refused;

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 from emit_cases import alone, run_of_system, unlike
 from helpers import edited, read_system
-from native_build import answers, feedthrough3, needs_gcc
+from native_build import NATIVE, answers, feedthrough3, needs_gcc
 from rovbrush.orchestrator.emit.export import export_fmu
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.system.model import System
+from windows_build import for_windows, needs_wine
 
 pytestmark = needs_gcc
 
@@ -42,6 +43,35 @@ def test_a_component_of_fmi_3_is_carried_too(tmp_path: Path) -> None:
     system = read_system(tmp_path, tmp_path, parts, wires, stop="0.1 s", algorithm="jacobi")
     export_fmu(system, tmp_path / "whole.fmu", "3.0")
     assert set(unlike(alone(tmp_path / "whole.fmu"), run_of_system(system))) == set()
+
+
+@needs_wine
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_libraries_for_windows_are_carried_and_loaded_there(version: str, tmp_path: Path) -> None:
+    """Of FMUs that have no C: `LoadLibrary` finds them in the folder of resources."""
+    if version == "2.0":
+        made = answers(tmp_path / "made.fmu", "mass")
+        for_windows(made, tmp_path / "bare.fmu", [NATIVE / "answers.c"], keep=True)
+        system = read_system(
+            tmp_path, tmp_path, {"a": ("bare", "1 ms", {"x0": 0.1}), "b": ("bare", "2 ms")}, ["a.x -> b.F (mean)"],
+            stop="0.1 s", algorithm="jacobi",
+        )  # fmt: skip
+    else:
+        made = feedthrough3(tmp_path / "made.fmu")
+        for_windows(made, tmp_path / "bare.fmu", [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], keep=True)
+        parts = {"a": ("bare", "1 ms", {"=Float64_in": 0.7}), "b": ("bare", "1 ms")}
+        wires = ["a.Float64_out -> b.Float64_in", "a.Int32_out -> b.Int32_in"]
+        system = read_system(tmp_path, tmp_path, parts, wires, stop="0.1 s", algorithm="jacobi")
+    written = export_fmu(system, tmp_path / "whole.fmu", version)
+    assert not any("for Linux only" in note for note in written.notes)
+    folder = tmp_path / "a folder of windows"
+    folder.mkdir()
+    linux = [
+        n for n in zipfile.ZipFile(tmp_path / "whole.fmu").namelist() if n.startswith("binaries/") and "linux" in n
+    ]
+    assert len(linux) == 1
+    edited(tmp_path / "whole.fmu", folder / "whole.fmu", dict.fromkeys(linux))
+    assert unlike(alone(folder / "whole.fmu"), run_of_system(system)) == []
 
 
 def test_two_of_what_can_be_once_in_a_process_are_refused(tmp_path: Path) -> None:
