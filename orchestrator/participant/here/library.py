@@ -9,6 +9,9 @@ from fmpy.fmi1 import FMICallException
 
 from ..lifecycle import good
 
+TYPES = ("argnames", "argtypes", "restype")  # that fmpy gives a function
+_types: dict[type, dict[str, tuple[Any, ...]]] = {}  # by fmpy's class, and by names of functions
+
 
 class MissingFunctionError(Exception):
     """A function was called that the library does not have."""
@@ -45,18 +48,29 @@ class Judged:
     """Beside fmpy's classes: it takes a negative status for a good one, and a library that lacks functions as it is."""
 
     missing: tuple[str, ...] = ()  # the functions that the library lacks
+    _functions: dict[str, Any]
 
     def _loadFunctions(self) -> None:
-        library = self.dll
-        self.dll: Any = Exports(library)
-        try:
-            super()._loadFunctions()  # type: ignore[misc]
-            self.missing = tuple(self.dll.missing)
-        finally:
-            self.dll = library
+        """As fmpy does it for the first instance of a class; it would look at all signatures anew for every other."""
+        library, kind = self.dll, type(self)
+        exports = Exports(library)
+        if kind not in _types:
+            self.dll: Any = exports
+            try:
+                super()._loadFunctions()  # type: ignore[misc]
+            finally:
+                self.dll = library
+            _types[kind] = {name: tuple(getattr(f, t) for t in TYPES) for name, f in self._functions.items()}
+        else:
+            own = f"{self.modelIdentifier}_fmi" if "fmi1GetVersion" in _types[kind] else ""  # type: ignore[attr-defined]
+            for name, types in _types[kind].items():
+                self._functions[name] = getattr(exports, own + name.removeprefix("fmi1") if own else name)
+                for attribute, value in zip(TYPES, types, strict=True):
+                    setattr(self._functions[name], attribute, value)
+        self.missing = tuple(exports.missing)
 
     def _call(self, name: str, *arguments: Any) -> Any:
         result = super()._call(name, *arguments)  # type: ignore[misc]
-        if self._functions[name].restype is ctypes.c_int and not good(result):  # type: ignore[attr-defined]
+        if self._functions[name].restype is ctypes.c_int and not good(result):
             raise FMICallException(name, result)
         return result
