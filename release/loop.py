@@ -17,26 +17,13 @@ from pathlib import Path
 from typing import Any
 
 from rovbrush.components.native.compile import PLATFORMS, compile_library
-from rovbrush.orchestrator.loop.cells import GAVE_UP
-from rovbrush.orchestrator.loop.machine.shipped import ENTRY, file_name
+from rovbrush.orchestrator.loop.machine.shipped import file_name
+from rovbrush.orchestrator.loop.machine.wrapped import NOTHING_TO_FREE, text_of
 
 TRIPLES = {"linux64": "x86_64-unknown-linux-gnu", "win64": "x86_64-w64-windows-gnu"}
 LAYOUT = "e-m:{mangling}-p270:32:32-p271:32:32-p272:64:64-i64:64-i128:128-f80:128-n8:16:32:64-S128"
 MANGLING = {"linux64": "e", "win64": "w"}
-# Numba counts the users of arrays that it has made; the loop makes none.
-NOTHING_TO_FREE = "void NRT_MemInfo_call_dtor(void *array) { (void)array; }\n"
-ENTRY_TEXT = f"""
-define i64 @{ENTRY}(i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f) {{
-  %result = alloca i64
-  %raised = alloca ptr
-  store i64 {GAVE_UP}, ptr %result
-  %status = call i32 @LOOP(ptr %result, ptr %raised, i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f)
-  %value = load i64, ptr %result
-  %good = icmp eq i32 %status, 0
-  %answer = select i1 %good, i64 %value, i64 {GAVE_UP}
-  ret i64 %answer
-}}
-"""
+NOTHING = f"void {NOTHING_TO_FREE}(void *array) {{ (void)array; }}\n"
 
 
 def build(folder: Path, platforms: tuple[str, ...] = tuple(PLATFORMS)) -> None:
@@ -64,7 +51,7 @@ def _linked(texts: dict[str, str], name: str) -> bytes:
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         (folder / "loop.o").write_bytes(machine.emit_object(module))
-        (folder / "nothing.c").write_text(NOTHING_TO_FREE)
+        (folder / "nothing.c").write_text(NOTHING)
         return compile_library(folder, ("loop.o", "nothing.c"), PLATFORMS[name])
 
 
@@ -91,11 +78,7 @@ def _write_texts(folder: Path) -> None:
 
     compiled.IN_CHILD = True
     made: Any = compiled.compiled_loop()
-    text = made._library.get_llvm_str()
-    wrapper, native = made._wrapper_name, made._wrapper_name.removeprefix("cfunc.")
-    text = re.sub(rf"(?ms)^define [^\n]*@{re.escape(wrapper)}\(.*?^}}\n", "", text)
-    assert f"@{native}(" in text and wrapper not in text
-    (folder / "loop.ll").write_text(text + ENTRY_TEXT.replace("LOOP", native))
+    (folder / "loop.ll").write_text(text_of(made))
     (folder / "digest.ll").write_text(compiled.own_hash())
     for version in (2, 3):
         (folder / f"filter{version}.ll").write_text(machine_text(version))

@@ -53,6 +53,12 @@ class Blocks:
         self.pacer: Pacer | None = None  # of a run that keeps pace
         self.workers: Workers | None = None  # of one whose steps are shared among threads
 
+    def begin_workers(self) -> None:
+        """What shares steps among threads, where somebody asks for it; what it needs is loaded then."""
+        from .workers import workers_of
+
+        self.workers = workers_of(self.plan, self)
+
     def exchange_function(self, function: Callable[..., int]) -> None:
         """Another life of the loop from the next block on, with what stands in `components` now; plain Python stays
         what it is."""

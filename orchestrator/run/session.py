@@ -37,7 +37,6 @@ from .recording.recorder import Recorder
 
 if TYPE_CHECKING:
     from ..participant.model_exchange.group import Group
-    from .workers import Workers
 
 
 class Session:
@@ -71,7 +70,7 @@ class Session:
         self.plan = plan
         self.failure = ""
         self.ended = ""  # who asked to end the run before its stop, and when; that is no failure
-        self._over = False
+        self.is_over = False  # a component, or who steps it, has ended it
         self.stop_requests = stop_requests or StopRequests()
         if pace:
             self.stop_requests.make_room(room_for(plan))
@@ -87,7 +86,7 @@ class Session:
         self._counted: list[str] = []  # notes that change while the run goes: what came from outside
         self.ended_badly = ""  # how components fell down while they were terminated and freed
         self._interrupted = False
-        self._closed = False
+        self.closed = False  # whether its FMUs are given back
         function = run if interpreted else compiled_run(waits=pace is not None)
         with self.stop_requests.heard():
             self.participants = Participants(plan.system)
@@ -109,7 +108,7 @@ class Session:
                 )
                 self._blocks.pacer = self.pacer
                 if plan.together.groups:
-                    self._blocks.workers = _workers(plan, self._blocks)
+                    self._blocks.begin_workers()
                 self.events.begin(self.instances, self._blocks)
                 self.recorder = Recorder(plan, self.memory, file, pace is not None)
             except BaseException:
@@ -214,21 +213,21 @@ class Session:
         self.at.operation = 0
         if code == cells.BAD_STATUS and self._asked_to_end():
             return
-        self._over = code == cells.ENDED
+        self.is_over = code == cells.ENDED
         if code != cells.DONE:
             self.at.cycle = int(self.control[cells.AT_CYCLE])
             self._interrupted = code == cells.INTERRUPTED
             if self._interrupted:
                 self.at.operation = int(self.control[cells.AT_OPERATION])
             self.at.time, failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
-            self.failure = "" if self._over else failure
+            self.failure = "" if self.is_over else failure
             if self._interrupted:
                 self.failure = f"{self.stop_requests.reason} at t = {self.at.time:.9g} s"
         else:
             self.at.cycle = self._rows[0] - 1 if adaptive else self.at.cycle + size
             tick = self.tick
             self.at.time = clock.time(tick)
-            self._over = clock.start + tick >= self.events.ends_at
+            self.is_over = clock.start + tick >= self.events.ends_at
 
     def _waited(self, code: int) -> bool:
         """Whether the loop stopped to wait for a deadline that is not so near; it is near now."""
@@ -244,7 +243,7 @@ class Session:
 
     def end_early(self, why: str) -> None:
         """A component has asked to end the run."""
-        self.ended, self._over = "\n".join(filter(None, [self.ended, why])), True
+        self.ended, self.is_over = "\n".join(filter(None, [self.ended, why])), True
 
     def _handled(self, code: int) -> bool:
         """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
@@ -252,7 +251,7 @@ class Session:
             return self.events.handled(code, self.at)
         except AskedToEndError as error:
             self.ended = "\n".join(filter(None, [self.ended, str(error)]))
-            self._over = code != cells.PAUSED or not self._last_rows()
+            self.is_over = code != cells.PAUSED or not self._last_rows()
         except RovbrushError as error:
             self.failure = str(error)
         return True
@@ -281,10 +280,10 @@ class Session:
             self.events.end_at(min(plan.clock.start + asked.tick, self.events.ends_at))
             if self.at.operation == len(plan.operations(self.at.cycle)):
                 self.at.cycle, self.at.operation = self.at.cycle + 1, 0
-                self._over = not plan.adaptive or plan.clock.start + self.tick >= self.events.ends_at
+                self.is_over = not plan.adaptive or plan.clock.start + self.tick >= self.events.ends_at
         else:
-            self._over = True
-        if self._over:
+            self.is_over = True
+        if self.is_over:
             self.at.time, _ = failure_of(plan, self.instances, cells.INTERRUPTED, control, self.memory.z, self.space)
         return True
 
@@ -306,17 +305,12 @@ class Session:
         """It is where it was once, and goes on whatever has ended it since."""
         if self._blocks.workers:
             self._blocks.workers.forget()
-        self._over = self._interrupted = False
+        self.is_over = self._interrupted = False
 
     @property
     def over(self) -> bool:
         """Whether it goes no further: it has failed, or a component has ended it."""
-        return bool(self.failure) or self._over
-
-    @property
-    def closed(self) -> bool:
-        """Whether its FMUs are given back."""
-        return self._closed
+        return bool(self.failure) or self.is_over
 
     def fail(self, why: str) -> None:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
@@ -330,7 +324,7 @@ class Session:
     def end(self, why: str) -> None:
         """End the run where it is, between two steps, as somebody asks; that is no failure."""
         self.ended = "\n".join(filter(None, [self.ended, why]))
-        self._over = True
+        self.is_over = True
 
     @property
     def forgotten(self) -> list[str]:
@@ -340,7 +334,7 @@ class Session:
     @property
     def resumable(self) -> bool:
         """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
-        return not self._closed and not self.ended and (not self.failure or self._interrupted)
+        return not self.closed and not self.ended and (not self.failure or self._interrupted)
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
@@ -362,7 +356,7 @@ class Session:
             try:
                 self.events.set_by_hand(component, later, self.at)
             except AskedToEndError as error:
-                self.ended, self._over = str(error), True
+                self.ended, self.is_over = str(error), True
             except RovbrushError as error:
                 self.failure = str(error)
                 raise
@@ -396,8 +390,8 @@ class Session:
 
     def close(self) -> None:
         """Give the FMUs back. Runs that were taken before stay valid."""
-        if not self._closed:
-            self._closed = True
+        if not self.closed:
+            self.closed = True
             self._end_workers()
             free_states(self.space, self.instances)
             self.ended_badly = self.participants.close()
@@ -405,7 +399,7 @@ class Session:
                 self.recorder.stream.close()
 
     def _require_open(self) -> None:
-        if self._closed:
+        if self.closed:
             raise RunError("the session is closed; start another one")
 
     def _require_alive(self) -> None:
@@ -420,10 +414,3 @@ class Session:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
-
-
-def _workers(plan: Plan, blocks: Blocks) -> Workers | None:
-    """What it needs is loaded where somebody asks for it."""
-    from .workers import workers_of
-
-    return workers_of(plan, blocks)

@@ -191,7 +191,7 @@ class Stepping(Session):
 
     def _act(self) -> None:
         """What was done by hand happens, if anything was. Raises RunError if it goes wrong."""
-        if self._hands.waiting and not self.over and not self._closed:
+        if self._hands.waiting and not self.over and not self.closed:
             self.control[STOP_REQUEST] = 0
             act(self)
             self._settle()
@@ -245,7 +245,7 @@ class Stepping(Session):
 
         def write(value: float) -> None:
             nonlocal quick
-            if quick is None or self._closed or self.over or not quick(value):
+            if quick is None or self.closed or self.over or not quick(value):
                 usual(name, value)
                 quick = quick or self._quick_writer(name)
 

@@ -64,4 +64,6 @@ class StraightOn:
         if text != self._text:  # a component has asked to end: the rest is not worth another one
             return None
         found = straight_code(text, self._compiles)
-        return Loop(found.function, found, waits, written.addresses(components, blocks)) if found else None
+        if found is None:
+            return None
+        return Loop(found.function, found, waits, written.addresses(components, blocks), found.one)

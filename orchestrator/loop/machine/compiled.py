@@ -18,8 +18,10 @@ from types import FunctionType
 from typing import Any
 
 from .. import run as loop
-from . import shipped
+from . import kept_object, shipped
 from .frame import Loop
+from .wrapped import ENTRY as NAME
+from .wrapped import ONE
 
 ENTRY = Path(__file__).with_name("entry.py")  # what the loop is compiled from
 IN_CHILD = False  # set in the process that compiles for another
@@ -70,14 +72,15 @@ class Kept:
         """Whether it was compiled before."""
         return any(Path(self._files.cache_path).glob(f"*{self._named.__qualname__}*.nbi"))
 
-    def compiled(self, signature: Any) -> Any:
-        """Numba's object: its `address` is that of the function as long as the object lives."""
+    def compiled(self, signature: Any, anew: bool = False) -> Any:
+        """Numba's object: its `address` is that of the function as long as it lives. `anew`: not what is kept."""
         from numba.core.ccallback import CFunc
         from numba.core.sigutils import normalize_signature
 
         normal = normalize_signature(signature)  # type: ignore[no-untyped-call]
         made: Any = CFunc(self._named, normal, {}, self._options)
-        made._cache = self._files
+        if not anew:
+            made._cache = self._files
         made.compile()
         return made
 
@@ -91,7 +94,9 @@ def _kept_loop() -> Kept:
 
 def is_compiled() -> bool:
     """Whether the loop need not be compiled: it came with the package, it was before, or it is not to be."""
-    return bool(shipped.library(own_hash())) or not numba_compiles() or _kept_loop().is_there
+    if shipped.library(own_hash()) or kept_object.is_there(own_hash()):
+        return True
+    return not numba_compiles() or _kept_loop().is_there
 
 
 def begin() -> subprocess.Popen[bytes] | None:
@@ -112,7 +117,9 @@ def numba_compiles() -> bool:
 
 def require_loop() -> None:
     """Raises InputError where there is neither a library nor what compiles the loop."""
-    if not shipped.library(own_hash()) and find_spec("numba") is None and not shipped.switched_off():
+    if shipped.library(own_hash()) or find_spec("numba") is not None or shipped.switched_off():
+        return
+    if not kept_object.is_there(own_hash()):
         raise shipped.nothing_compiles()
 
 
@@ -120,18 +127,28 @@ def require_loop() -> None:
 def compiled_loop() -> Any:
     """`entry.entry` under Numba. It holds no address of a system, so one compilation serves all of them.
 
-    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it.
+    What is not in the cache yet is compiled by a process of its own: the compiler's 100 MB end with it. It leaves an
+    object too, with which later runs need no Numba.
     """
     from .entry import SIGNATURE
 
     if not IN_CHILD and not _kept_loop().is_there:
-        # Should it fail, this process compiles for itself, and says what is wrong.
-        subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
-    return _kept_loop().compiled(SIGNATURE)
+        _compile_apart()
+    if not IN_CHILD or kept_object.is_there(own_hash()):
+        return _kept_loop().compiled(SIGNATURE)
+    made = _kept_loop().compiled(SIGNATURE, anew=_kept_loop().is_there)  # what Numba has kept has no text
+    kept_object.keep(own_hash(), made)
+    return made
+
+
+def _compile_apart() -> None:
+    """In a process of its own. Should it fail, this process compiles for itself, and says what is wrong."""
+    subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
 
 
 def compiled_run(waits: bool = False) -> Callable[..., int]:
-    """`run.run` as machine code, for one session: from the library that came with the package, or else by Numba.
+    """`run.run` as machine code, for one session: from the library that came with the package, from what Numba has
+    compiled before, or compiled now.
 
     `waits`: other threads go on while it runs. Where the environment switches Numba off (NUMBA_DISABLE_JIT) it is the
     interpreter. Raises InputError where there is neither.
@@ -139,9 +156,15 @@ def compiled_run(waits: bool = False) -> Callable[..., int]:
     if shipped.switched_off():
         return loop.run
     if library := shipped.library(own_hash()):
-        return Loop(library.address, library, waits)
+        one = library.address_of(ONE) if library.has(ONE) else 0
+        return Loop(library.address, library, waits, one=one)
     require_loop()
-    if not numba_compiles():
-        return loop.run
+    if not kept_object.is_there(own_hash()):
+        if not numba_compiles():
+            return loop.run
+        if kept_object.wanted():
+            _compile_apart()
+    if found := kept_object.loaded(own_hash()):
+        return Loop(found.address(NAME), found, waits, one=found.address(ONE))
     made = compiled_loop()
     return Loop(made.address, made, waits)

@@ -37,13 +37,14 @@ _PLAIN = ctypes.PYFUNCTYPE(ctypes.c_int64)
 
 class Loop:
     """`run.run` by the address of its machine code. `owner` lives as long. `waits`: without Python's lock.
-    `addresses`: what stands behind the arrays in the table, for code that wants it (`loop/straight/`)."""
+    `addresses`: what stands behind the arrays in the table, for code that wants it (`loop/straight/`); `one`: the same
+    function with its six numbers in memory (`wrapped.with_its_numbers`), if there is one."""
 
     def __init__(
-        self, address: int, owner: Any = None, waits: bool = False, addresses: np.ndarray | None = None
+        self, address: int, owner: Any = None, waits: bool = False, addresses: np.ndarray | None = None, one: int = 0
     ) -> None:
         self._function, self._owner = (_WITHOUT_LOCK if waits else _PROTOTYPE)(address), owner
-        self.waits, self._addresses = waits, addresses
+        self.waits, self._addresses, self.one = waits, addresses, one
 
     def __call__(self, *arguments: Any) -> int:
         """What `run.run` returns for the same arguments. Raises TypeError for an array of another kind."""
@@ -76,13 +77,25 @@ def one_cycle(function: Callable[..., int], ticks: int, numerator: int, denomina
     """What `with_arrays` gave, to be called with a cycle, which it does alone: quicker, and it keeps Python's lock."""
     if not isinstance(function, partial) or not isinstance(function.func, _PROTOTYPE):
         return lambda cycle: function(cycle, 1, ticks, numerator, denominator)
-    call: Any = _PLAIN(ctypes.cast(function.func, ctypes.c_void_p).value or 0)
+    loop: Loop = function.alive[0]  # type: ignore[attr-defined]
+    if loop.one:
+        numbers = np.array([function.args[0], 0, 1, ticks, numerator, denominator], dtype=np.int64)
+        cells, at = numbers.data, ctypes.c_int64(numbers.ctypes.data)
+        call: Any = _PLAIN(loop.one)
+
+        def one_in_memory(cycle: int) -> int:
+            cells[1] = cycle
+            return call(at)  # type: ignore[no-any-return]
+
+        one_in_memory.alive = function, numbers  # type: ignore[attr-defined]
+        return one_in_memory
+    called: Any = _PLAIN(ctypes.cast(function.func, ctypes.c_void_p).value or 0)
     number = ctypes.c_int64()
     address, count, *clock = map(ctypes.c_int64, (function.args[0], 1, ticks, numerator, denominator))
 
     def one(cycle: int) -> int:
         number.value = cycle
-        return call(address, number, count, *clock)  # type: ignore[no-any-return]
+        return called(address, number, count, *clock)  # type: ignore[no-any-return]
 
     made: Any = one
     made.alive = function

@@ -13,6 +13,7 @@ import hashlib
 import uuid
 from contextlib import suppress
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from ...cache import grew, mark_used, place
@@ -73,6 +74,12 @@ def object_of(text: str, level: int = 2) -> bytes:
     return machine.emit_object(module)
 
 
+def machine_code(module: Any) -> bytes:
+    """The object of a module that is optimised already. Raises RuntimeError where it is not right."""
+    module.verify()
+    return _machine(3).emit_object(module)
+
+
 def name_of(what: str, text: str) -> str:
     """Of the entry that keeps the object of a text."""
     return f"{what}_{hashlib.sha256(chr(0).join([text, here()]).encode()).hexdigest()[:24]}"
@@ -82,21 +89,43 @@ def kept(name: str) -> bytes | None:
     """An object that was kept; None where it is not there, or damaged. Raises FmuError for a folder that others can
     write to."""
     folder = place(KIND, name)
-    try:
-        content = (folder / FILE).read_bytes()
-    except OSError:
-        return None
-    mark_used(folder)
-    return content[:-DIGEST] if hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:] else None
+    content = read_whole(folder / FILE)
+    if content is not None:
+        mark_used(folder)
+    return content
 
 
 def keep(name: str, content: bytes) -> None:
     """Keep an object; where that fails nothing is."""
     folder = place(KIND, name)
-    temporary = folder / f"{uuid.uuid4().hex[:12]}.tmp"
     with suppress(OSError):
         folder.mkdir(mode=0o700, exist_ok=True)
-        temporary.write_bytes(content + hashlib.sha256(content).digest())
-        temporary.replace(folder / FILE)
+        write_whole(folder / FILE, content)
         mark_used(folder)
         grew(len(content))
+
+
+def read_whole(path: Path) -> bytes | None:
+    """What `write_whole` wrote; None where it is not there, or damaged."""
+    try:
+        content = path.read_bytes()
+    except OSError:
+        return None
+    return content[:-DIGEST] if hashlib.sha256(content[:-DIGEST]).digest() == content[-DIGEST:] else None
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file with the hash of its content behind it; where that fails there is none."""
+    temporary = path.with_name(f"{uuid.uuid4().hex[:12]}.tmp")
+    with suppress(OSError):
+        temporary.write_bytes(content + hashlib.sha256(content).digest())
+        temporary.replace(path)
+
+
+def loaded_from(path: Path) -> Loaded | None:
+    """The object in such a file; None where there is none that is whole."""
+    content = read_whole(path)
+    try:
+        return None if content is None else Loaded(content)
+    except RuntimeError:
+        return None

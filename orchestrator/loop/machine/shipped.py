@@ -15,9 +15,9 @@ from functools import cache
 from pathlib import Path
 
 from ...errors import InputError
+from .wrapped import ENTRY
 
 FOLDER = Path(__file__).with_name("libraries")
-ENTRY = "rovbrush_loop"  # the name of the function
 ENDS = {"linux64": ".so", "win64": ".dll"}
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..machine.objects import Loaded, keep, kept, name_of, object_of
-from .text import NAME
+from .text import NAME, ONE
 
 _loaded: dict[str, Code] = {}
 
@@ -15,6 +15,11 @@ class Code(Loaded):
     def function(self) -> int:
         """The address of what does cycles."""
         return self.address(NAME)
+
+    @property
+    def one(self) -> int:
+        """The address of what does one, with its numbers in memory."""
+        return self.address(ONE)
 
 
 def straight_code(text: str, compiles: bool = True) -> Code | None:

@@ -12,13 +12,14 @@ import numpy as np
 
 from .. import cells
 from ..machine.frame import ARRAYS, WORDS
+from ..machine.wrapped import with_its_numbers
 from ..operations import GET, RECORD, SET, STEP
 from ..run import FOREVER
 from .calls import HELPERS, write_exchange, write_step
 from .formulas import FORMULAS, literal, write_formula
 from .writer import POINTERS, Writer
 
-NAME = "rovbrush_straight"
+NAME, ONE = "rovbrush_straight", "rovbrush_straight_one"  # the function; and with its numbers in memory
 PIECE = 96  # operations of a function, about
 COVERED = frozenset([SET, STEP, GET, RECORD, *FORMULAS])
 MOST = 256  # operations; beyond that it is no quicker than what looks them up
@@ -112,7 +113,7 @@ class Straight(Writer):
             name=NAME, loads=loads, calls="\n".join(calls), codes=", ".join(codes), resume=cells.RESUME_AT,
             start=cells.START, promised=cells.PROMISED, at_cycle=cells.AT_CYCLE, forever=literal(FOREVER),
         )  # fmt: skip
-        return self.text() + HELPERS + main
+        return self.text() + HELPERS + main + with_its_numbers(ONE, NAME)
 
     # --- what operations are made of ---
 

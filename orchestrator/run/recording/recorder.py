@@ -104,6 +104,10 @@ class Recorder:
             room = self._room()
         return min(room, cycles)
 
+    def last_rows(self) -> list[int]:
+        """Rows of every table with which there is still room for those of one cycle more, at most."""
+        return [(self.held - 1) * count + 1 for count in self.per_cycle[: len(self.columns)]]
+
     def fresh(self, time: float, tick: int) -> Piece:
         """The rows that were not in an earlier piece."""
         counts, before = self.rows[: len(self.columns)].tolist(), self.before

@@ -47,7 +47,7 @@ class Part:
 
 PARTS = {
     "masters": Part("systems in this master, in others and as bare calls", 260.0, 45.0),
-    "loop": Part("the loop beside the bare calls of the same FMUs, 4 to 1 000 of them", 60.0, 20.0),
+    "loop": Part("the loop beside the bare calls of the same FMUs, 4 to 4 000 of them", 120.0, 70.0),
     "foreign": Part("FMUs as other tools export them: many variables, messages, 10 000 signals", 600.0, 120.0),
     "start": Part("a start to the first step, and runs from Python", 30.0, 20.0),
     "components": Part("every component by itself", 60.0, 15.0),

@@ -12,13 +12,16 @@ from pathlib import Path
 from typing import Any
 
 from ...plan.plan import Plan, make_plan
+from ...plan.straight import worth_of
 from ...run.session import Session
 from ...run.stepping import Stepping
+from ...run.straight_on import ALWAYS, NEVER
 from ...system.file.reader import load_system
 from .native_fmu import ring
 from .peers.floor import Floor
 
 ROUNDS, QUICK = 41, 9
+SEVERAL = 1_000  # FMUs
 PERIOD = Fraction(1, 1000)  # s
 
 
@@ -35,18 +38,19 @@ class Ring:
 
 CASES = (
     Ring(4, 10_000), Ring(4, 10_000, recording=True), Ring(4, 10_000, "gauss-seidel"), Ring(4, 500, by_hand=True),
-    Ring(40, 1_000), Ring(400, 100), Ring(1_000, 40),
+    Ring(4, 500, recording=True, by_hand=True), Ring(40, 1_000), Ring(400, 100), Ring(1_000, 40), Ring(4_000, 10),
 )  # fmt: skip
 
 
 def loop_rows(folder: Path, quick: bool = False) -> Iterator[tuple[float, dict[str, Any]]]:
-    """Microseconds of a macro step of the bare calls, of the loop one operation after the other, and as it is; medians,
-    and the ratios of the last to the first: that of the medians, and of the fastest rounds.
+    """Microseconds of a macro step of the bare calls, of the loop one operation after the other, fused, and by machine
+    code of its own, where a plan can have that; medians, and the ratios of the best way to the first: that of the
+    medians, and of the fastest rounds.
 
     With each row comes the share of the work that is done. Rounds take turns; rows are recorded where they were before.
     """
     for k, case in enumerate(CASES):
-        closed = case.components < 1_000  # the loop at the start takes its square
+        closed = case.components < 1_000  # the start tries every input of a closed one for other solutions
         path = ring(folder, case.components, stop="1000 s", closed=closed)
         system = replace(
             load_system(str(path)), algorithm=case.algorithm, record=("*",) if case.recording else (),
@@ -58,14 +62,19 @@ def loop_rows(folder: Path, quick: bool = False) -> Iterator[tuple[float, dict[s
 def measured(case: Ring, plan: Plan, rounds: int) -> dict[str, Any]:
     """The row of a case."""
     with ExitStack() as stack:
-        floor = Floor(plan)
+        floor, code = Floor(plan), not worth_of(plan).why_not
         stack.callback(floor.close)
         ways: dict[str, Callable[[], float]] = {"bare": lambda: floor.seconds(case.steps)}
         if case.by_hand:
             ways["loop"] = by_hand(stack.enter_context(Stepping(plan)), case.steps)
+            if code:
+                ways["code"] = by_hand(stack.enter_context(Stepping(plan, straight=ALWAYS)), case.steps)
         else:
-            ways["operations"] = whole(stack.enter_context(Session(plan, fuses=False)))
-            ways["loop"] = whole(stack.enter_context(Session(plan)))
+            if case.components <= SEVERAL:  # to load thousands of FMUs takes long
+                ways["operations"] = whole(stack.enter_context(Session(plan, fuses=False)))
+            ways["loop"] = whole(stack.enter_context(Session(plan, straight=NEVER)))
+            if code:
+                ways["code"] = whole(stack.enter_context(Session(plan, straight=ALWAYS)))
         found: dict[str, list[float]] = {name: [] for name in ways}
         for number in range(rounds + 1):
             for name, way in ways.items():
@@ -76,9 +85,10 @@ def measured(case: Ring, plan: Plan, rounds: int) -> dict[str, Any]:
         "FMUs": case.components, "algorithm": case.algorithm, "recording": case.recording, "by_hand": case.by_hand,
         "runs": rounds, **{f"{name}_us": statistics.median(times) for name, times in found.items()},
     }  # fmt: skip
-    row["ratio"] = row["loop_us"] / row["bare_us"]
-    row["ratio_of_fastest"] = min(found["loop"]) / min(found["bare"])
-    return row | {"best_us": min(found["loop"])}
+    best = "code" if code else "loop"
+    row["ratio"] = row[f"{best}_us"] / row["bare_us"]
+    row["ratio_of_fastest"] = min(found[best]) / min(found["bare"])
+    return row | {"best_us": min(found[best])}
 
 
 def whole(session: Session) -> Callable[[], float]:

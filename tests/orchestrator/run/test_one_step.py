@@ -1,4 +1,4 @@
-"""Steps by hand where nothing is recorded: quicker, and with the bits, the failures and the ends of all others."""
+"""Steps by hand where nothing is to be looked after: quicker, and with the bits, failures and ends of all others."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from native_build import moody, needs_gcc
 from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.loop.cells import STOP_REQUEST
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.run.recording import recorder
+from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping import Stepping
 
 pytestmark = needs_gcc
@@ -70,12 +72,36 @@ def test_a_signal_between_two_of_them_is_a_keyboard_interrupt(tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("record", [[], ["*"]])
-def test_nothing_is_measured_for_blocks_where_nothing_is_recorded(record: list[str], tmp_path: Path) -> None:
+def test_nothing_is_measured_for_blocks_where_there_is_room_for_rows(record: list[str], tmp_path: Path) -> None:
     with Stepping(planned(tmp_path, record, "1 s")) as session:
         session.step()
         session.loop.looked, size = math.inf, session.loop._size
         session.step()
-        assert (session.loop._size == size) == (not record) and session.time == 0.004
+        assert session.loop._size == size and session.time == 0.004
+
+
+def test_rows_of_such_steps_are_those_of_a_run_also_where_the_buffer_ends(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = planned(tmp_path, ["*"], "40 ms")
+    whole = simulate(plan)
+    monkeypatch.setattr(recorder, "IN_MEMORY", 400)
+    monkeypatch.setattr(recorder, "PIECE", 400)
+    found = []
+    with Stepping(plan) as session:
+        session.recorder.file = tmp_path / "rows.nc"
+        session.recorder._reserve(3)
+        session.recorder._first_row()
+        for _ in range(20):
+            session.loop.looked = math.inf
+            session.step()
+            here = [int(n) for n in session.recorder.rows]
+            limits = [count * session.recorder.held + 1 for count in session.recorder.per_cycle]
+            assert all(n <= most for n, most in zip(here, limits, strict=True))
+            found.append((session.recorder.before[0], session.get("m.x")))
+    assert found[0][0] == 0 < found[-1][0]
+    column = plan.groups[0].columns.index(("m", "x"))
+    assert [value for _, value in found] == whole.tables[0][2::2, column].tolist()
 
 
 def test_a_session_goes_back_and_on_with_them(tmp_path: Path) -> None:
