@@ -185,5 +185,5 @@ def test_where_nobody_asks_nothing_of_it_is_loaded(system: System, monkeypatch: 
     def refuse(*_: object) -> Callable[..., object]:
         raise AssertionError
 
-    monkeypatch.setattr("rovbrush.orchestrator.run.session._workers", refuse)
+    monkeypatch.setattr("rovbrush.orchestrator.run.blocks.Blocks.begin_workers", refuse)
     assert not simulate(make_plan(system)).failure
