@@ -14,6 +14,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from ..fmu.types import BOOLEAN, TEXT, FmiType
 from ..units import Definition
 from .code.exposed import CALCULATED, HIDDEN, INPUT, OUTPUT, PARAMETER, TUNABLE, Exposed
+from .dependencies import at_the_start
 from .prepared import Prepared
 
 SMALL = ("Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32")  # what an Integer of FMI 2.0 can hold
@@ -69,11 +70,13 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
         )
     structure = SubElement(root, "ModelStructure")
     outputs, unknowns = Element("Outputs"), Element("InitialUnknowns")
-    for index, (_, e) in enumerate(listed, 1):
+    known, places = at_the_start(found), {k: str(index) for index, (k, _) in enumerate(listed, 1)}
+    for index, (k, e) in enumerate(listed, 1):
         if e.causality == OUTPUT:  # read at communication points: inputs act on them in the next step
             SubElement(outputs, "Unknown", {"index": str(index), "dependencies": ""})
         if e.causality in (OUTPUT, CALCULATED):
-            SubElement(unknowns, "Unknown", {"index": str(index)})
+            depends = " ".join(places[j] for j in known[k] if j in places)
+            SubElement(unknowns, "Unknown", {"index": str(index), "dependencies": depends})
     structure.extend(element for element in (outputs, unknowns) if len(element))
     return written(root)
 

@@ -13,6 +13,7 @@ from ..fmu.files.compiled import HEADERS
 from ..fmu.types import FmiType
 from .code.exposed import CALCULATED, HIDDEN, OUTPUT, Exposed
 from .compiling import OPTIONS
+from .dependencies import at_the_start
 from .description2 import add_units, attributes, can_save, experiment, made_by, once, typed_attributes, written
 from .prepared import Prepared
 
@@ -64,12 +65,14 @@ def description3(found: Prepared, token: str) -> bytes:
         declared, "Float64", {**time, "variability": "continuous", "description": "simulation time", "unit": "s"}
     )
     structure = SubElement(root, "ModelStructure")
+    known = at_the_start(found)
     for k, e in listed:
         if e.causality == OUTPUT:
             SubElement(structure, "Output", {"valueReference": str(k), "dependencies": ""})
     for k, e in listed:
         if e.causality in (OUTPUT, CALCULATED):
-            SubElement(structure, "InitialUnknown", {"valueReference": str(k)})
+            depends = " ".join(map(str, known[k]))
+            SubElement(structure, "InitialUnknown", {"valueReference": str(k), "dependencies": depends})
     return written(root)
 
 

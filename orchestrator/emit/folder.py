@@ -22,7 +22,8 @@ def write_c(system: System, folder: Path) -> list[str]:
         files = files_of(found)
         _require_own(folder, found.code.name)
         prepare_folder(folder, "--c")
-        write_files(folder, files | {"Makefile": _makefile(found), found.code.main: found.code.files[found.code.main]})
+        program = {found.code.main: found.code.files[found.code.main]}
+        write_files(folder, files | program | {"Makefile": _makefile(found), "README.md": _readme(found)})
         for unit in found.code.units:
             write_files(folder / "resources", resources_of(unit))
         step, whole = found.code.cycle.step, found.code.cycle.whole
@@ -47,6 +48,42 @@ def _require_own(folder: Path, name: str) -> None:
         raise InputError(f"--c {folder}: the folder is not empty, and holds no exported {name}; name another one")
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--c {folder} is a file; name a folder")
+
+
+def _readme(found: Prepared) -> bytes:
+    """What the folder holds, how it is built and used, and what a step costs."""
+    name, cycle, plan = found.code.name, found.code.cycle, found.plan
+    rows = "\n".join(
+        f"| {what} | {cost.arithmetic} | {cost.calls} | {cost.moves} |"
+        for what, cost in (("a step, from an instant to the next", cycle.step), ("a hyperperiod", cycle.whole))
+    )
+    more = ""
+    if plan.system.events:
+        more += " An event costs a part of a step of each component that is brought to it, and values passed on there."
+    if plan.algorithm.saves_states:
+        more += " Steps are repeated: the states of components are kept and restored, which may allocate memory."
+    if plan.adaptive:
+        more += " The counts are those of one try of a macro step, whose length it chooses itself."
+    text = f"""# {plan.system.name} in C
+
+{plan.system.description}
+
+`make` builds the library `lib{name}.a` and the program `{name}_run`, which runs the system from its start to its stop
+and writes the rows of every rate as CSV: `./{name}_run [FOLDER] [NAME=VALUE]...`. `{name}.h` says how the library is
+used; `{name}.c` is the plan, with a function for what begins and one for what ends at an instant; `components/` holds
+the sources of the components under names of their own.
+
+Worst case, counted from the plan; what components do inside of their functions comes on top:
+
+| | floating-point operations | calls of FMI functions | values moved |
+| --- | --- | --- | --- |
+{rows}
+{more}
+A system is one variable, with {len(plan.system.components)} components and {plan.layout.size} cells. The library
+itself allocates nothing behind `{name}_start` but where texts are set. Compile without fused multiply-add
+(`-ffp-contract=off`, as the Makefile does) where bits matter.
+"""
+    return text.encode()
 
 
 def _makefile(found: Prepared) -> bytes:
