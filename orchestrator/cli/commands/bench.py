@@ -83,13 +83,16 @@ def print_loop(rows: Rows) -> None:
     """The loop beside the bare calls."""
     cells = []
     for r in rows:
-        kind = ", ".join([*["steps by hand"] * r["by_hand"], *["rows recorded"] * r["recording"]])
+        kind = ", ".join([*["by hand"] * r["by_hand"], *["rows"] * r["recording"]])
         ways = ("bare_us", "operations_us", "loop_us", "code_us", "best_us")
         costs = (f"{r[key]:.4g}" if key in r else "" for key in ways)
         cells.append(
             (f"{r['FMUs']}", r["algorithm"], kind, *costs, f"{r['ratio']:.2f}", f"{r['ratio_of_fastest']:.2f}")
         )
-    title = f"A macro step in microseconds, {medians(rows)} in turns, and how many times the bare calls it takes"
+    title = (
+        f"A macro step in microseconds, {medians(rows)} in turns, and how many times the bare calls it takes; "
+        f"rows: they are recorded; by hand: Python asks for each step"
+    )
     headings = (
         "FMUs", "algorithm", "", "bare", "operation by\noperation", "fused", "code of\nits own", "fastest", "ratio",
         "of the\nfastest",

@@ -96,7 +96,7 @@ def is_compiled() -> bool:
     """Whether the loop need not be compiled: it came with the package, it was before, or it is not to be."""
     if shipped.library(own_hash()) or kept_object.is_there(own_hash()):
         return True
-    return not numba_compiles() or _kept_loop().is_there
+    return not numba_compiles() or (not kept_object.wanted(own_hash()) and _kept_loop().is_there)
 
 
 def begin() -> subprocess.Popen[bytes] | None:
@@ -162,7 +162,7 @@ def compiled_run(waits: bool = False) -> Callable[..., int]:
     if not kept_object.is_there(own_hash()):
         if not numba_compiles():
             return loop.run
-        if kept_object.wanted():
+        if kept_object.wanted(own_hash()):
             _compile_apart()
     if found := kept_object.loaded(own_hash()):
         return Loop(found.address(NAME), found, waits, one=found.address(ONE))

@@ -22,6 +22,8 @@ from .wrapped import NOTHING_TO_FREE, text_of
 
 CHOICE = "ROVBRUSH_LOOP"  # set to `compile`: the loop is Numba's, see `shipped.py`
 
+IMPOSSIBLE = ".none"  # ends the name of what says that this version of Numba makes none: nobody tries again
+
 
 @cache
 def _path(digest: str) -> Path:
@@ -35,16 +37,16 @@ def _path(digest: str) -> Path:
     return place(KIND, name) / f"{name}.o"
 
 
-def wanted() -> bool:
+def wanted(digest: str) -> bool:
     """Whether one can be loaded here, and is to be."""
-    if shipped.switched_off() or os.environ.get(CHOICE) == "compile":
+    if shipped.switched_off() or os.environ.get(CHOICE) == "compile" or find_spec("llvmlite") is None:
         return False
-    return find_spec("llvmlite") is not None
+    return not _path(digest).with_suffix(IMPOSSIBLE).exists()
 
 
 def is_there(digest: str) -> bool:
     """Whether there is one to be loaded."""
-    return wanted() and _path(digest).is_file()
+    return wanted(digest) and _path(digest).is_file()
 
 
 @cache
@@ -62,13 +64,14 @@ def keep(digest: str, made: Any) -> None:
     """Write that of Numba's object of the loop, freshly compiled. What does not fit is left to Numba."""
     import llvmlite.binding as llvm
 
+    path = _path(digest)
+    path.parent.mkdir(parents=True, exist_ok=True)
     try:
         module = llvm.parse_assembly(text_of(made))
         empty = f'target triple = "{module.triple}"\ntarget datalayout = "{module.data_layout}"\n'
         module.link_in(llvm.parse_assembly(f"{empty}define void @{NOTHING_TO_FREE}(ptr %array) {{ ret void }}\n"))
         content = machine_code(module)
     except RuntimeError:
-        return
-    path = _path(digest)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, content)
+        path.with_suffix(IMPOSSIBLE).touch()
+    else:
+        write_whole(path, content)
