@@ -9,6 +9,7 @@ from .calendar import keep_map, turn_page
 from .contact import contact_energy
 from .filament import hub_radius, modal_mass, share_of, tip_radius
 from .free_flight import advance_free, advance_free_in_water, is_near_the_flow, tip_speed_bound
+from .largest import largest_asleep
 from .micro_steps import advance_touching, count_strike, evaluate, touches
 from .modes import centrifugal_energy, deflection_ratio, mode_table, slope_integrals
 from .nearby_maps import map_of_step
@@ -23,7 +24,6 @@ from .sleepers import (
     centrifugal_energy_of_sum,
     filament_of,
     may_sleep,
-    mean_ratio,
     settle,
     strip_of,
     wake_all,
@@ -233,11 +233,11 @@ def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, y: Outpu
         E_end = E_end + rod.E_end
         E_per_speed_2 = E_per_speed_2 + rod.E_per_speed_2
     if are_asleep(g, p, x):
+        x.deflection_ratio = largest_asleep(g, x.deflection_ratio, p, s.c, s.modes, s.k, x, s)
         carry(g, p, x, s)
         keep_map(g, p, x, s)
         first = g * (2 * p.N_m + 1)
         E_per_speed_2 = E_per_speed_2 + centrifugal_energy_of_sum(first, p, s.c, s.modes, s.S, x.sums)
-        x.deflection_ratio = max(x.deflection_ratio, mean_ratio(first, p, s.c, s.modes, x.sums))
         begin_left(g, p, x, s)
     group_sums(g, p, x, y, s)
     share = share_of(s.c)

@@ -40,7 +40,7 @@ class Outputs(Packed):
     v_sliding: float = output("m/s", "mean speed of sliding of the tips in contact", ALL)
     sliding_distance: float = output("m", "distance slid on the hull so far, summed over the filaments")
     strikes: float = output("1", "touch-downs so far, summed over the filaments")
-    deflection_ratio: float = output("1", "largest |y(L)|/L in the last step near the hull; of others root mean square")
+    deflection_ratio: float = output("1", "largest |y(L)|/L in the last step; far from the hull, where it began")
     deflection_ratio_max: float = output("1", "largest |y(L)|/L so far")
     theta_b: float = output("rad", "brush angle")
     J_x: float = output("N.s", "time integral of F_x")

@@ -4,7 +4,7 @@ All rods of a group in free flight obey one linear map, w' = P w with w = (eta, 
 which all energies and losses are linear functions, and w times cosine and sine of the place on the hub (Eq. 15).
 """
 
-from math import cos, floor, pi, sin, sqrt
+from math import cos, floor, pi, sin
 
 from ..declare.record import Matrix
 from .calendar import catch_up
@@ -225,12 +225,3 @@ def centrifugal_energy_of_sum(first: int, p: Parameters, c: Constants, m: Modes,
         for q in range(p.N_m):
             energy = energy + 0.5 * S[r, q] * sums[first + r, q]
     return c.M * energy
-
-
-def mean_ratio(first: int, p: Parameters, c: Constants, m: Modes, sums: Matrix) -> float:
-    """|y|/L of the sleepers, root mean square."""
-    square = 0.0
-    for r in range(p.N_m):
-        for q in range(p.N_m):
-            square = square + m.Y_L[r] * m.Y_L[q] * sums[first + r, q]
-    return sqrt(max(square, 0.0) / max(sums[first + 2 * p.N_m, 2 * p.N_m], 1.0)) / c.L

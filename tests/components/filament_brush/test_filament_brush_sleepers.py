@@ -138,3 +138,33 @@ def test_a_step_looks_at_no_filament_that_is_far_from_the_hull() -> None:
         assert running.arrays["awake_count"][0] == 0.0
         assert running["contact_count"] == 0.0
         assert running["E_kinetic"] > 0.0
+
+
+def test_largest_deflection_is_that_of_a_sleeper_that_was_bent_by_hand() -> None:
+    lazy, eager = brush(n=24), brush(n=24, **AWAKE)
+    for one in (lazy, eager):
+        one.arrays["eta"][5, 0] = 4e-3  # the tip 8 mm aside
+    before = 0.1
+    for k in range(300):
+        for one in (lazy, eager):
+            taken(one, {"omega_b": 14.0, "delta": -0.05, "h": 5e-4})
+        # of those that sleep where the step begins, which is where the last one ended
+        assert lazy["deflection_ratio"] == pytest.approx(before, abs=1e-4 if k else 1e-2)
+        before = eager["deflection_ratio"]
+    assert np.all(lazy.arrays["clock"] >= 0.0)
+    assert lazy["deflection_ratio_max"] == pytest.approx(0.1, abs=2e-3)
+
+
+def test_nobody_is_bent_farther_than_the_largest_deflection() -> None:
+    lazy = brush(n=30)
+    alone = 0
+    for moment in story(seed=11, steps=240):
+        lazy.call("table")
+        asleep = lazy.arrays["clock"] >= 0.0
+        bent = np.abs(lazy.arrays["filament_y"][asleep]) / 0.08
+        taken(lazy, moment)
+        if np.any(asleep):
+            alone += bool(np.max(bent) > 0.99 * lazy["deflection_ratio"])
+            assert lazy["deflection_ratio"] >= np.max(bent) - 1.0001e-4
+            assert lazy["deflection_ratio_max"] >= lazy["deflection_ratio"]
+    assert alone > 5  # it was one that slept, now and then
