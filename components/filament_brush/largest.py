@@ -10,8 +10,6 @@ from .reactions import give
 from .records import Constants, Modes, Scratch, State, Stiffness
 from .sleepers import stamp
 
-CLOSE = 1e-4  # a ratio by which one that is not looked at may be larger
-
 
 def largest_asleep(
     g: int, so_far: float, p: Parameters, c: Constants, m: Modes, k: Stiffness, x: State, s: Scratch,
@@ -22,6 +20,7 @@ def largest_asleep(
     sum of the squares about it; somebody is as large as the root of their mean square. Who is looked at shows how far
     it swings by now, so that it is not looked at for long.
     """
+    close = 1e-4  # a ratio by which one that is not looked at may be larger
     first = g * (2 * p.N_m + 1)
     count = x.sums[first + 2 * p.N_m, 2 * p.N_m]
     mean = 0.0
@@ -33,9 +32,9 @@ def largest_asleep(
     square = max(square, mean * mean)
     largest = max(so_far, sqrt(square) / c.L)
     beyond = sqrt((square - mean * mean) * max(count - 1.0, 0.0))
-    if min(abs(mean) + beyond, bends_at_most(g, x.widest[g], x)) > c.L * (largest + CLOSE):
+    if min(abs(mean) + beyond, bends_at_most(g, x.widest[g], x)) > c.L * (largest + close):
         for rod in range(g * p.n * p.n_strips, (g + 1) * p.n * p.n_strips):
-            if x.clock[rod] >= 0.0 and bends_at_most(g, x.swing[rod], x) > c.L * (largest + CLOSE):
+            if x.clock[rod] >= 0.0 and bends_at_most(g, x.swing[rod], x) > c.L * (largest + close):
                 catch_up(rod, g, s.now, p, x, s)
                 give(rod, s.now, p, x)
                 x.swing[rod] = note_swing(g, swing_of(g, s.now, p, k, x.at_rest), x)
