@@ -69,9 +69,10 @@ def _readme(found: Prepared) -> bytes:
 {plan.system.description}
 
 `make` builds the library `lib{name}.a` and the program `{name}_run`, which runs the system from its start to its stop
-and writes the rows of every rate as CSV: `./{name}_run [FOLDER] [NAME=VALUE]...`. `{name}.h` says how the library is
-used; `{name}.c` is the plan, with a function for what begins and one for what ends at an instant; `components/` holds
-the sources of the components under names of their own.
+and writes the rows of every rate as CSV: `./{name}_run [FOLDER] [NAME=VALUE]...`; with `--speed` it writes none and
+says how many times real time it is. `{name}.h` says how the library is used; `{name}.c` is the plan, with a function
+for what begins and one for what ends at an instant; `components/` holds the sources of the components under names of
+their own.
 
 Worst case, counted from the plan; what components do inside of their functions comes on top:
 

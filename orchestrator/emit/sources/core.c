@@ -338,9 +338,9 @@ int SYSTEM_get_real(SYSTEM *s, int k, double *value) {
 int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *values) {
     const bool there = s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED;
     for (size_t k = 0; k < n; k++) {
-        const int cell = there && variables[k] < SYSTEM_VARIABLES ? SYSTEM_in_cells[variables[k]] : -1;
-        if (cell >= 0) values[k] = s->now.z[cell];
-        else if (SYSTEM_get_real(s, variables[k] < SYSTEM_VARIABLES ? (int)variables[k] : -1, &values[k])) return 1;
+        for (int cell; there && k < n && variables[k] < SYSTEM_VARIABLES && (cell = SYSTEM_in_cells[variables[k]]) >= 0; k++)
+            values[k] = s->now.z[cell];
+        if (k < n && SYSTEM_get_real(s, variables[k] < SYSTEM_VARIABLES ? (int)variables[k] : -1, &values[k])) return 1;
     }
     return 0;
 }

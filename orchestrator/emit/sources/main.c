@@ -1,10 +1,11 @@
 /* A run of @TITLE@ from its start to its stop; rows of every table as CSV, all digits.
 
    SYSTEM_run [FOLDER] [NAME=VALUE]...: into every_*.csv of FOLDER, or with no folder the table of the fastest rate on
-   stdout. */
+   stdout. SYSTEM_run --speed: no rows, but how many times real time it is, by the processor's clock. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "SYSTEM.h"
 
@@ -73,11 +74,13 @@ static int assigned(SYSTEM *s, char *text) {
 int main(int count, char **words) {
     SYSTEM *s = &system_;
     const char *folder = NULL, *resources = "resources";
+    int speed = 0;
     if (SYSTEM_open(s, SYSTEM_TITLE, resources, message, NULL)) return 1;
     for (int k = 1; k < count; k++)
-        if (!strchr(words[k], '=')) folder = words[k];
+        if (strcmp(words[k], "--speed") == 0) speed = 1;
+        else if (!strchr(words[k], '=')) folder = words[k];
         else if (assigned(s, words[k])) return 2;
-    for (int t = 0; t < SYSTEM_TABLES; t++) {
+    for (int t = 0; t < SYSTEM_TABLES && !speed; t++) {
         char path[2000];
         snprintf(path, sizeof path, "%s/%s", folder ? folder : ".", TABLES[t].file);
         files[t] = folder ? fopen(path, "w") : t == 0 ? stdout : NULL;
@@ -87,10 +90,11 @@ int main(int count, char **words) {
         for (int k = 0; k < TABLES[t].columns; k++) fprintf(files[t], ",%s", SYSTEM_cells[TABLES[t].cells[k]]);
         fputc('\n', files[t]);
     }
-    s->record = row, s->rewind = taken_back;
+    if (!speed) s->record = row, s->rewind = taken_back;
     if (SYSTEM_enter(s, SYSTEM_time(SYSTEM_START), 1, SYSTEM_time(SYSTEM_START + SYSTEM_STOP)) || SYSTEM_start(s)) return 1;
     for (int t = 0; t < SYSTEM_TABLES; t++) row(NULL, s, t, SYSTEM_START), written(t);
     int failed = 0;
+    const clock_t begin = clock();
 #if SYSTEM_VARIES
     failed = SYSTEM_go_to(s, s->now.time, SYSTEM_time(SYSTEM_START + SYSTEM_STOP) - s->now.time);
 #else
@@ -101,6 +105,10 @@ int main(int count, char **words) {
         }
     failed = failed || (SYSTEM_LAST_INSTANTS > 1 && SYSTEM_rest(s));
 #endif
+    if (speed && !failed) {
+        const double needed = (double)(clock() - begin) / CLOCKS_PER_SEC, done = SYSTEM_time(SYSTEM_STOP);
+        printf("%.9g s in %.4f s of the processor: %.1f times real time\n", done, needed, done / needed);
+    }
     for (int t = 0; t < SYSTEM_TABLES && !failed; t++) written(t);
     for (int t = 0; t < SYSTEM_TABLES; t++)
         if (files[t] && fflush(files[t])) return fprintf(stderr, "the rows cannot be written\n"), 1;

@@ -105,6 +105,9 @@ def test_nothing_is_allocated_after_the_start_and_the_header_states_the_cost_of_
     step, cycle = (list(map(int, re.findall(r"(\d+) (?:float|call)", part))) for part in text.split("of a hyperperiod"))
     assert 0 < step[0] <= cycle[0]
     assert 0 < step[1] <= cycle[1]
+    subprocess.run(["make", "CC=gcc -O1 -w"], cwd=folder, check=True, capture_output=True)
+    speed = subprocess.run(["./case__run", "--speed"], cwd=folder, capture_output=True, text=True, check=True).stdout
+    assert re.fullmatch(r"0.1 s in \S+ s of the processor: \S+ times real time\n", speed)
     readme = (folder / "README.md").read_text()
     assert f"| a step, from an instant to the next | {step[0]} | {step[1]} |" in readme
     assert f"| a hyperperiod | {cycle[0]} | {cycle[1]} |" in readme
