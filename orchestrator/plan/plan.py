@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 
 import numpy as np
 
@@ -38,6 +39,11 @@ class Plan(Design):
     at_events: EventRows
     at_last_events: EventRows  # in `last`
     together: Together = field(default_factory=Together)  # who can be stepped at once, where there are workers
+
+    @cached_property
+    def places(self) -> dict[str, tuple[int, int]]:
+        """Group and column of every recorded variable."""
+        return {".".join(key): (g, k) for g, group in enumerate(self.groups) for k, key in enumerate(group.columns)}
 
     @property
     def adaptive(self) -> bool:

@@ -81,11 +81,11 @@ class Again:
         texts = session.memory.texts
         if texts.index[USED_COUNT] != self._texts[1][USED_COUNT]:
             texts.restore(*self._texts)
-        for instance in self._instances.values():
-            assert isinstance(instance, LoadedInstance)
-            instance.reset()
-            instance.arrays.clear()
         if self._quick is None:
+            for instance in self._instances.values():
+                assert isinstance(instance, LoadedInstance)
+                instance.reset()
+                instance.arrays.clear()
             initialize(replace(plan, system=plan.system.with_checked(values)), self._instances, session.memory)
         elif not self._quick.start(values):
             raise RunError("the start is not found")

@@ -16,11 +16,13 @@ from ..fmu.types import Value
 from ..loop.cells import DONE
 from ..loop.machine.frame import with_arrays
 from ..loop.operations import AT_ITS_END, COLUMNS, COPY, GET, SET
+from ..participant.here.loaded import LoadedInstance
 from ..plan.plan import Plan
 from ..plan.start import Block
 from ..system.inputs.free_inputs import left_alone
 from ..system.model import Values
 from .blocks import NO_ROWS, NO_TURNS
+from .restart import Restart, restart_of
 
 if TYPE_CHECKING:
     from .session import Session
@@ -47,7 +49,7 @@ class QuickStart:
     """Rows for a plan and a session of it whose FMUs are reset."""
 
     def __init__(self, plan: Plan, session: Session) -> None:
-        self.plan, self.instances, self.memory = plan, session.instances, session.memory
+        self.plan, self.memory = plan, session.memory
         index = {name: k for k, name in enumerate(plan.system.components)}
         layout, factors = plan.layout, [0.0]
 
@@ -80,36 +82,39 @@ class QuickStart:
         tables = (layout.previous, layout.before, layout.begins, layout.samples, layout.parts)
         copied = [(slot, layout.outputs[key]) for table in tables for key, slot in table.items()]
         self._to, self._from = (np.array([pair[n] for pair in copied], dtype=np.int64) for n in (0, 1))
-        self._limits = tuple(plan.clock.time(tick) for tick in (plan.clock.stop, 0))
-        self._values, free = dict[str, dict[str, Value]](), left_alone(plan.system)
+        end, begin = (plan.clock.time(tick) for tick in (plan.clock.stop, 0))
+        always, free = dict[str, dict[str, Value]](), left_alone(plan.system)
+        self._restarts = dict[str, Restart]()
         for name, component in plan.system.components.items():
-            self._values[name] = {**component.parameters, **component.first_inputs(self._limits[1])}
-            self._values[name] |= {variable: component.fmu.start(variable) for variable in free.get(name, ())}
+            always[name] = {**component.parameters, **component.first_inputs(begin)}
+            always[name] |= {variable: component.fmu.start(variable) for variable in free.get(name, ())}
+            instance = session.instances[name]
+            assert isinstance(instance, LoadedInstance)
+            self._restarts[name] = restart_of(instance, always[name], end, begin)
         self._inputs = layout.inputs
         for key, slot in layout.inputs.items():
-            start = self._values[key[0]].get(key[1], plan.system.components[key[0]].fmu.start(key[1]))
+            start = always[key[0]].get(key[1], plan.system.components[key[0]].fmu.start(key[1]))
             self.memory.put(key, slot, start)
         self._slots = np.array(list(layout.inputs.values()), dtype=np.int64)
         self._starts = self.memory.z[self._slots]
 
     def start(self, values: Values) -> bool:
-        """From reset FMUs to time 0, as `initialize` does with other values; False if that is not found.
+        """From the end of a run to time 0, as a reset and `initialize` do with other values; False if that is not
+        found.
 
-        Raises FmuError if an FMU refuses.
+        Raises FmuError or RunError if an FMU refuses.
         """
-        z, known = self.memory.z, self._values
-        for name, instance in self.instances.items():
-            instance.set_up(*self._limits)
-            instance.set_all({**known[name], **values[name]} if name in values else known[name])
-            instance.enter_initialization()
+        z = self.memory.z
+        for name, restart in self._restarts.items():
+            restart.enter(values.get(name, {}))
         z[self._slots] = self._starts
         for (name, variable), slot in self._inputs.items():
             if name in values and variable in values[name]:
                 self.memory.put((name, variable), slot, values[name][variable])
         if self.plan.start and not self._settled():
             return False
-        for instance in self.instances.values():
-            instance.exit_initialization()
+        for restart in self._restarts.values():
+            restart.leave()
         if self._read(0, 1, *self._clock) != DONE:
             return False
         z[self._to] = z[self._from]
@@ -117,7 +122,7 @@ class QuickStart:
 
     def _settled(self) -> bool:
         """Whether values propagate until nothing changes."""
-        for sweep in range(len(self.instances) + 2):
+        for sweep in range(len(self._restarts) + 2):
             before = self.memory.whole.copy()
             if self._sweep(0, 1, *self._clock) != DONE:
                 return False

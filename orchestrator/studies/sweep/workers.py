@@ -16,6 +16,7 @@ from contextlib import contextmanager
 from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Protocol, Self
 
+from ...errors import RunError
 from .point import Job, Record, begin_worker, run_batch
 
 BATCH = 0.2  # s of a worker
@@ -84,6 +85,8 @@ class LocalWorkers:
         context = self.context = _Remembering()
         self.reader, self.writer = context.Pipe(duplex=False)
         self.pool = ProcessPoolExecutor(self.count, context, begin_worker, (self.reader,))
+        with _without_interrupt():
+            self._first = self.pool.submit(os.getpid)  # by which one knows whether they can begin at all
 
     def submit(self, job: Job, batch: Sequence[dict[str, Any]]) -> Future[list[Record]]:
         with _without_interrupt():
@@ -93,7 +96,12 @@ class LocalWorkers:
         return AHEAD * self.count
 
     def check(self) -> None:
-        """Nothing to check: a process that dies is seen at its point."""
+        """A process that dies is seen at its point; one that cannot begin, here."""
+        if self._first.done() and isinstance(self._first.exception(), BrokenProcessPool):
+            raise RunError(
+                "the processes of a sweep end as they begin: each of them reads the script that began it, so let that "
+                'begin the sweep under `if __name__ == "__main__":`'
+            )
 
     def stop(self) -> None:
         """End the processes in the middle of whatever they do."""

@@ -24,10 +24,10 @@ POINTS: tuple[dict[str, object], ...] = (
 )
 
 
-def motor_on_battery(folder: Path, native: Path) -> Plan:
+def motor_on_battery(folder: Path, native: Path, version: str = "fmi2") -> Plan:
     path = folder / "started.toml"
     path.write_text(SYSTEM)
-    return make_plan(assemble(str(path), {}, "", native / "fmi2"))
+    return make_plan(assemble(str(path), {}, "", native / version))
 
 
 def same_runs(plan: Plan, points: tuple[dict[str, object], ...]) -> None:
@@ -39,8 +39,9 @@ def same_runs(plan: Plan, points: tuple[dict[str, object], ...]) -> None:
                 assert np.array_equal(table.view(np.int64), expected.view(np.int64))
 
 
-def test_a_run_begun_again_is_that_of_fresh_fmus_bit_for_bit(native: Path, tmp_path: Path) -> None:
-    plan = motor_on_battery(tmp_path, native)
+@pytest.mark.parametrize("version", ["fmi2", "fmi3"])
+def test_a_run_begun_again_is_that_of_fresh_fmus_bit_for_bit(version: str, native: Path, tmp_path: Path) -> None:
+    plan = motor_on_battery(tmp_path, native, version)
     assert not why_anew(plan) and not why_not_quick(plan)
     same_runs(plan, POINTS)
 

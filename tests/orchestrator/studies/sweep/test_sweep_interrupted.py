@@ -6,6 +6,7 @@ import json
 import multiprocessing
 import os
 import signal
+import subprocess
 import sys
 import time
 from dataclasses import replace
@@ -122,3 +123,20 @@ def test_ending_the_workers_leaves_other_processes_of_the_program_alone() -> Non
     finally:
         other.kill()
         other.join()
+
+
+def test_a_script_that_begins_a_sweep_outside_of_main_is_told_so_and_ends(
+    case: Path, fmus: Path, tmp_path: Path
+) -> None:
+    """Each process of the sweep reads the script, and would begin a sweep of its own."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        "from pathlib import Path\n"
+        "from rovbrush.orchestrator.studies.sweep.options import Options\n"
+        "from rovbrush.orchestrator.studies.sweep.sweep import sweep\n"
+        f"sweep({str(case)!r}, Path({str(tmp_path / 'out')!r}), Options(['w.c0=1,2'], fmus=Path({str(fmus)!r})))\n",
+        encoding="utf-8",
+    )
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 1 and 'under `if __name__ == "__main__":`' in done.stderr
+    assert lines(tmp_path / "out") == 1  # the head alone: no point is told to have failed
