@@ -77,10 +77,10 @@ def tip_force(
     limited: bool, f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, G: Matrix,
 ) -> Reach:
     """Add the tip force to the accelerations; fills in forces and powers. `limited`: is the rate asked for?"""
-    F_n = 0.0
-    F_f = 0.0
-    moment = 0.0
-    P_friction = 0.0
+    f.F_n = 0.0
+    f.F_f = 0.0
+    f.moment = 0.0
+    f.P_friction = 0.0
     P_damping = 0.0
     f.P_contact = 0.0
     f.z_dot = 0.0
@@ -116,23 +116,19 @@ def tip_force(
             v_s = u.omega_b * z - u.v_rov - shortening_dot * at.sin_psi - y_dot * at.cos_psi  # Eq. 10
             normal = normal_force(Delta, Delta_dot, p)  # Eq. 7
             friction = friction_coefficient(v_s, f.z, growth_of_contact(Delta, Delta_dot), p, c)
-            F_n = normal.F_n
-            F_f = friction.mu * F_n  # Eq. 9
+            f.F_n = normal.F_n
+            f.F_f = friction.mu * normal.F_n  # Eq. 9
             if limited:
                 rate = rate_limit(rate, square * c.per_M, Delta, normal, friction, p)
-            F_a = -F_f * at.sin_psi - F_n * at.cos_psi  # Eq. 6
-            F_t = F_f * at.cos_psi - F_n * at.sin_psi  # Eq. 6
+            F_a = -f.F_f * at.sin_psi - f.F_n * at.cos_psi  # Eq. 6
+            F_t = f.F_f * at.cos_psi - f.F_n * at.sin_psi  # Eq. 6
             for r in range(p.N_m):
                 f.a[r] = f.a[r] + (F_t * m.Y_L[r] - F_a * f.g[r]) * c.per_M  # Eq. 5, by virtual work
-            moment = x * F_n - z * F_f
-            P_friction = F_f * v_s
-            f.P_contact = (F_n - normal.F_e) * Delta_dot
+            f.moment = x * f.F_n - z * f.F_f
+            f.P_friction = f.F_f * v_s
+            f.P_contact = (normal.F_n - normal.F_e) * Delta_dot
             f.z_dot = friction.z_dot
             f.v_slip = abs(v_s)
             f.x = x
-    f.F_f = F_f
-    f.F_n = F_n
-    f.moment = moment
-    f.P_friction = P_friction
     f.P_damping = P_damping
     return Reach(Delta, rate)

@@ -159,17 +159,17 @@ def write_modes(m: Modes, y: Outputs) -> None:
 
 
 def advance_rod(
-    k: int, g: int, w: float, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch,
+    k: int, g: int, h: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: Scratch,
 ) -> Advanced:
     """Advance rod k of group g, which is awake, by h, in micro-steps if it can reach the hull; add it to the outputs.
 
-    w: where its strip is; delta is that of the strip.
+    delta is that of its strip.
     """
     i = filament_of(k, p)
     take(k, s.now, p, x)
     at = at_begin(i, u.delta, p, x, s)
     end = at_end(i, u.delta + u.delta_dot * h, p, x, s)
-    reach = evaluate(True, s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(True, s.now, at, u, p, s)
     count_strike(x.touches[k], s.now, s.c, x)
     E_start = contact_energy(reach.Delta, p)
     rate = reach.rate
@@ -202,7 +202,7 @@ def advance_rod(
         Delta = touched.Delta
     x.touches[k] = touches(s.now)
     E_end = contact_energy(Delta, p)
-    add_rod(w, E_end, end, p, s.c, s.modes, s.now, y, s)
+    add_rod(place(strip_of(k, g, p), p), E_end, end, p, y, s)
     give(k, s.now, p, x)
     return Advanced(E_start, E_end, centrifugal_energy(s.now, p, s.c, s.modes, s.S))
 
@@ -219,14 +219,14 @@ def advance_group(g: int, h: float, u: Inputs, p: Parameters, x: State, y: Outpu
         settle(g, h, u, p, x, s)
         wake_near(g, h, u, p, x, s)
     if are_asleep(g, p, x) or not may_sleep(p):
-        map_of_step(g, h, u, p, s.c, s.modes, s.k, x, s)
+        map_of_step(g, h, u, p, s.c, x, s)
     for a in range(int(x.awake_count[g])):
         k = int(x.awake[g * p.n * p.n_strips + a])
         w = place(strip_of(k, g, p), p)
         there = at_strip(w, u.delta, u, p)
         J_x = x.J_x
         J_z = x.J_z
-        rod = advance_rod(k, g, w, h, there, p, x, y, s)
+        rod = advance_rod(k, g, h, there, p, x, y, s)
         x.J_Mx = x.J_Mx + w * (x.J_z - J_z)
         x.J_Mz = x.J_Mz - w * (x.J_x - J_x)
         E_start = E_start + rod.E_start

@@ -2,22 +2,19 @@
 
 from math import sqrt
 
-from ..declare.record import Matrix
 from ..library.integration import runge_kutta_sum
 from .filament import free_acceleration, tip_force
 from .modes import deflection_ratio
 from .parameters import Parameters
-from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Stiffness, Touched, Trial
+from .records import Constants, Inputs, Modes, Placement, Reach, Scratch, Stage, State, Touched, Trial
 from .standing import turn_by, turned
 from .water import add_drag, book_drag
 
 
-def evaluate(
-    limited: bool, f: Stage, at: Placement, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, G: Matrix,
-) -> Reach:
+def evaluate(limited: bool, f: Stage, at: Placement, u: Inputs, p: Parameters, s: Scratch) -> Reach:
     """The right-hand side: accelerations, forces and powers from deflection and rates. `limited`: as in `tip_force`."""
-    free_acceleration(f, p, m, k)
-    reach = tip_force(limited, f, at, u, p, c, m, G)
+    free_acceleration(f, p, s.modes, s.k)
+    reach = tip_force(limited, f, at, u, p, s.c, s.modes, s.G)
     return reach
 
 
@@ -68,19 +65,19 @@ def runge_kutta(at: Placement, h_s: float, u: Inputs, p: Parameters, s: Scratch)
     half = turned(at, turn, 0.5 * h_s, u)
     whole = turned(half, turn, 0.5 * h_s, u)
     predict(s.second, s.now, s.now, 0.5 * h_s, p)
-    reach = evaluate(False, s.second, half, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.second, half, u, p, s)
     if p.C_d > 0.0:
         add_drag(0.0, s.second, half, u, p, s.c, s.modes, s.shapes)
     predict(s.third, s.now, s.second, 0.5 * h_s, p)
-    reach = evaluate(False, s.third, half, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.third, half, u, p, s)
     if p.C_d > 0.0:
         add_drag(0.0, s.third, half, u, p, s.c, s.modes, s.shapes)
     predict(s.fourth, s.now, s.third, h_s, p)
-    reach = evaluate(False, s.fourth, whole, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.fourth, whole, u, p, s)
     if p.C_d > 0.0:
         add_drag(0.0, s.fourth, whole, u, p, s.c, s.modes, s.shapes)
     error = finish(s.end, s.now, s.second, s.third, s.fourth, h_s, p, s.modes)
-    reach = evaluate(True, s.end, whole, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(True, s.end, whole, u, p, s)
     rate = reach.rate
     if p.C_d > 0.0:
         rate = rate + add_drag(0.0, s.end, whole, u, p, s.c, s.modes, s.shapes)

@@ -9,12 +9,10 @@ from ..declare.record import Matrix
 from .free_flight import free_flight
 from .modes import stiffness
 from .parameters import Parameters
-from .records import Constants, Inputs, Modes, Scratch, State, Stiffness
+from .records import Constants, Inputs, Scratch, State
 
 
-def map_of_step(
-    g: int, h: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, x: State, s: Scratch,
-) -> None:
+def map_of_step(g: int, h: float, u: Inputs, p: Parameters, c: Constants, x: State, s: Scratch) -> None:
     """Fill P with the map of group g over h."""
     near = False
     if p.C_d == 0.0:
@@ -22,12 +20,12 @@ def map_of_step(
         if not near and h == x.h_before:
             wide = 1e-4 / (h * h * largest_change(p, c, s.S))
             if abs(c.speed_2 - x.speed_2) < 0.25 * wide:
-                make_nearby(g, h, wide, u, p, c, m, k, x, s)
+                make_nearby(g, h, wide, u, p, c, x, s)
                 near = True
     if near:
         take_nearby(g, c.speed_2, p, x, s)
     else:
-        free_flight(h, c.omega_max, u, p, c, m, k, s)
+        free_flight(h, c.omega_max, u, p, c, s.modes, s.k, s)
 
 
 def largest_change(p: Parameters, c: Constants, S: Matrix) -> float:
@@ -42,23 +40,23 @@ def largest_change(p: Parameters, c: Constants, S: Matrix) -> float:
 
 
 def make_nearby(
-    g: int, h: float, wide: float, u: Inputs, p: Parameters, c: Constants, m: Modes, k: Stiffness, x: State, s: Scratch,
+    g: int, h: float, wide: float, u: Inputs, p: Parameters, c: Constants, x: State, s: Scratch,
 ) -> None:
     """Make the parabola of group g about the present speed, from the maps at it and `wide` to both sides."""
     size = 2 * p.N_m
     first = 3 * size * g
     speed_2 = c.speed_2
     c.speed_2 = speed_2 + wide
-    fastest = stiffness(-c.x_t, k, p, c, m, s.S)
-    free_flight(h, fastest, u, p, c, m, k, s)
+    fastest = stiffness(-c.x_t, s.k, p, c, s.modes, s.S)
+    free_flight(h, fastest, u, p, c, s.modes, s.k, s)
     keep_rows(first + 2 * size, size, s.P, x.nearby)
     c.speed_2 = speed_2 - wide
-    stiffness(-c.x_t, k, p, c, m, s.S)
-    free_flight(h, fastest, u, p, c, m, k, s)
+    stiffness(-c.x_t, s.k, p, c, s.modes, s.S)
+    free_flight(h, fastest, u, p, c, s.modes, s.k, s)
     keep_rows(first + size, size, s.P, x.nearby)
     c.speed_2 = speed_2
-    stiffness(-c.x_t, k, p, c, m, s.S)
-    free_flight(h, fastest, u, p, c, m, k, s)
+    stiffness(-c.x_t, s.k, p, c, s.modes, s.S)
+    free_flight(h, fastest, u, p, c, s.modes, s.k, s)
     keep_rows(first, size, s.P, x.nearby)
     for i in range(first, first + size):
         for j in range(size + 1):

@@ -5,7 +5,7 @@ from math import floor, pi
 from ..declare.record import Matrix
 from .calendar import catch_up
 from .contact import contact_energy
-from .filament import free_acceleration
+from .filament import free_acceleration, share_of
 from .micro_steps import evaluate
 from .parameters import Parameters
 from .reach import filament_at, is_far, known_swing, span_within, within_step
@@ -56,7 +56,7 @@ def brush_sums(delta: float, u: Inputs, p: Parameters, x: State, y: Outputs, s: 
                 take(k, s.now, p, x)
             at = at_begin(filament_of(k, p), there.delta, p, x, s)
             reach = evaluate_at(x.linear[k], at, there, p, s)
-            add_rod(w, contact_energy(reach.Delta, p), at, p, s.c, s.modes, s.now, y, s)
+            add_rod(w, contact_energy(reach.Delta, p), at, p, y, s)
         group_sums(g, p, x, y, s)
     end_sums(y, s)
 
@@ -100,23 +100,22 @@ def look_at(g: int, delta: float, u: Inputs, p: Parameters, x: State, s: Scratch
 
 def evaluate_at(linear: float, at: Placement, u: Inputs, p: Parameters, s: Scratch) -> Reach:
     """What the hull and the water do to the rod in `now`, which stands so."""
-    reach = evaluate(False, s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(False, s.now, at, u, p, s)
     if p.C_d > 0.0:
         add_drag(linear, s.now, at, u, p, s.c, s.modes, s.shapes)
     return reach
 
 
-def add_rod(
-    w: float, E_contact: float, at: Placement, p: Parameters, c: Constants, m: Modes, f: Stage, y: Outputs, s: Scratch,
-) -> float:
-    """Add a rod of a strip at y_t = w that stands so, as it has been evaluated; returns its tip deflection."""
-    add_tip(w, f, c, y)
-    extend(f, s)
+def add_rod(w: float, E_contact: float, at: Placement, p: Parameters, y: Outputs, s: Scratch) -> float:
+    """Add the rod in `now`, of a strip at y_t = w, that stands so, as it has been evaluated; returns its tip
+    deflection."""
+    add_tip(w, s.now, s.c, y)
+    extend(s.now, s)
     if p.C_d > 0.0:
-        add_water(w, f, at, c, y)
-    shortening = add_energies(f, p, c, m, y)
-    y.E_contact = y.E_contact + c.share * E_contact
-    return add_base(f, at, shortening, p, c, m, y)
+        add_water(w, s.now, at, s.c, y)
+    shortening = add_energies(s.now, p, s.c, s.modes, y)
+    y.E_contact = y.E_contact + share_of(s.c) * E_contact
+    return add_base(s.now, at, shortening, p, s.c, s.modes, y)
 
 
 def extend(f: Stage, s: Scratch) -> None:

@@ -62,7 +62,7 @@ def error_estimate(h: float) -> float:
     u = Inputs(15.7, 5e-3, 0.0, 0.05, 1.0, 0.0)
     psi = -0.45 - p.alpha
     at = Placement(np.sin(psi), np.cos(psi), p.R_brush - u.delta)
-    reach = evaluate(True, s.now, at, u, p, s.c, s.modes, s.k, s.G)
+    reach = evaluate(True, s.now, at, u, p, s)
     advance_touching(at, h, h, reach.rate, u, p, x, s)
     return float(np.max(np.abs(h / 6.0 * (s.end.a[:3] - s.fourth.a[:3]))))
 

@@ -76,7 +76,7 @@ def test_slope_integrals_of_high_modes_are_symmetric_and_resolved() -> None:
     # For i = j: int Y'^2 dx L = sigma lam (2 + sigma lam), the closed form for a cantilever (Blevins 1979).
     sigma = np.array([compiled(DECLARED.kernel).mode_sigma(x) for x in LAMBDA])
     closed = sigma * np.array(LAMBDA) * (2.0 + sigma * np.array(LAMBDA))
-    G = brush().arrays["G"] * P.L
+    G = brush(N_m=6).arrays["G"] * P.L
     assert np.diag(G) == pytest.approx(closed, rel=1e-10)
     assert np.max(np.abs(G - G.T)) < 1e-12
 
@@ -97,7 +97,7 @@ def stiffness_at(speed: float, instance: Instance) -> tuple[np.ndarray, float]:
 @pytest.mark.parametrize("row", np.loadtxt(REFERENCE / "rotating_cantilever.csv", delimiter=",", skiprows=4).tolist())
 def test_rotating_frequencies_match_the_reference_table(row: list[float], measured: Measured) -> None:
     # Zero hub radius: tips at R_brush = L. In the plane of rotation omega^2 is lower by Omega^2. Six modes.
-    instance = brush(R_brush=P.L, alpha=0.0)
+    instance = brush(R_brush=P.L, alpha=0.0, N_m=6)
     unit = instance["omega_r"][0] / LAMBDA[0] ** 2
     speed = row[0] * unit
     K, _ = stiffness_at(speed, instance)
