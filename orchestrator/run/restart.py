@@ -1,6 +1,6 @@
 """From the end of a run to initialization mode again, and out of it: an instance that stays loaded.
 
-Of FMI 2.0 by addresses, with nothing asked of the instance's state between: a run of 20 steps takes no longer than the
+Of FMI 2.0 by addresses, without asking before whether its mode allows it: a run of 20 steps takes no longer than the
 checks of its start would. For FMUs of which it is known what a reset brings back, our own.
 """
 
@@ -67,11 +67,13 @@ class ByAddress:
         self._base = np.array([known[name] for name in self._first], dtype=float)
         tolerance = instance.tolerance
         limits = (tolerance is not None, tolerance or 0.0, start, True, stop)
-        self._reset = _bound(instance, "fmi2Reset")
-        self._set_up = _bound(instance, "fmi2SetupExperiment", _FLAG, _REAL, _REAL, _FLAG, _REAL, arguments=limits)
-        self._set = _bound(instance, "fmi2SetReal", _POINTER, ctypes.c_size_t, _POINTER)
-        self._enter = _bound(instance, "fmi2EnterInitializationMode")
-        self.leave = _bound(instance, "fmi2ExitInitializationMode")
+        self._reset = _bound(instance, "fmi2Reset", action="reset")
+        self._set_up = _bound(
+            instance, "fmi2SetupExperiment", _FLAG, _REAL, _REAL, _FLAG, _REAL, action="set up", arguments=limits
+        )
+        self._set = _bound(instance, "fmi2SetReal", _POINTER, ctypes.c_size_t, _POINTER, action="set")
+        self._enter = _bound(instance, "fmi2EnterInitializationMode", action="enter")
+        self.leave = _bound(instance, "fmi2ExitInitializationMode", action="exit")
         self._sets = dict[tuple[str, ...], tuple[np.ndarray, tuple[int, int, int]]]()
         self._references = list[np.ndarray]()  # to which addresses lead
 
@@ -99,13 +101,19 @@ class ByAddress:
         return self._sets.setdefault(names, made)
 
 
-def _bound(instance: LoadedInstance, name: str, *types: Any, arguments: tuple[Any, ...] = ()) -> Callable[..., None]:
-    """A function of an FMU for its instance, with arguments that are always the same; it raises RunError."""
+def _bound(
+    instance: LoadedInstance, name: str, *types: Any, action: str, arguments: tuple[Any, ...] = ()
+) -> Callable[..., None]:
+    """A function of an FMU for its instance, with arguments that are always the same; it raises RunError.
+
+    `action`: as `LoadedInstance` calls it, which knows in which mode the instance is.
+    """
     function = ctypes.CFUNCTYPE(ctypes.c_int, _POINTER, *types)(instance.address(name))
-    pointer = instance.pointer
+    pointer, noted = instance.pointer, instance.noted
 
     def call(*more: Any) -> None:
         status = function(pointer, *arguments, *more)
+        noted(action, status)
         if not good(status):
             raise RunError(f"component {instance.name}: {name} gives {status}")
 
