@@ -21,6 +21,7 @@ Answers = Mapping[str, Mapping[str, frozenset[str]]]  # by component and output:
 
 
 NAMED = 8  # inputs of a loop that its label names
+WHOLE = 30  # inputs up to which all of a loop are unknowns: every start value counts, and passes are few anyway
 
 
 @dataclass(frozen=True)
@@ -164,7 +165,8 @@ def _with_loops(
     for number in order:
         group = groups[number]
         loop = len(group) > 1 or labels[group[0]] == labels[n + set_of[group[0]]]
-        ways = _torn(group, set_of, members) if loop else ([], [])
+        torn = _torn(group, set_of, members) if len(group) > WHOLE else (group, [])
+        ways = torn if loop else ([], [])
         parts = [tuple(connections[k] for k in way) for way in ways]
         blocks.append(Block(tuple(connections[k] for k in group), loop, *parts))
     return tuple(blocks)

@@ -46,27 +46,25 @@ class StartLoop:
         1, and whether there is no other solution nearby (asked only where the guess is one)."""
         sent = self.sent(guess)
         found = _size(sent, guess)
+        nudges = NUDGE * np.maximum(np.abs(guess), 1.0)
+        fixed = np.array_equal(self.sent(guess + nudges * (1.0 + np.arange(len(guess)) * GOLDEN % 1.0)), sent)
         if found <= wanted:
-            return found, not self._singular(guess, sent)
-        again = self.sent(sent)
-        found = _size(again, sent)
-        if found <= wanted:  # what the unknowns are sent does not depend on them after all
-            return found, True
+            unique = fixed or not self._singular(guess, sent, nudges)
+            self.sent(guess)
+            return found, unique
+        if fixed:  # so these are the solution, if that holds there too; else they may be where an FMU fails
+            found = _size(self.sent(sent), sent)
+            if found <= wanted:
+                return found, True
         root = needed("scipy.optimize", LOOPED).root
         solution = root(lambda x: self.sent(x) - x, guess, method="hybr", options={"xtol": 1e-14}).x
         return _size(self.sent(solution), solution), True
 
-    def _singular(self, inputs: np.ndarray, sent: np.ndarray) -> bool:
-        """Whether other inputs nearby are solutions, too; they are set again as they were."""
-        nudges = NUDGE * np.maximum(np.abs(inputs), 1.0)
-        probe = inputs + nudges * (1.0 + np.arange(len(inputs)) * GOLDEN % 1.0)
-        singular = False
-        if not np.array_equal(self.sent(probe), sent):
-            rows = [(self.sent(inputs + row) - sent) / size for row, size in zip(np.diag(nudges), nudges, strict=True)]
-            values = np.linalg.svd(np.array(rows).T - np.eye(len(inputs)), compute_uv=False)
-            singular = bool(values[-1] <= SINGULAR * max(values[0], 1.0))
-        self.sent(inputs)
-        return singular
+    def _singular(self, inputs: np.ndarray, sent: np.ndarray, nudges: np.ndarray) -> bool:
+        """Whether other inputs nearby are solutions, too."""
+        rows = [(self.sent(inputs + row) - sent) / size for row, size in zip(np.diag(nudges), nudges, strict=True)]
+        values = np.linalg.svd(np.array(rows).T - np.eye(len(inputs)), compute_uv=False)
+        return bool(values[-1] <= SINGULAR * max(values[0], 1.0))
 
 
 def _size(sent: np.ndarray, inputs: np.ndarray) -> float:

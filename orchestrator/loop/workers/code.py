@@ -213,11 +213,11 @@ wait:
   %done = icmp eq i64 %now, {DONE}
   br i1 %done, label %finished, label %look
 look:
-  %other2 = call ptr @taken()
-  %none = icmp eq ptr %other2, null
+  %open = call ptr @taken()
+  %none = icmp eq ptr %open, null
   br i1 %none, label %spin, label %help
 help:
-  call void @do(ptr %other2)
+  call void @do(ptr %open)
   br label %wait
 spin:
   %n1 = add i64 %n, 1

@@ -9,10 +9,10 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
-from typing import Any
 
 import numpy as np
 
+from ..machine.objects import Loaded, object_of
 from . import cells
 from .code import pause, text
 
@@ -56,9 +56,10 @@ class Pool:
                 self.jobs[k, [cells.FUNCTION, cells.INSTANCE, cells.FMI]] = one.function, one.instance, one.fmi
             self.jobs[begin, [cells.FIRST, cells.LAST]] = begin + 1, begin + len(group)
             begin += len(group)
-        self._engine = _compiled(text(self.head.ctypes.data, [one.fmi for one in every], *_posix()))
-        self.addresses = [int(self._engine.get_function_address(f"step_{k}")) for k in range(len(every))]
-        self._worker = ctypes.CFUNCTYPE(None)(self._engine.get_function_address("worker"))
+        code = text(self.head.ctypes.data, [one.fmi for one in every], *_posix())
+        self._code = Loaded(object_of(code))
+        self.addresses = [self._code.address(f"step_{k}") for k in range(len(every))]
+        self._worker = ctypes.CFUNCTYPE(None)(self._code.address("worker"))
         self._threads: list[threading.Thread] = []
 
     def costs(self) -> np.ndarray:
@@ -100,18 +101,3 @@ def _posix() -> tuple[int, int, int]:
     names = (library.clock_gettime, library.nanosleep, library.sched_yield)
     clock, nanosleep, sched_yield = (ctypes.cast(name, ctypes.c_void_p).value or 0 for name in names)
     return clock, nanosleep, sched_yield
-
-
-def _compiled(code: str) -> Any:
-    """An engine that has the functions of a text, as long as it lives."""
-    import llvmlite.binding as llvm
-
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    llvm.initialize_native_asmparser()  # for the instruction of who waits
-    machine = llvm.Target.from_default_triple().create_target_machine(opt=2)
-    module = llvm.parse_assembly(code)
-    module.verify()
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return engine

@@ -50,8 +50,7 @@ def loop_rows(folder: Path, quick: bool = False) -> Iterator[tuple[float, dict[s
     With each row comes the share of the work that is done. Rounds take turns; rows are recorded where they were before.
     """
     for k, case in enumerate(CASES):
-        closed = case.components < 1_000  # the start tries every input of a closed one for other solutions
-        path = ring(folder, case.components, stop="1000 s", closed=closed)
+        path = ring(folder, case.components, stop="1000 s")
         system = replace(
             load_system(str(path)), algorithm=case.algorithm, record=("*",) if case.recording else (),
             stop=PERIOD * case.steps,

@@ -36,9 +36,8 @@ from ...system.request import UNCHANGED, Changes
 from .kept import Kept
 from .replanned import needs_plan
 
-Record = dict[
-    str, Any
-]  # `figures` by name or `error`; `cpu_s`, `wall_s`, means of its batch, `memory_MB` of the worker
+# `figures` by name or `error`; `cpu_s` and `wall_s`, means of its batch; `memory_MB` of the worker
+Record = dict[str, Any]
 _KEPT = Kept()
 _ONE_AT_A_TIME = threading.Lock()  # workers of other makes may run several threads
 

@@ -130,40 +130,45 @@ def test_runs_that_keep_pace_have_the_same_bits(tmp_path: Path) -> None:
     assert require_the_same(plan, interpreted=False, pace=Pace(FASTEST))[0] == require_the_same(make_plan(system))[0]
 
 
+def by_hand_and_back(folder: Path, **life: Any) -> tuple[Any, ...]:
+    """Steps by hand, a snapshot, another way from there, back and to the end."""
+    moody(folder / "g.fmu")
+    system = load_system(str(ring(folder, 3, stop="30 ms", closed=False)))
+    with Stepping(make_plan(system), **life) as session:
+        for k in range(10):
+            session.set("c0.u", 0.1 * k)
+            session.step()
+        here = session.snapshot()
+        session.set("c0.u", -1.0)
+        session.step("5 ms")
+        between = session.get("c2.y")
+        session.restore(here)
+        session.finish()
+        return between, bits(session.run())
+
+
+def stopped_and_on(folder: Path, **life: Any) -> tuple[Any, ...]:
+    """A run that is asked to stop within a cycle, and goes on."""
+    plan = make_plan(replace(load_system(str(ring(folder, 3, stop="10 ms"))), algorithm="jacobi"))
+    with Session(plan, **life) as session:
+        session.advance(cycles=3)
+        session.control[cells.STOP_REQUEST] = 1
+        session.advance()
+        at, session.failure = (session.at.cycle, session.at.operation, session.failure), ""
+        session.control[cells.STOP_REQUEST] = 0
+        session.revive()
+        session.advance()
+        return at, bits(session.run())
+
+
 @needs_gcc
 def test_steps_by_hand_stops_and_snapshots_have_the_same_bits(tmp_path: Path) -> None:
-    moody(tmp_path / "g.fmu")
-    system = load_system(str(ring(tmp_path, 3, stop="30 ms", closed=False)))
-    ends = []
-    for fuses in (False, True):
-        with Stepping(make_plan(system), fuses=fuses) as session:
-            for k in range(10):
-                session.set("c0.u", 0.1 * k)
-                session.step()
-            here = session.snapshot()
-            session.set("c0.u", -1.0)
-            session.step("5 ms")
-            between = session.get("c2.y")
-            session.restore(here)
-            session.finish()
-            ends.append((between, bits(session.run())))
-    assert ends[0] == ends[1]
+    assert by_hand_and_back(tmp_path, fuses=False) == by_hand_and_back(tmp_path, fuses=True)
 
 
 @needs_gcc
 def test_a_stop_request_ends_both_at_the_same_operation_and_both_go_on(tmp_path: Path) -> None:
-    plan = make_plan(replace(load_system(str(ring(tmp_path, 3, stop="10 ms"))), algorithm="jacobi"))
-    ends = []
-    for fuses in (False, True):
-        with Session(plan, fuses=fuses) as session:
-            session.advance(cycles=3)
-            session.control[cells.STOP_REQUEST] = 1
-            session.advance()
-            at, session.failure = (session.at.cycle, session.at.operation, session.failure), ""
-            session.control[cells.STOP_REQUEST] = 0
-            session.revive()
-            session.advance()
-            ends.append((at, bits(session.run())))
+    ends = [stopped_and_on(tmp_path, fuses=fuses) for fuses in (False, True)]
     assert ends[0] == ends[1] and ends[0][0][2].startswith("interrupted")
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rovbrush.orchestrator.plan import start
 from rovbrush.orchestrator.plan.order import order_of
 from rovbrush.orchestrator.plan.start import start_order
 from rovbrush.orchestrator.system.model import Connection
@@ -74,7 +75,10 @@ def test_every_block_comes_behind_what_it_needs_and_loops_are_the_connections_th
 
 @given(system=systems())
 def test_where_the_torn_inputs_of_a_loop_are_known_the_others_follow_one_after_the_other(system: Any) -> None:
-    for block in start_order(system):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(start, "WHOLE", 0)
+        blocks = start_order(system)
+    for block in blocks:
         assert sorted(c.label for c in (*block.torn, *block.behind)) == (
             sorted(c.label for c in block.connections) if block.loop else []
         )
@@ -98,12 +102,17 @@ def chain_of(components: int, signals: int) -> Any:
     return SimpleNamespace(components={f"c{n}": one for n in range(components)}, connections=connections)
 
 
-@pytest.mark.parametrize(("components", "signals"), [(1, 1), (2, 1), (300, 1), (2, 30), (5, 7)])
-def test_a_ring_is_torn_at_one_place(components: int, signals: int) -> None:
+@pytest.mark.parametrize(("components", "signals"), [(1, 1), (31, 1), (300, 1), (2, 30), (5, 7)])
+def test_a_large_ring_is_torn_at_one_place(components: int, signals: int) -> None:
     (block,) = start_order(chain_of(components, signals))
     assert len(block.torn) == signals and len({c.target[0] for c in block.torn}) == 1
     more = components * signals - 8
     assert block.label.endswith(f" and {more} more") == (more > 0) and block.label.count(",") == min(7, 7 + more)
+
+
+@given(system=systems())
+def test_all_inputs_of_a_small_loop_are_unknowns(system: Any) -> None:
+    assert all(block.torn == block.connections and not block.behind for block in start_order(system) if block.loop)
 
 
 @given(system=systems(), slow=st.sets(st.sampled_from(["c0", "c1", "c2", "c3", "c4"])))

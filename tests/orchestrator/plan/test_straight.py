@@ -14,7 +14,6 @@ from helpers import plan_of, read_system
 from hypothesis import HealthCheck, given, settings
 from native_build import FREE3, built, moody, needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.loop import cells
 from rovbrush.orchestrator.loop.machine import objects
 from rovbrush.orchestrator.loop.straight import code as straight_code
 from rovbrush.orchestrator.plan import straight
@@ -22,12 +21,11 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.plan.straight import worth_of
 from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.stepping import Stepping
 from rovbrush.orchestrator.run.straight_on import ALWAYS, NEVER
 from rovbrush.orchestrator.studies.bench.mixed import mixed_ring
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.file.reader import load_system
-from test_fused import CAR, KINDS, WHOLE, bits
+from test_fused import CAR, KINDS, WHOLE, bits, by_hand_and_back, stopped_and_on
 from test_plan_random import system_of, systems
 
 
@@ -137,38 +135,12 @@ def test_what_is_recorded_is_the_same_whatever_the_blocks(record: tuple[str, ...
 
 @needs_gcc
 def test_steps_by_hand_and_snapshots_have_the_same_bits(tmp_path: Path) -> None:
-    moody(tmp_path / "g.fmu")
-    system = load_system(str(ring(tmp_path, 3, stop="30 ms", closed=False)))
-    ends = []
-    for when in (NEVER, ALWAYS):
-        with Stepping(make_plan(system), straight=when) as session:
-            for k in range(10):
-                session.set("c0.u", 0.1 * k)
-                session.step()
-            here = session.snapshot()
-            session.set("c0.u", -1.0)
-            session.step("5 ms")
-            between = session.get("c2.y")
-            session.restore(here)
-            session.finish()
-            ends.append((between, bits(session.run())))
-    assert ends[0] == ends[1]
+    assert by_hand_and_back(tmp_path, straight=NEVER) == by_hand_and_back(tmp_path, straight=ALWAYS)
 
 
 @needs_gcc
 def test_a_stop_request_ends_it_at_the_same_operation_and_it_goes_on(tmp_path: Path) -> None:
-    plan = make_plan(replace(load_system(str(ring(tmp_path, 3, stop="10 ms"))), algorithm="jacobi"))
-    ends = []
-    for when in (NEVER, ALWAYS):
-        with Session(plan, straight=when) as session:
-            session.advance(cycles=3)
-            session.control[cells.STOP_REQUEST] = 1
-            session.advance()
-            at, session.failure = (session.at.cycle, session.at.operation, session.failure), ""
-            session.control[cells.STOP_REQUEST] = 0
-            session.revive()
-            session.advance()
-            ends.append((at, bits(session.run())))
+    ends = [stopped_and_on(tmp_path, straight=when) for when in (NEVER, ALWAYS)]
     assert ends[0] == ends[1] and ends[0][0][2].startswith("interrupted")
 
 

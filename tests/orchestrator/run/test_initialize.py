@@ -101,3 +101,11 @@ def test_outputs_that_depend_on_inputs_by_their_description_only_are_no_equation
     parts = {name: ("gain", "10 ms", {"k": 0.0, "offset": 3.0}) for name in "ab"}
     run = run_of(tmp_path, fmus, parts, LOOP, stop="10 ms")
     assert column(run, "a.y")[1].tolist() == [3.0, 3.0] and run.started.loops == {"loop b.u, a.u": 0.0}
+
+
+def test_the_values_that_are_sent_at_first_are_not_tried_where_they_are_no_solution(tmp_path: Path, fmus: Path) -> None:
+    """r = 1/u, which fails at u = 0, and u = 2 r - 2: from the start value u = 1 comes u = 0, the solution is
+    sqrt(3) - 1."""
+    parts = {"r": ("root", "10 ms"), "g": ("gain", "10 ms", {"k": 2.0, "offset": -2.0})}
+    run = run_of(tmp_path, fmus, parts, ["g.y -> r.u", "r.y -> g.u"], stop="10 ms")
+    assert column(run, "g.y")[1][0] == pytest.approx(3.0**0.5 - 1.0, rel=1e-9)
