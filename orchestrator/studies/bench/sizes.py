@@ -12,10 +12,12 @@ from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
+from ...errors import InputError
 from ...plan.plan import make_plan
 from ...system.file.reader import load_system
 from .peers.floor import Floor
 
+GROUP = "rovbrush.sizes"  # of entry points
 ROUNDS, QUICK = 11, 3
 SYSTEM = """
 format = 2
@@ -33,10 +35,16 @@ inputs = {{ {inputs} }}
 def size_rows(folder: Path, native: Path, quick: bool) -> Iterator[tuple[float, dict[str, Any]]]:
     """For each case microseconds per step, and the mean of the output that counts, with the share that is done.
 
-    An entry point of the group `rovbrush.sizes` is a function that returns cases: component, words, parameters, inputs,
+    An entry point of GROUP is a function that returns cases: component, words, parameters, inputs,
     the output that counts, period [s], steps before anything is measured and of a round, and the kernel by itself.
+    Raises InputError where there is none.
     """
-    found = [case for entry in entry_points(group="rovbrush.sizes") for case in entry.load()()]
+    found = [case for entry in entry_points(group=GROUP) for case in entry.load()()]
+    if not found:
+        raise InputError(
+            f"no installed package names cases for this part (entry points of the group {GROUP}); an installation that "
+            f"is older than its sources names none: install it again"
+        )
     rounds = QUICK if quick else ROUNDS
     for number, case in enumerate(found):
         alone = _alone(folder, native / f"{case.component}.fmu", case)
