@@ -12,6 +12,7 @@ import pytest
 from emit_cases import Masses, alone, run_of_system, unlike
 from helpers import column, edited, python, rovbrush, system_text
 from native_build import needs_gcc
+from recorder import recorded
 from rovbrush.orchestrator.emit.export import export_fmu
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu
@@ -93,6 +94,16 @@ def test_its_library_for_windows_has_the_bits_of_the_run_under_wine(
     assert len(linux) == 1
     edited(whole, folder / "whole.fmu", dict.fromkeys(linux))
     assert unlike(alone(folder / "whole.fmu"), run_of_system(masses())) == []
+
+
+@pytest.mark.parametrize("platform", ["linux", pytest.param("windows", marks=needs_wine)])
+def test_a_host_in_c_reads_the_bits_of_the_run(platform: str, whole: Path, masses: Masses) -> None:
+    rows = recorded(whole, platform, 0.004, 25)
+    run = run_of_system(masses())
+    assert {"a.x", "a.v", "b.x", "b.v", "f.F", "f.back"} <= rows.keys()
+    for name in ("a.x", "a.v", "b.x", "b.v", "f.F", "f.back"):
+        times, own = column(run, name)
+        assert rows[name].tobytes() == own[(times * 1000.0).round() % 4 == 0].tobytes(), name
 
 
 TWO = """
