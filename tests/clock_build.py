@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
-from filelock import FileLock
-from native_build import COMPILED, NATIVE
+from native_build import NATIVE
 from rovbrush.orchestrator.studies.bench import native_fmu
 
 EVENTS = NATIVE / "events"
@@ -111,16 +108,7 @@ def clocked(
 
 
 def built(folder: Path) -> Path:
-    """A folder with an FMU of each of MODELS: copies of what was compiled once from these sources."""
-    digest = hashlib.sha256()
-    for source in (*sorted(EVENTS.iterdir()), Path(__file__), Path(native_fmu.__file__)):
-        digest.update(source.read_bytes())
-    kept = COMPILED / digest.hexdigest()[:16]
-    (kept / "new").mkdir(parents=True, exist_ok=True)
+    """A folder with an FMU of each of MODELS."""
     for model in MODELS:
-        fmu = kept / f"{model}.fmu"
-        with FileLock(fmu.with_suffix(".lock")):
-            if not fmu.exists():
-                clocked(kept / "new" / fmu.name, model).replace(fmu)
-        shutil.copy(fmu, folder / fmu.name)
+        clocked(folder / f"{model}.fmu", model)
     return folder

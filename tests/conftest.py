@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from compiled_once import remember_libraries
 from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
 from hypothesis import settings
@@ -59,6 +60,7 @@ def pytest_configure(config: pytest.Config) -> None:
     }
     for name in ("ROVBRUSH_FMUS", "NUMBA_CACHE_DIR"):
         os.environ.pop(name, None)
+    remember_libraries()
 
 
 @pytest.hookimpl(tryfirst=True)  # before `-m` chooses

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-import os
 import re
-import shutil
-import tempfile
 from pathlib import Path
 from typing import Any
 
 import pytest
-from filelock import FileLock
 from rovbrush.orchestrator.studies.bench import native_fmu
 
 # Values of every type for the feedthrough FMUs, and the connections of two of them.
@@ -25,7 +20,6 @@ FREE3: dict[str, Any] = {
 WIRES2 = [f"a.{v}_out -> b.{v}_in" for v in ("n", "mode", "on", "s")] + ["a.y -> b.u"]
 WIRES3 = [f"a.{v[1:-3]}_out -> b.{v[1:]}" for v in FREE3]
 NATIVE = Path(__file__).parent / "fixtures" / "native"
-COMPILED = Path(os.environ.get("ROVBRUSH_CACHE", tempfile.gettempdir())).absolute().parent / "compiled_for_tests"
 needs_gcc = pytest.mark.skipif(native_fmu.compiler() is None, reason="no C compiler: native FMUs cannot be built")
 FAULTS2 = {
     name: k
@@ -217,16 +211,7 @@ def functions(target: Path) -> Path:
 
 
 def built(folder: Path) -> Path:
-    """A folder with feedthrough2.fmu and feedthrough3.fmu: copies of what was compiled once from these sources."""
-    digest = hashlib.sha256()
-    for source in (*sorted(NATIVE.glob("*.c")), Path(__file__), Path(native_fmu.__file__)):
-        digest.update(source.read_bytes())
-    kept = COMPILED / digest.hexdigest()[:16]
-    (kept / "new").mkdir(parents=True, exist_ok=True)
+    """A folder with feedthrough2.fmu and feedthrough3.fmu."""
     for make in (feedthrough2, feedthrough3):
-        fmu = kept / f"{make.__name__}.fmu"
-        with FileLock(fmu.with_suffix(".lock")):
-            if not fmu.exists():
-                make(kept / "new" / fmu.name).replace(fmu)
-        shutil.copy(fmu, folder / fmu.name)
+        make(folder / f"{make.__name__}.fmu")
     return folder

@@ -13,6 +13,7 @@ from pathlib import Path
 import clock_build
 import exchange_build
 import pytest
+from compiled_once import compiled_once
 from filelock import FileLock
 from native_build import NATIVE
 from rovbrush.orchestrator.fmu.files.windows import FOLDERS, runs_windows, wine
@@ -54,16 +55,18 @@ def for_windows(
     with zipfile.ZipFile(fmu) as archive:
         entries = {name: archive.read(name) for name in archive.namelist()}
     third = b'fmiVersion="3' in entries["modelDescription.xml"]
-    library = target.parent / f"{target.stem}_{platform}.dll"
     options = ["-Dpause()=usleep(1000)", *(f"-D{key}={value}" for key, value in (defines or {}).items())]  # no POSIX
     command = [COMPILERS[platform], "-O2", "-shared", "-static-libgcc", "-s", f"-I{HEADERS}", f"-I{SHARED}", *options]
-    subprocess.run([*command, *map(str, sources), "-o", str(library)], check=True, capture_output=True)
+
+    def compile_to(made: Path) -> None:
+        subprocess.run([*command, *map(str, sources), "-o", str(made)], check=True, capture_output=True)
+
+    library = compiled_once(command, sources, compile_to)
     with zipfile.ZipFile(target, "w") as archive:
         for name, content in entries.items():
             if keep or not name.startswith("binaries/"):
                 archive.writestr(name, content)
-        archive.writestr(f"binaries/{FOLDERS[platform][third]}/{fmu.stem}.dll", library.read_bytes())
-    library.unlink()
+        archive.writestr(f"binaries/{FOLDERS[platform][third]}/{fmu.stem}.dll", library)
     return target
 
 

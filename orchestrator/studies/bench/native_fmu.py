@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import tempfile
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import fmpy
@@ -34,21 +34,28 @@ def native_fmu(
     if gcc is None:
         raise RunError("no C compiler found; install gcc")
     platform = fmpy.platform_tuple if version == 3 else fmpy.platform
-    with tempfile.TemporaryDirectory() as folder:
-        library = Path(folder) / f"{target.stem}{fmpy.sharedLibraryExtension}"
-        options = [f"-D{key}={value}" for key, value in (defines or {}).items()]
-        options = ["-O2", "-fPIC", "-shared", "-s", f"-I{HEADERS}", f"-I{SOURCES}", *options]
-        command = [gcc, *options, *map(str, sources), "-lm", "-o"]
-        done = subprocess.run([*command, str(library)], capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise RunError(f"{target.name} cannot be compiled: {done.stderr.strip()}")
-        with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-            for name, content in (
-                ("modelDescription.xml", xml.encode()),
-                (f"binaries/{platform}/{library.name}", library.read_bytes()),
-            ):
-                archive.writestr(zipfile.ZipInfo(name, DATE), content, zipfile.ZIP_DEFLATED)
+    options = [f"-D{key}={value}" for key, value in (defines or {}).items()]
+    command = [gcc, "-O2", "-fPIC", "-shared", "-s", f"-I{HEADERS}", f"-I{SOURCES}", *options]
+    try:
+        library = compiled(command, list(sources))
+    except subprocess.CalledProcessError as error:
+        raise RunError(f"{target.name} cannot be compiled: {error.stderr.strip()}") from None
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in (
+            ("modelDescription.xml", xml.encode()),
+            (f"binaries/{platform}/{target.stem}{fmpy.sharedLibraryExtension}", library),
+        ):
+            archive.writestr(zipfile.ZipInfo(name, DATE), content, zipfile.ZIP_DEFLATED)
     return target
+
+
+def compiled(command: Sequence[str], sources: Sequence[Path]) -> bytes:
+    """The library that a compiler with its options makes of C sources; raises CalledProcessError if it refuses."""
+    with tempfile.TemporaryDirectory() as folder:
+        library = Path(folder) / "library"
+        whole = [*command, *map(str, sources), "-lm", "-o", str(library)]
+        subprocess.run(whole, capture_output=True, text=True, check=True)
+        return library.read_bytes()
 
 
 def description2(name: str, variables: Iterable[str], outputs: Iterable[int], flags: str = "") -> str:
