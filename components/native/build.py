@@ -13,7 +13,7 @@ from ..declare.model_description import GUID_PLACEHOLDER, model_description
 from ..errors import BuildError
 from ..python.archive import digest, documentation, write_archive
 from ..python.build import carried, in_source
-from .compile import OPTIONS, PLATFORMS, compile_library
+from .compile import OPTIONS, PLATFORMS, Platform, compile_library, compile_objects
 from .description3 import build_description, model_description3
 from .tables import Tables
 from .translate import kernel_in_c
@@ -43,12 +43,17 @@ def build_one_native(component: Path, folder: Path, rows: int, platforms: tuple[
             source = Tables(declared).source(kernel_in_c(declared.kernel))
         except BuildError as error:
             raise BuildError(in_source(str(error), Path(temporary) / package, component)) from None
-        return [_build(component, declared, source, folder, version, platforms) for version in LAYERS]
+        entries = {version: _entries(component, declared, source, version) for version in LAYERS}
+        _sign(entries, component.name)
+        for key in platforms:
+            _compile(entries, component.name, PLATFORMS[key])
+    return [
+        write_archive(entries[version], folder / "native" / version / f"{component.name}.fmu") for version in LAYERS
+    ]
 
 
-def _build(
-    component: Path, declared: type[Any], source: str, folder: Path, version: str, platforms: tuple[str, ...]
-) -> Path:
+def _entries(component: Path, declared: type[Any], source: str, version: str) -> dict[str, bytes]:
+    """What is in the FMU beside its libraries."""
     name = component.name
     units = (f"{name}.c", *SHARED, *LAYERS[version])
     files = {unit: (SOURCES / unit).read_bytes() for unit in (*SHARED, *LAYERS[version], "component.h", "instance.h")}
@@ -60,19 +65,31 @@ def _build(
     else:
         description = _text(model_description(declared, units))
     entries = {f"sources/{key}": content for key, content in files.items()}
-    entries |= {"modelDescription.xml": description, "documentation/index.html": documentation(component)}
-    token = f"{{{digest(entries | {'options': OPTIONS.encode()})}}}".encode()
-    for key in ("modelDescription.xml", f"sources/{name}.c"):
-        entries[key] = entries[key].replace(GUID_PLACEHOLDER.encode(), token)
-    for key in platforms:
-        platform = PLATFORMS[key]
-        place = platform.fmi2 if version == "fmi2" else platform.fmi3
-        with tempfile.TemporaryDirectory() as temporary:
-            for path, content in entries.items():
+    return entries | {"modelDescription.xml": description, "documentation/index.html": documentation(component)}
+
+
+def _sign(entries: dict[str, dict[str, bytes]], name: str) -> None:
+    """The hash of all that both FMUs are made of, where they bear it: one, so that their kernels are one."""
+    parts = {f"{version}/{key}": content for version, own in entries.items() for key, content in own.items()}
+    token = f"{{{digest(parts | {'options': OPTIONS.encode()})}}}".encode()
+    for own in entries.values():
+        for key in ("modelDescription.xml", f"sources/{name}.c"):
+            own[key] = own[key].replace(GUID_PLACEHOLDER.encode(), token)
+
+
+def _compile(entries: dict[str, dict[str, bytes]], name: str, platform: Platform) -> None:
+    """A library for a platform in each FMU; what they share, which takes the time, is compiled once."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        for own in entries.values():
+            for path, content in own.items():
                 if path.startswith("sources/"):
-                    (Path(temporary) / Path(path).name).write_bytes(content)
-            entries[f"binaries/{place}/{name}{platform.ending}"] = compile_library(Path(temporary), units, platform)
-    return write_archive(entries, folder / "native" / version / f"{name}.fmu")
+                    (folder / Path(path).name).write_bytes(content)
+        shared = compile_objects(folder, (f"{name}.c", *SHARED), platform)
+        for version, own in entries.items():
+            library = compile_library(folder, (*shared, *LAYERS[version]), platform)
+            place = platform.fmi2 if version == "fmi2" else platform.fmi3
+            own[f"binaries/{place}/{name}{platform.ending}"] = library
 
 
 def _text(element: Element) -> bytes:

@@ -74,17 +74,28 @@ def available(names: tuple[str, ...], missing: Callable[[str], None]) -> tuple[s
     return tuple(found)
 
 
+def compile_objects(sources: Path, files: tuple[str, ...], target: Platform) -> tuple[str, ...]:
+    """The names of the object files, in the folder `sources`, of the C `files` in it. Raises BuildError as below."""
+    _compiler(sources, target, ("-c", *files))
+    return tuple(f"{Path(file).stem}.o" for file in files)
+
+
 def compile_library(sources: Path, files: tuple[str, ...], target: Platform) -> bytes:
-    """The shared library made of the C `files` in the folder `sources`. Raises BuildError with the compiler's words."""
+    """The shared library made of the C and object `files` in the folder `sources`.
+
+    Raises BuildError with the compiler's words.
+    """
     library = f"library{target.ending}"
-    command = [target.compiler(), *OPTIONS.split(), "-Wall", "-fvisibility=hidden", "-shared", "-s", "-o", library]
-    # Relative names only: no path of the machine gets into the library.
-    run = subprocess.run(
-        [*command, *files, *target.options, "-lm"], cwd=sources, capture_output=True, text=True, check=False
-    )
-    if run.returncode:
-        raise BuildError(f"compiling for {target.fmi2} failed:\n{run.stderr.strip()}")
+    _compiler(sources, target, ("-shared", "-s", "-o", library, *files))
     made = sources / library
     content = made.read_bytes()
     made.unlink()
     return content
+
+
+def _compiler(sources: Path, target: Platform, words: tuple[str, ...]) -> None:
+    command = [target.compiler(), *OPTIONS.split(), "-Wall", "-fvisibility=hidden", *words, *target.options]
+    # Relative names only: no path of the machine gets into the library.
+    run = subprocess.run([*command, "-lm"], cwd=sources, capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise BuildError(f"compiling for {target.fmi2} failed:\n{run.stderr.strip()}")
