@@ -3,7 +3,8 @@
 A run with them needs neither Numba nor LLVM, and compiles nothing. Beside the loop they hold the filters of the FMUs'
 messages. LLVM's text says nothing of a system but its name and the layout of its data.
 
-python -m release.loop FOLDER [PLATFORM...] writes them below a folder, for ROVBRUSH_LOOP.
+python -m release.loop FOLDER [PLATFORM...] writes them below a folder, for ROVBRUSH_LOOP; `--text` writes the loop's
+text beside its sources (`orchestrator/loop/machine/written.py`), which is due after every change of them.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from rovbrush.components.native.compile import PLATFORMS, compile_library
+from rovbrush.orchestrator.loop.machine import written
 from rovbrush.orchestrator.loop.machine.shipped import file_name
 from rovbrush.orchestrator.loop.machine.wrapped import NOTHING_TO_FREE, text_of
 
@@ -67,7 +69,7 @@ def _texts() -> dict[str, str]:
     which compiles for no processor in particular and keeps that apart from what is compiled for this one."""
     with tempfile.TemporaryDirectory() as cache:
         environment = {**os.environ, "NUMBA_CPU_NAME": "x86-64", "NUMBA_CPU_FEATURES": "", "NUMBA_CACHE_DIR": cache}
-        command = [sys.executable, "-m", "release.loop", "--texts", cache]
+        command = [sys.executable, "-m", "release.loop", "--into", cache]
         subprocess.run(command, check=True, env=environment, cwd=Path(__file__).parent.parent)
         return {path.stem: path.read_text() for path in Path(cache).glob("*.ll")}
 
@@ -85,7 +87,10 @@ def _write_texts(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "--texts":
+    if sys.argv[1] == "--into":
         _write_texts(Path(sys.argv[2]))
+    elif sys.argv[1] == "--text":
+        texts = _texts()
+        print(f"wrote {written.write(texts['digest'], texts['loop'])}")
     else:
         build(Path(sys.argv[1]), tuple(sys.argv[2:]) or tuple(PLATFORMS))

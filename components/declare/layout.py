@@ -8,6 +8,7 @@ from typing import Any
 from .record import Field, Record, Shape, fields_of
 
 _VIEWS: dict[type[Any], type[Any]] = {}
+_CELLS: dict[type[Any], dict[str, int]] = {}
 
 
 def width(record: type[Any]) -> int:
@@ -19,14 +20,20 @@ def width(record: type[Any]) -> int:
 
 def cells_of(record: type[Any]) -> dict[str, int]:
     """Where the fields that share the record's array of cells begin in it."""
+    if record not in _CELLS:
+        _CELLS[record] = _cells_of(record)
+    return _CELLS[record]
+
+
+def _cells_of(record: type[Any]) -> dict[str, int]:
     places: dict[str, int] = {}
-    packed = getattr(record, "packed", False)  # parameters are not
+    packed, columns = getattr(record, "packed", False), width(record)  # parameters are not packed
     at = 0
     for name, field in fields_of(record).items():
         if field.is_record or (field.is_array and not packed):
             continue
-        if field.is_array and width(record):
-            at = -(-at // width(record)) * width(record)  # begins a row
+        if field.is_array and columns:
+            at = -(-at // columns) * columns  # begins a row
         places[name] = places[field.begins] if field.begins else at
         at += 0 if field.begins else field.size
     return places

@@ -69,7 +69,6 @@ def build(
 ) -> None:
     """Build the components into FMUs, and compile the kernels of Python FMUs for this machine."""
     from ...fmu.files.places import fmu_folder
-    from ...fmu.files.windows import runs_windows
     from ...loop.machine.compiled import begin
 
     loop = None if native else begin()  # beside the components
@@ -88,12 +87,6 @@ def build(
             tell(f"built {path} ({path.stat().st_size // 1000} kB)")
     if loop is not None and not loop.wait():
         tell("compiled the loop")
-    if runs_windows():
-        from ...participant.windows.build import available, server
-
-        for target in available():
-            server(target)
-            tell(f"built what loads FMUs for {target} under wine")
 
 
 @app.command()

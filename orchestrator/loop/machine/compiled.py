@@ -18,14 +18,14 @@ from types import FunctionType
 from typing import Any
 
 from .. import run as loop
-from . import kept_object, shipped
+from . import kept_object, shipped, written
 from .frame import Loop
 from .wrapped import ENTRY as NAME
 from .wrapped import ONE
 
 ENTRY = Path(__file__).with_name("entry.py")  # what the loop is compiled from
 IN_CHILD = False  # set in the process that compiles for another
-COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHILD = True; compiled.compiled_loop()"
+COMPILE = f"from {__name__.rpartition('.')[0]} import compiled; compiled.IN_CHILD = True; compiled.{{}}()"
 OPTIONS = {"error_model": "numpy"}
 
 
@@ -93,17 +93,25 @@ def _kept_loop() -> Kept:
 
 
 def is_compiled() -> bool:
-    """Whether the loop need not be compiled: it came with the package, it was before, or it is not to be."""
-    if shipped.library(own_hash()) or kept_object.is_there(own_hash()):
+    """Whether the loop need not be compiled: it came with the package, it was before, its text is there, or it is not
+    to be."""
+    if shipped.library(own_hash()) or kept_object.is_there(own_hash()) or _is_written():
         return True
     return not numba_compiles() or (not kept_object.wanted(own_hash()) and _kept_loop().is_there)
 
 
+def _is_written() -> bool:
+    """Whether the loop's text lies beside its sources, of which an object is made in a second."""
+    return kept_object.wanted(own_hash()) and written.text(own_hash()) is not None
+
+
 def begin() -> subprocess.Popen[bytes] | None:
     """A process that compiles the loop, to be waited for; None where there is nothing to compile, or no compiler."""
-    if find_spec("numba") is None or is_compiled():
+    here = shipped.library(own_hash()) or kept_object.is_there(own_hash())
+    if here or (not _is_written() and (find_spec("numba") is None or is_compiled())):
         return None
-    return subprocess.Popen([sys.executable, "-c", COMPILE], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    command = [sys.executable, "-c", COMPILE.format("make")]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def numba_compiles() -> bool:
@@ -117,10 +125,16 @@ def numba_compiles() -> bool:
 
 def require_loop() -> None:
     """Raises InputError where there is neither a library nor what compiles the loop."""
-    if shipped.library(own_hash()) or find_spec("numba") is not None or shipped.switched_off():
+    if shipped.library(own_hash()) or find_spec("numba") is not None or shipped.switched_off() or _is_written():
         return
     if not kept_object.is_there(own_hash()):
         raise shipped.nothing_compiles()
+
+
+def make() -> None:
+    """Keep the loop's object: of its text where that is written, else of what Numba compiles."""
+    if kept_object.is_there(own_hash()) or not kept_object.keep_written(own_hash()):
+        compiled_loop()
 
 
 @cache
@@ -133,7 +147,7 @@ def compiled_loop() -> Any:
     from .entry import SIGNATURE
 
     if not IN_CHILD and not _kept_loop().is_there:
-        _compile_apart()
+        _compile_apart("compiled_loop")
     if not IN_CHILD or kept_object.is_there(own_hash()):
         return _kept_loop().compiled(SIGNATURE)
     made = _kept_loop().compiled(SIGNATURE, anew=_kept_loop().is_there)  # what Numba has kept has no text
@@ -141,9 +155,9 @@ def compiled_loop() -> Any:
     return made
 
 
-def _compile_apart() -> None:
+def _compile_apart(how: str = "make") -> None:
     """In a process of its own. Should it fail, this process compiles for itself, and says what is wrong."""
-    subprocess.run([sys.executable, "-c", COMPILE], capture_output=True, check=False)
+    subprocess.run([sys.executable, "-c", COMPILE.format(how)], capture_output=True, check=False)
 
 
 def compiled_run(waits: bool = False) -> Callable[..., int]:
@@ -159,6 +173,8 @@ def compiled_run(waits: bool = False) -> Callable[..., int]:
         one = library.address_of(ONE) if library.has(ONE) else 0
         return Loop(library.address, library, waits, one=one)
     require_loop()
+    if not kept_object.is_there(own_hash()) and _is_written():
+        _compile_apart()
     if not kept_object.is_there(own_hash()):
         if not numba_compiles():
             return loop.run

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from ...cache import place
-from . import shipped
-from .objects import KIND, Loaded, here, loaded_from, machine_code, write_whole
+from . import shipped, written
+from .objects import KIND, Loaded, data_layout, here, loaded_from, machine_code, write_whole
 from .wrapped import NOTHING_TO_FREE, text_of
 
 CHOICE = "ROVBRUSH_LOOP"  # set to `compile`: the loop is Numba's, see `shipped.py`
@@ -62,16 +62,36 @@ def loaded(digest: str) -> Loaded | None:
 
 def keep(digest: str, made: Any) -> None:
     """Write that of Numba's object of the loop, freshly compiled. What does not fit is left to Numba."""
-    import llvmlite.binding as llvm
-
     path = _path(digest)
     path.parent.mkdir(parents=True, exist_ok=True)
     try:
-        module = llvm.parse_assembly(text_of(made))
-        empty = f'target triple = "{module.triple}"\ntarget datalayout = "{module.data_layout}"\n'
-        module.link_in(llvm.parse_assembly(f"{empty}define void @{NOTHING_TO_FREE}(ptr %array) {{ ret void }}\n"))
-        content = machine_code(module)
+        content = _object_of(text_of(made))
     except RuntimeError:
         path.with_suffix(IMPOSSIBLE).touch()
     else:
         write_whole(path, content)
+
+
+def keep_written(digest: str) -> bool:
+    """Write that of the text which lies beside the sources; whether there was one that fits."""
+    text = written.text(digest) if wanted(digest) else None
+    if text is None:
+        return False
+    path = _path(digest)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        write_whole(path, _object_of(text))
+    except RuntimeError:
+        return False  # of another version of LLVM: Numba compiles
+    return path.is_file()
+
+
+def _object_of(text: str) -> bytes:
+    """Machine code of the loop's text, which is optimised. Raises RuntimeError where LLVM does not take it."""
+    import llvmlite.binding as llvm
+
+    module = llvm.parse_assembly(text)
+    module.triple, module.data_layout = llvm.get_process_triple(), data_layout()
+    empty = f'target triple = "{module.triple}"\ntarget datalayout = "{module.data_layout}"\n'
+    module.link_in(llvm.parse_assembly(f"{empty}define void @{NOTHING_TO_FREE}(ptr %array) {{ ret void }}\n"))
+    return machine_code(module)

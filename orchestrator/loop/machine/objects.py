@@ -75,6 +75,11 @@ def object_of(text: str, level: int = 2) -> bytes:
     return machine.emit_object(module)
 
 
+def data_layout() -> str:
+    """How this processor lays out data, as LLVM writes it."""
+    return str(_machine().target_data)
+
+
 def machine_code(module: Any) -> bytes:
     """The object of a module that is optimised already. Raises RuntimeError where it is not right."""
     module.verify()
