@@ -28,6 +28,7 @@ from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
+from warm_starts import start_warm
 
 Rows = dict[str, tuple[float | str, str]]
 MEASURED = pytest.StashKey[Rows]()
@@ -61,6 +62,7 @@ def pytest_configure(config: pytest.Config) -> None:
     for name in ("ROVBRUSH_FMUS", "NUMBA_CACHE_DIR"):
         os.environ.pop(name, None)
     remember_libraries()
+    start_warm()
 
 
 @pytest.hookimpl(tryfirst=True)  # before `-m` chooses
