@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import sketches
 from compiled_once import remember_libraries
 from filelock import FileLock
 from helpers import FIXTURES, Measured, build_fixture
@@ -23,11 +24,13 @@ from rovbrush.components.build import COMPONENTS, HERE, build
 from rovbrush.components.native.compile import PLATFORMS
 from rovbrush.orchestrator.loop.machine.compiled import compiled_loop, is_compiled
 from rovbrush.orchestrator.plan.plan import Plan
+from rovbrush.orchestrator.results.files import writing
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
+from sketches import spoken_of
 from warm_starts import start_warm
 
 Rows = dict[str, tuple[float | str, str]]
@@ -87,6 +90,14 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
             make(folder)
             done.touch()
     return folder
+
+
+@pytest.fixture(autouse=True)
+def sketched(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures of runs in this process, a second of CPU each, are drawn where a test's file speaks of them only."""
+    if not spoken_of(request.path):
+        monkeypatch.setattr(writing, "_overview", sketches.overview)
+        monkeypatch.setattr(writing, "_figure", sketches.figure)
 
 
 @pytest.fixture(scope="session")
