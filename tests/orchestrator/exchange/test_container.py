@@ -82,6 +82,7 @@ def differing(theirs: dict[str, np.ndarray], run: Run) -> set[str]:
     return {name for name, (their, own) in pairs(theirs, run).items() if not np.array_equal(their[1:], own[1:])}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["test_stand", "no_load", "constant_speed"])
 def test_a_container_of_one_period_is_bitwise_our_jacobi_run_with_held_signals(
     name: str, fmus: Path, tmp_path: Path

@@ -56,6 +56,7 @@ THREE = (
 )  # fmt: skip
 
 
+@pytest.mark.sampled(2)
 @needs_gcc
 @pytest.mark.parametrize(("make", "inputs", "links"), [TWO, THREE], ids=["FMI 2.0", "FMI 3.0"])
 @pytest.mark.parametrize("more", ["", 'algorithm = "gauss-seidel"'])

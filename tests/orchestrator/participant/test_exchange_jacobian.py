@@ -188,6 +188,7 @@ def test_states_and_inputs_that_are_arrays_are_taken_whole(tmp_path: Path) -> No
         assert ends == pytest.approx([middle, 3.0 * middle * (n // 2 + 1) / (n + 1)], abs=1e-4)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(6))
 def test_it_is_that_of_differences_in_networks_at_random(tmp_path: Path, seed: int) -> None:
     """Lags that may answer at once and oscillators, each input driven by any output: chains, loops, both."""

@@ -122,7 +122,7 @@ EXCHANGE = {
 }
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("method", ["dormand-prince", "cvode", "rk4"])
 @pytest.mark.parametrize("name", EXCHANGE)

@@ -24,7 +24,7 @@ def windows(here: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return clocked_for_windows(here, tmp_path_factory.mktemp("windows"))
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", [*CASES, *SCHEDULED])
 def test_events_under_wine_give_the_same_bits(name: str, tmp_path: Path, here: Path, windows: Path) -> None:
     case = (CASES | SCHEDULED)[name]

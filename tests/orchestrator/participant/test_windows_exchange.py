@@ -71,7 +71,7 @@ def run(folder: Path, fmus: Path, text: str, method: str = "usual", **others: Pa
     return simulate(make_plan(load_system(str(path), fmus)))
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_it_gives_the_same_bits_as_the_same_sources_here(

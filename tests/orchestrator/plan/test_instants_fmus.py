@@ -49,6 +49,7 @@ def test_two_masses_and_their_force_are_the_monolithic_explicit_euler_solution(
     assert error <= 1e-12
 
 
+@pytest.mark.sampled(4)
 @both_loops
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel", "iterated"])
 @pytest.mark.parametrize("kind", ["n", "on"])

@@ -58,6 +58,7 @@ def test_a_run_with_events_goes_on_bit_by_bit(name: str, tmp_path: Path, fmus: P
     assert same(simulate(plan), cut(plan, tmp_path, 3))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
 @pytest.mark.parametrize("name", ["clocked control", "early returns", "countdown", "both", "partitions"])
 def test_so_does_one_in_processes_of_their_own(name: str, tmp_path: Path, fmus: Path) -> None:
@@ -65,6 +66,7 @@ def test_so_does_one_in_processes_of_their_own(name: str, tmp_path: Path, fmus: 
     assert same(simulate(plan), cut(plan, tmp_path, 2))
 
 
+@pytest.mark.sampled(1)
 @needs_wine
 @pytest.mark.parametrize("name", ["clocked control", "partitions"])
 def test_so_does_one_under_wine(name: str, tmp_path: Path, fmus: Path) -> None:

@@ -26,6 +26,7 @@ def liars(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("isolation", ["none", "process"])
 @pytest.mark.parametrize("lie", LIES)
 def test_a_step_that_ends_early_at_a_time_where_it_cannot_be_is_one_error_behind_all_rows(

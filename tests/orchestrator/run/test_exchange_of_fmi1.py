@@ -45,6 +45,7 @@ def system(
     return path
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("isolation", ["none", "process"])
 @pytest.mark.parametrize("method", ["dormand-prince", "cvode", "rk4"])
 def test_a_ball_bounces_as_by_its_closed_form(tmp_path: Path, method: str, isolation: str) -> None:

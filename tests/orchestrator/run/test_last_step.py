@@ -46,6 +46,7 @@ def seconds(text: str) -> float:
     return float(Fraction(text.removesuffix(" ms")) / 1000)
 
 
+@pytest.mark.sampled(30)
 @pytest.mark.parametrize("stop", STOPS)
 @pytest.mark.parametrize("rates", RATES)
 @pytest.mark.parametrize("algorithm", ["gauss-seidel", "jacobi", "iterated"])
@@ -64,6 +65,7 @@ def test_the_rows_of_every_rate_end_at_the_stop(
     assert signals["w.y"].values[-1] == pytest.approx(2.0 * run.end, rel=1e-14)
 
 
+@pytest.mark.sampled(100)
 @pytest.mark.parametrize("start", ["0 s", "-1/3 s"])
 @pytest.mark.parametrize("stop", STOPS)
 @pytest.mark.parametrize("rates", RATES)

@@ -19,6 +19,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 from test_session import ALGORITHMS, WIRES, car
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_a_run_in_pieces_and_by_hand_is_that_in_one(algorithm: str, tmp_path: Path, fmus: Path) -> None:
     plan = car(tmp_path, fmus, algorithm, "301 ms")

@@ -55,6 +55,7 @@ def lag_system(folder: Path, more: str = "", component: str = "", version: int =
     return system(folder, text, "lag", version=version)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("version", [2, 3])
 @pytest.mark.parametrize("solver", ["", 'method = "cvode"'])
 def test_a_relay_and_a_lag_switch_at_the_times_of_the_closed_form(tmp_path: Path, solver: str, version: int) -> None:

@@ -84,6 +84,7 @@ BEYOND = "if (t + h > m->promised) return fmi2Error"
 STOPS = [("0.3 s", "0.1 s"), ("0.7 s", "1/60 s"), ("0.7 s", "0.1 s"), ("1.1 s", "0.1 s"), ("7 s", "0.07 s")]
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize(("stop", "period"), STOPS)
 @pytest.mark.parametrize("algorithm", ["gauss-seidel", "iterated"])
 @pytest.mark.parametrize("interpreted", [False, True])

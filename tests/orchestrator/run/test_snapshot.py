@@ -81,6 +81,7 @@ def clocks(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return clock_build.built(tmp_path_factory.mktemp("clocks"))
 
 
+@pytest.mark.sampled(2)
 @needs_gcc
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")
 @pytest.mark.parametrize("name", ["clocked control", "early returns", "both", "partitions"])
@@ -93,6 +94,7 @@ def test_so_do_those_in_processes_of_their_own(name: str, tmp_path: Path, clocks
 ISOLATED = f'isolation = "process"\n{PUSHED}'
 
 
+@pytest.mark.sampled(4)
 @needs_gcc
 @pytest.mark.parametrize(
     ("solver", "more", "algorithm"),

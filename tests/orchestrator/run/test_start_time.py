@@ -52,6 +52,7 @@ def times_of(run: Run, name: str) -> np.ndarray:
     return Signals(run)[name].time
 
 
+@pytest.mark.sampled(4)
 @needs_gcc
 @pytest.mark.parametrize("isolation", ["none", "process"])
 @pytest.mark.parametrize(

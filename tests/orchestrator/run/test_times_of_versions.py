@@ -15,6 +15,7 @@ from rovbrush.orchestrator.run.simulation import simulate
 pytestmark = needs_gcc
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("isolation", ["none", "process"])
 @pytest.mark.parametrize("algorithm", ["jacobi", "gauss-seidel"])
 def test_three_versions_side_by_side_end_at_the_stop(algorithm: str, isolation: str, tmp_path: Path) -> None:

@@ -51,7 +51,7 @@ def test_the_python_fmus_have_no_findings(name: str, fmus: Path) -> None:
     assert report.clean and report.count("pass") >= 40, [row for row in report.rows if row.verdict != "pass"]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("version", ["fmi2", "fmi3"])
 @pytest.mark.parametrize("name", COMPONENTS)
 def test_the_native_fmus_have_no_findings(name: str, version: str, native: Path) -> None:

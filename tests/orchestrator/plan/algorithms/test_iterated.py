@@ -40,6 +40,7 @@ def test_iterated_coupling_is_second_order_where_jacobi_is_first(
     assert np.log2(jacobi[0] / jacobi[1]) == pytest.approx(1.0, abs=0.2)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("chassis", "wheel"), [("5 ms", "1 ms"), ("1 ms", "5 ms"), ("5 ms", "4 ms")])
 def test_several_rates_are_second_order(chassis: str, wheel: str, tmp_path: Path, fmus: Path) -> None:
     halves = [f"{float(text.split()[0]) / 2:g} ms" for text in (chassis, wheel)]

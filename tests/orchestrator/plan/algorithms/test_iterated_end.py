@@ -41,6 +41,7 @@ def test_a_step_is_that_of_implicit_euler(method: str, sweep: str, rate: float, 
     )
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("sweep", SWEEPS)
 @pytest.mark.parametrize("periods", [("2 ms", "2 ms"), ("1 ms", "3 ms"), ("3 ms", "1 ms"), ("2 ms", "3 ms")])
 def test_end_values_are_first_order(
