@@ -110,6 +110,18 @@ def call_state(function: int, component: int, state: int) -> int:
     return int(_state(int(function))(int(component), int(state)))
 
 
+@cache
+def _segment(address: int) -> Any:
+    return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p, *(ctypes.c_int64,) * 4, ctypes.c_double)(address)
+
+
+def call_segment(
+    function: int, pointers: int, base: int, varying: int, numerator: int, denominator: int, stop: float
+) -> int:
+    """Operations that have machine code of their own (`straight/functions.py`): DONE, or what the loop ends with."""
+    return int(_segment(int(function))(int(pointers), int(base), int(varying), int(numerator), int(denominator), stop))
+
+
 def byte_at(address: int) -> int:
     """The byte at an address, 0 to 255."""
     return ctypes.c_ubyte.from_address(int(address)).value

@@ -9,8 +9,8 @@ GAVE_UP = -1  # machine code, where Python would raise: no plan should bring tha
 # `control`: a stop request from outside; where the run ended and why; the operation with which the first cycle goes on;
 # the stop that the FMUs were promised [ticks from the start]; an instant behind which a component does not want to go
 # on, or an event happens between two instants; the start [ticks from time 0]; the instant from which on an event is due
-# [ticks from time 0], and the first of the moments (below) in the memory of the solver; which part of several turns
-# ended the run. The loop reads them where it
+# [ticks from time 0], and the first of the moments (below) in the memory of the solver; which part of several turns,
+# or operation of a segment, ended the run. The loop reads them where it
 # needs them: a local of its own, alive over all operations, costs 10 % of a small step.
 STOP_REQUEST, AT_OPERATION, AT_CYCLE, STATUS, SLOT, RESUME_AT, PROMISED, ENDS_AT, START = range(9)
 EVENT_AT, MOMENTS, PART, CONTROL_CELLS = range(9, 13)

@@ -10,7 +10,7 @@ from math import isfinite
 import numpy as np
 
 from ..fmu.types import FLOAT
-from .calls import call_state
+from .calls import call_segment, call_state
 from .cells import (
     AT,
     AT_CYCLE,
@@ -51,6 +51,7 @@ from .cells import (
     NOW,
     OFFSET,
     OFFSET_OR_VALUE,
+    PART,
     PAUSED,
     PROMISED,
     REACHED,
@@ -108,6 +109,7 @@ from .operations import (
     RISE,
     SAMPLE,
     SAVE,
+    SEGMENT,
     SERIES,
     SET,
     SOLVE,
@@ -221,6 +223,11 @@ def run(
                 )  # fmt: skip
                 if verdict != DONE:
                     control[AT_OPERATION], control[AT_CYCLE] = m, cycle
+                    return verdict
+            elif code == SEGMENT:
+                verdict = call_segment(a, b, base, clock[STEP_TICKS], numerator, denominator, stop)
+                if verdict != DONE:
+                    control[PART], control[AT_OPERATION], control[AT_CYCLE] = control[AT_OPERATION], m, cycle
                     return verdict
             elif code == MOVES:
                 move(moves, a, b, z, coefficients)

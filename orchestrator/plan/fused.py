@@ -88,7 +88,7 @@ def fused_words(plan: Design, rows: np.ndarray, most: int | None) -> list[str]:
 
 def fuse(rows: np.ndarray, able: Sequence[bool]) -> list[Fused]:
     """The rows of a plan's operations; `able`: which components can take turns."""
-    listed, entered = rows.tolist(), _entered(rows)
+    listed, entered = rows.tolist(), gone_on_with(rows)
     found: list[Fused] = []
     n = 0
     while n < len(listed):
@@ -105,7 +105,7 @@ def fuse(rows: np.ndarray, able: Sequence[bool]) -> list[Fused]:
     return found
 
 
-def _entered(rows: np.ndarray) -> frozenset[int]:
+def gone_on_with(rows: np.ndarray) -> frozenset[int]:
     """Operations with which others go on."""
     again = rows[np.isin(rows[:, 0], GOES_TO), 3].tolist()
     loops = np.flatnonzero(rows[:, 0] == SOLVE)

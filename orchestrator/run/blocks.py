@@ -90,14 +90,12 @@ class Blocks:
         """What is done in a cycle, or from an operation within it to its end."""
         key = id(operations), whole and self._fuses
         if key not in self._programs:
-            made = as_it_is(operations)
+            made, table = None, (self.components, self.blocks)
             if key[1]:
-                code = None
                 if isinstance(self.function, Loop) and operations is self.plan.cycle:
-                    code = self._straight.code(self.components, self.blocks, self.function.waits)
-                table = self.components, self.blocks
-                made = made._replace(code=code) if code else fused(self.plan, operations, *table)
-            self._programs[key] = made
+                    made = self._straight.program(*table, self.function.waits)
+                made = made or fused(self.plan, operations, *table)
+            self._programs[key] = made or as_it_is(operations)
         return self._programs[key]
 
     def run(self, at: Position, size: int, recorder: Recorder) -> tuple[int, bool]:
@@ -146,6 +144,8 @@ class Blocks:
             program.rows, self.plan.coefficients, self.components, self.blocks, self.memory.z,
             *self.typed, *recorded, self.control, *self.space.arrays, program.moves, program.turns,
         )  # fmt: skip
+        if program.segments:
+            program.segments.use(arrays)
         return with_arrays(program.code or self.function, arrays)
 
     def run_rows(self, rows: np.ndarray, cycle: int) -> int:

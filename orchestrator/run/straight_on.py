@@ -1,4 +1,4 @@
-"""Machine code for the whole cycles of one run: when it is made, and with whose addresses it is called."""
+"""Machine code for the cycles of one run: when it is made, and with whose addresses it is called."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from ..loop.machine.frame import Loop
 from ..plan.plan import Plan
 from ..plan.straight import Worth, worth_of
+from .memory.program import Program, as_it_is, in_segments
 
 PAYS, ALWAYS, NEVER = "pays", "always", "never"
 
@@ -51,14 +52,16 @@ class StraightOn:
             return True
         return False
 
-    def code(self, components: np.ndarray, blocks: np.ndarray, waits: bool) -> Loop | None:
+    def program(self, components: np.ndarray, blocks: np.ndarray, waits: bool) -> Program | None:
         """What does a cycle with these tables; None where it is not to be used, or not there."""
-        if not self._on:
+        if not self._on or self._worth is None:
             return None
         from ..loop.straight.code import straight_code
         from ..loop.straight.text import Straight
 
-        written = Straight(self.plan.cycle, components, blocks, [group.slots for group in self.plan.groups])
+        plan, segments = self.plan, self._worth.segments
+        recorded = [group.slots for group in plan.groups]
+        written = Straight(plan.cycle, components, blocks, recorded, segments, plan.adaptive)
         text = written.whole_text()
         self._text = self._text or text
         if text != self._text:  # a component has asked to end: the rest is not worth another one
@@ -66,4 +69,7 @@ class StraightOn:
         found = straight_code(text, self._compiles)
         if found is None:
             return None
-        return Loop(found.function, found, waits, written.addresses(components, blocks), found.one)
+        addresses = written.addresses(components, blocks)
+        if segments:
+            return in_segments(plan.cycle, segments, found, addresses)
+        return as_it_is(plan.cycle)._replace(code=Loop(found.function, found, waits, addresses, found.one))

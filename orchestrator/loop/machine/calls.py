@@ -13,6 +13,7 @@ from ..calls import (
     ABSOLUTE,
     MONOTONIC,
     byte_at,
+    call_segment,
     call_state,
     do_step,
     do_step3,
@@ -107,6 +108,20 @@ def _call_state_native(typing: Any, function: Any, component: Any, state: Any) -
 
 
 @intrinsic
+def _call_segment_native(
+    typing: Any, function: Any, pointers: Any, base: Any, varying: Any, numerator: Any, denominator: Any, stop: Any
+) -> Any:
+    signature = types.int64(*(types.int64,) * 6, types.float64)
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(_INT64, [cgutils.voidptr_t, *(_INT64,) * 4, ir.DoubleType()])
+        target = builder.inttoptr(args[0], kind.as_pointer())
+        return builder.call(target, [_pointer(builder, args[1]), *args[2:]])
+
+    return signature, codegen
+
+
+@intrinsic
 def _read_clock_native(typing: Any, function: Any, at: Any) -> Any:
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         kind = ir.FunctionType(_INT32, [_INT32, cgutils.voidptr_t])
@@ -191,6 +206,13 @@ def _byte_at_overload(address):  # type: ignore[no-untyped-def]
 @overload(call_state)
 def _call_state_overload(function, component, state):  # type: ignore[no-untyped-def]
     return lambda function, component, state: _call_state_native(function, component, state)  # type: ignore[call-arg]
+
+
+@overload(call_segment)
+def _call_segment_overload(function, pointers, base, varying, numerator, denominator, stop):  # type: ignore[no-untyped-def]
+    return lambda function, pointers, base, varying, numerator, denominator, stop: _call_segment_native(
+        function, pointers, base, varying, numerator, denominator, stop
+    )  # type: ignore[call-arg]
 
 
 @overload(read_clock)

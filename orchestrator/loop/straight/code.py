@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..machine.objects import Loaded, keep, kept, name_of, object_of
-from .text import NAME, ONE
+from .functions import NAME, ONE, SEGMENT
 
 _loaded: dict[str, Code] = {}
 
@@ -20,6 +20,10 @@ class Code(Loaded):
     def one(self) -> int:
         """The address of what does one, with its numbers in memory."""
         return self.address(ONE)
+
+    def segment(self, number: int) -> int:
+        """The address of what does a segment."""
+        return self.address(SEGMENT.format(number))
 
 
 def straight_code(text: str, compiles: bool = True) -> Code | None:

@@ -1,4 +1,4 @@
-"""A cycle of operations as a function of C in LLVM's text, with the signature of the compiled loop.
+"""Operations as functions of C in LLVM's text.
 
 Codes, cells, value references' counts, ticks and what is recorded are in the text; addresses and coefficients are data,
 so that the same system has the same text in every process, whatever its parameters.
@@ -11,109 +11,52 @@ from collections.abc import Sequence
 import numpy as np
 
 from .. import cells
-from ..machine.frame import ARRAYS, WORDS
-from ..machine.wrapped import with_its_numbers
 from ..operations import GET, RECORD, SET, STEP
-from ..run import FOREVER
 from .calls import HELPERS, write_exchange, write_step
-from .formulas import FORMULAS, literal, write_formula
-from .writer import POINTERS, Writer
+from .formulas import FORMULAS, write_formula
+from .functions import segment, whole_cycles
+from .writer import Writer
 
-NAME, ONE = "rovbrush_straight", "rovbrush_straight_one"  # the function; and with its numbers in memory
 PIECE = 96  # operations of a function, about
 COVERED = frozenset([SET, STEP, GET, RECORD, *FORMULAS])
-MOST = 256  # operations; beyond that it is no quicker than what looks them up
 COPIED = 8  # cells of a record in a row, from which on they are copied at once
-# Where the arrays of a piece's parameters are among the arguments of the loop.
-AMONG = {"z": 4, "c": 1, "control": 14, "raw": 6, "index": 9, "groups": 11, "buffer": 12, "rows": 13, "t": len(ARRAYS)}
-_MAIN = """
-define i64 @{name}(i64 %frame, i64 %first, i64 %cycles, i64 %ticks, i64 %numerator, i64 %whole_denominator) nounwind {{
-entry:
-  %f = inttoptr i64 %frame to ptr
-{loads}
-  %resume = getelementptr i64, ptr %control, i64 {resume}
-  store i64 0, ptr %resume
-  %at_start = getelementptr i64, ptr %control, i64 {start}
-  %start = load i64, ptr %at_start
-  %at_promised = getelementptr i64, ptr %control, i64 {promised}
-  %promised = load i64, ptr %at_promised
-  %denominator = sitofp i64 %whole_denominator to double
-  %end = add i64 %start, %promised
-  %end_ticks = mul i64 %end, %numerator
-  %end_number = sitofp i64 %end_ticks to double
-  %end_time = fdiv double %end_number, %denominator
-  %is_promised = icmp sgt i64 %promised, 0
-  %stop = select i1 %is_promised, double %end_time, double {forever}
-  %last = add i64 %first, %cycles
-  %some = icmp slt i64 %first, %last
-  br i1 %some, label %cycle, label %done
-cycle:
-  %k = phi i64 [ %first, %entry ], [ %next, %whole ]
-  %passed = mul i64 %k, %ticks
-  %base = add i64 %start, %passed
-{calls}
-whole:
-  %next = add i64 %k, 1
-  %more = icmp slt i64 %next, %last
-  br i1 %more, label %cycle, label %done
-out:
-  %code = phi i64 {codes}
-  %at_cycle = getelementptr i64, ptr %control, i64 {at_cycle}
-  store i64 %k, ptr %at_cycle
-  ret i64 %code
-done:
-  ret i64 0
-}}
-"""
-_LOAD = """  %p.{name} = getelementptr i64, ptr %f, i64 {at}
-  %{name} = load ptr, ptr %p.{name}"""
-_CALL = """  %r{k} = call i64 @piece_{k}({given})
-  %g{k} = icmp eq i64 %r{k}, 0
-  br i1 %g{k}, label %{then}, label %out, !prof !0"""
-
-
-def why_not(codes: Sequence[int]) -> str:
-    """Why operations with such codes have no text; empty where they have one."""
-    if len(codes) > MOST:
-        return f"{len(codes)} operations, {MOST} at most are written one behind the other"
-    return "" if COVERED.issuperset(codes) else "operations that are looked up: events, loops, steps that vary"
+Segments = Sequence[tuple[int, int]]  # the first operation, and that behind the last
 
 
 class Straight(Writer):
     """Operations, and the tables of components and blocks as the loop has them; `recorded`: the cells of each table of
-    rows. `wanted` is filled: the cells of the tables that the text wants as addresses."""
+    rows. `segments`: which of them have a function of their own, each of one instant; without, whole cycles have one.
+    `varies`: whether the length of a step is known only when it is made. `wanted` is filled: the cells of the tables
+    that the text wants as addresses."""
 
     def __init__(
-        self, rows: np.ndarray, components: np.ndarray, blocks: np.ndarray, recorded: Sequence[np.ndarray]
-    ) -> None:
+        self, rows: np.ndarray, components: np.ndarray, blocks: np.ndarray, recorded: Sequence[np.ndarray],
+        segments: Segments = (), varies: bool = False,
+    ) -> None:  # fmt: skip
         super().__init__()
         self.rows, self.components, self.blocks, self.recorded = rows, components, blocks, recorded
+        self.varies, self.whole = varies, not segments
         self.wanted: dict[tuple[int, int, int], int] = {}
-        for m in range(len(rows)):
-            if m and m % PIECE == 0:
-                self.begin_piece()
-            self._write(m)
+        self.pieces_of: list[range] = []
+        for first, last in segments or [(0, len(rows))]:
+            begin = len(self.pieces)
+            for m in range(first, last):
+                if (m - first) % PIECE == 0:
+                    self.begin_piece()
+                self._write(m)
+            self.pieces_of.append(range(begin, len(self.pieces)))
 
     def addresses(self, components: np.ndarray, blocks: np.ndarray) -> np.ndarray:
         """What `wanted` names of tables such as these."""
         return np.array([(components, blocks)[table][row, k] for table, row, k in self.wanted], dtype=np.int64)
 
     def whole_text(self) -> str:
-        """Pieces, what they call, and the function that calls them in every cycle."""
-        loads = "\n".join(_LOAD.format(name=name, at=WORDS * AMONG[name]) for name in POINTERS)
-        given = ", ".join([*(f"ptr %{name}" for name in POINTERS), "i64 %base", "i64 %numerator",
-                           "double %denominator", "double %stop"])  # fmt: skip
-        count = len(self.pieces)
-        calls, codes = [], []
-        for k in range(count):
-            begins = "" if k == 0 else f"p{k}:\n"
-            calls.append(begins + _CALL.format(k=k, given=given, then=f"p{k + 1}" if k + 1 < count else "whole"))
-            codes.append(f"[ %r{k}, %{f'p{k}' if k else 'cycle'} ]")
-        main = _MAIN.format(
-            name=NAME, loads=loads, calls="\n".join(calls), codes=", ".join(codes), resume=cells.RESUME_AT,
-            start=cells.START, promised=cells.PROMISED, at_cycle=cells.AT_CYCLE, forever=literal(FOREVER),
-        )  # fmt: skip
-        return self.text() + HELPERS + main + with_its_numbers(ONE, NAME)
+        """Pieces, what they call, and the functions that call them."""
+        if self.whole:
+            around = whole_cycles(self.pieces_of[0])
+        else:
+            around = "".join(segment(k, pieces) for k, pieces in enumerate(self.pieces_of))
+        return self.text(any(len(pieces) > 1 for pieces in self.pieces_of)) + HELPERS + around
 
     # --- what operations are made of ---
 
@@ -133,8 +76,10 @@ class Straight(Writer):
         """Of a step from an instant of the cycle: so many ticks, or to the stop [s]."""
         key = ("length", ticks, begin)
         if key not in self.known:
-            exact = self.known.get(("seconds", ticks)) or self._seconds(str(ticks))
-            self.known["seconds", ticks] = exact
+            exact = self.known.get(("seconds", ticks))
+            if exact is None:
+                exact = self._seconds(self.value(f"add i64 %varying, {ticks}") if self.varies else str(ticks))
+                self.known["seconds", ticks] = exact
             given = f"double {self.time(begin)}, double {exact}, double %stop"
             self.known[key] = self.value(f"call double @length_of({given})")
         return self.known[key]
@@ -162,7 +107,7 @@ class Straight(Writer):
 
     def _write(self, m: int) -> None:
         code, tick, _, a, b, p, q, k = self.rows[m].tolist()
-        if m == 0 or tick != self.rows[m - 1, 1]:
+        if self.whole and (m == 0 or tick != self.rows[m - 1, 1]):  # the loop looks, before each segment
             self._may_go_on(m, tick)
         if code in (SET, GET):
             write_exchange(self, m)

@@ -7,9 +7,10 @@ the same in each; what one has computed the next one does not know.
 from __future__ import annotations
 
 # Parameters of a piece: cells, addresses, coefficients, `control`, raw values, texts, the recorder's tables, its buffer
-# and its rows; the first instant of the cycle [ticks from time 0], nanoseconds of a tick as a quotient, the stop [s].
+# and its rows; the first instant of the cycle [ticks from time 0], what is added to the length of steps that vary
+# [ticks], nanoseconds of a tick as a quotient, the stop [s].
 POINTERS = ("z", "t", "c", "control", "raw", "index", "groups", "buffer", "rows")
-NUMBERS = ("i64 %base", "i64 %numerator", "double %denominator", "double %stop")
+NUMBERS = ("i64 %base", "i64 %varying", "i64 %numerator", "double %denominator", "double %stop")
 PARAMETERS = ", ".join([*(f"ptr %{name}" for name in POINTERS), *NUMBERS])
 
 
@@ -24,7 +25,6 @@ class Writer:
         self.known: dict[object, str] = {}
         self._lines: list[str] = []
         self._count = 0
-        self.begin_piece()
 
     def begin_piece(self) -> None:
         """What comes now is in a function of its own."""
@@ -72,9 +72,9 @@ class Writer:
         self.line(f"ret i64 {code}")
         self._lines.append(f"{name}.on:")
 
-    def text(self) -> str:
-        """The functions `piece_0`...; one alone becomes part of who calls it."""
-        how = f"({PARAMETERS}) {'noinline ' if len(self.pieces) > 1 else ''}nounwind"
+    def text(self, stay: bool) -> str:
+        """The functions `piece_0`..., which become part of who calls them, or stay what they are."""
+        how = f"({PARAMETERS}) {'noinline ' if stay else ''}nounwind"
         functions = (
             [f"define internal i64 @piece_{k}{how} {{", *lines, "  ret i64 0", "}\n"]
             for k, lines in enumerate(self.pieces)

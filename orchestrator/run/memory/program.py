@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ...loop import cells, turns
-from ...loop.machine.frame import Loop
-from ...loop.operations import COLUMNS, COPY, ESTIMATE, ITERATE, MOVES, REPEAT, SOLVE, TURNS
+from ...loop.machine.frame import ARRAYS, Loop
+from ...loop.operations import COLUMNS, COPY, ESTIMATE, ITERATE, MOVES, REPEAT, SEGMENT, SOLVE, TURNS
 from ...plan.fused import Fused, Turn, fuse
 from ...plan.plan import Plan
 from ...plan.together import take_turns
 
+if TYPE_CHECKING:
+    from ...loop.straight.code import Code
+    from ...loop.straight.text import Segments
+
 
 class Program(NamedTuple):
     """`rows`, `moves` and `turns` as `loop.run` wants them; and which operation of the plan each row begins with, and
-    every turn's set, step and get (turns, PARTS) are. `code`: what does them, if it is machine code of their own."""
+    every turn's set, step and get (turns, PARTS) are. `code`: what does them, if it is machine code of their own;
+    `segments`: what does some of them."""
 
     rows: np.ndarray
     moves: np.ndarray
@@ -24,11 +29,15 @@ class Program(NamedTuple):
     begins: np.ndarray
     parts: np.ndarray
     code: Loop | None = None
+    segments: SegmentCode | None = None
 
     def operation(self, code: int, row: int, part: int) -> int:
         """The operation of the plan at which the loop ended with a code, in a row, and a part of turns."""
-        if self.rows[row, 0] == TURNS and code in (cells.BAD_STATUS, cells.NOT_FINITE):
+        within = code in (cells.BAD_STATUS, cells.NOT_FINITE, cells.UNFIT)
+        if self.rows[row, 0] == TURNS and within:
             return int(self.parts.flat[part])
+        if self.rows[row, 0] == SEGMENT and within:
+            return part
         return int(self.begins[row])
 
 
@@ -66,6 +75,42 @@ def fused(plan: Plan, operations: np.ndarray, components: np.ndarray, blocks: np
         _led(np.array(rows, dtype=np.int64).reshape(-1, len(COLUMNS)), begins), transfers.table(), table, begins,
         parts.reshape(-1, turns.PARTS),
     )  # fmt: skip
+
+
+def in_segments(operations: np.ndarray, segments: Segments, code: Code, addresses: np.ndarray) -> Program:
+    """The operations with machine code of their own for some; `addresses`: what that wants of the loop's tables."""
+    kept = SegmentCode(code, addresses)
+    starts, rows, begins, m = {first: (k, last) for k, (first, last) in enumerate(segments)}, [], [], 0
+    while m < len(operations):
+        begins.append(m)
+        if m in starts:
+            number, last = starts[m]
+            row = Fused(SEGMENT, m, last)
+            rows.append(_row(row, operations, code.segment(number), kept.pointers.ctypes.data))
+            m = last
+        else:
+            rows.append(operations[m].tolist())
+            m += 1
+    led = _led(np.array(rows, dtype=np.int64), np.array(begins, dtype=np.int64))
+    return as_it_is(led)._replace(begins=np.array(begins, dtype=np.int64), segments=kept)
+
+
+class SegmentCode:
+    """Machine code of segments, as long as it is needed, and the addresses that it works with."""
+
+    def __init__(self, code: Code, addresses: np.ndarray) -> None:
+        from ...loop.straight.functions import AMONG
+        from ...loop.straight.writer import POINTERS
+
+        self.code, self.addresses = code, addresses
+        self._among = [AMONG[name] for name in POINTERS]
+        self.pointers = np.zeros(len(POINTERS), dtype=np.int64)
+
+    def use(self, arrays: tuple[np.ndarray, ...]) -> None:
+        """Work with these arrays of the loop from now on."""
+        places = [array.ctypes.data for array in (*arrays, self.addresses)]
+        assert len(places) == len(ARRAYS) + 1
+        self.pointers[:] = [places[k] for k in self._among]
 
 
 class _Transfers:
