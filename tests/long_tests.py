@@ -26,7 +26,7 @@ def mark_sampled(items: list[pytest.Item]) -> None:
 
 
 def spread(length: int, count: int) -> set[int]:
-    """`count` places of 0 to `length` - 1, with the first and (of two and more) the last; all where there are no more."""
+    """`count` places of 0 to `length` - 1, with the first and (of two and more) the last; all of no more than that."""
     if length <= count:
         return set(range(length))
     return {round(k * (length - 1) / max(count - 1, 1)) for k in range(count)}
