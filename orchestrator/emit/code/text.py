@@ -31,7 +31,7 @@ from .tables import (
     words_table,
 )
 
-SHARED = ("core.c", "loops.c", "parts.c", "state.c", "events.c", "steps.c")
+SHARED = ("core.c", "values.c", "messages.c", "loops.c", "parts.c", "state.c")
 SHORT = (
     "unfit",
     "not_finite",
@@ -96,7 +96,11 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         "@TABLES@": tables_table(plan, names),
     }
     files = {f"{name}.h": filled("system.h", name, places), f"{name}_inside.h": filled("inside.h", name, places)}
-    for source in SHARED:
+    shared = (
+        *SHARED, *(f"parts{v}.c" for v in sorted(versions)), *("events.c", "faults.c") * bool(happening),
+        *("steps.c",) * (not plan.algorithm.one_pass),
+    )  # fmt: skip
+    for source in shared:
         files[f"{name}_{source}"] = filled(source, name, places)
     files[f"{name}_main.c"] = filled("main.c", name, places)
     parts = [
@@ -130,7 +134,7 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         + "};",
     ]
     files[f"{name}.c"] = ("\n\n".join(part for part in parts if part) + "\n").encode()
-    compiled = (f"{name}.c", *(f"{name}_{source}" for source in SHARED))
+    compiled = (f"{name}.c", *(f"{name}_{source}" for source in shared))
     return Code(name, files, compiled, f"{name}_main.c", shown, cycle, own)
 
 

@@ -1,57 +1,7 @@
-/* The life of a system: its components made and freed, values set and got, from instant to instant. */
+/* The life of a system: its components made and freed, and from instant to instant. */
 #include "inside.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
-
-/* --- messages --- */
-
-int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...) {
-    char text[1000];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    if (s->message) s->message(s->user, who, status, text);
-    return 1;
-}
-
-static int fail(SYSTEM *s, const char *who, int status, const char *text) {
-    s->now.stage = SYSTEM_FAILED;
-    return SYSTEM_say(s, who, status, "%s", text);
-}
-
-int SYSTEM_refused(SYSTEM *s, int part, const char *what, int status) {
-    char text[200];
-    snprintf(text, sizeof text, "t = %.9g s: %s cannot %s (status %d)", s->now.time, SYSTEM_parts[part].name, what, status);
-    return fail(s, SYSTEM_parts[part].name, status, text);
-}
-
-int SYSTEM_not_finite(SYSTEM *s, int cell, double value) {
-    char text[300];
-    snprintf(text, sizeof text, "behind t = %.9g s: %s is %g", s->now.time, SYSTEM_cells[cell], value);
-    return fail(s, s->name, 3, text);
-}
-
-int SYSTEM_unfit(SYSTEM *s, int cell) {
-    char text[300];
-    snprintf(text, sizeof text, "behind t = %.9g s: what %s is sent does not fit its type", s->now.time, SYSTEM_cells[cell]);
-    return fail(s, s->name, 3, text);
-}
-
-int SYSTEM_asks(SYSTEM *s, int part, int end, int early) {
-    char text[200];
-    snprintf(text, sizeof text, "behind t = %.9g s: %s %s", s->now.time, SYSTEM_parts[part].name,
-             end ? "asks to end" : early ? "returned early from a step" : "has an event, which nobody handles");
-    return fail(s, SYSTEM_parts[part].name, 3, text);
-}
-
-int SYSTEM_not_converged(SYSTEM *s, int cell) {
-    char text[300];
-    snprintf(text, sizeof text, "behind t = %.9g s: the loop of %s does not converge", s->now.time, SYSTEM_cells[cell]);
-    return fail(s, s->name, 3, text);
-}
 
 double SYSTEM_time(int64_t tick) { return seconds(tick); }
 
@@ -121,7 +71,7 @@ int SYSTEM_settle(SYSTEM *s) {
             return 0;
         }
     }
-    return fail(s, s->name, 3, "the inputs keep changing in the initialization");
+    return SYSTEM_fail(s, s->name, 3, "the inputs keep changing in the initialization");
 }
 
 int SYSTEM_start(SYSTEM *s) {
@@ -259,116 +209,4 @@ void SYSTEM_close(SYSTEM *s) {
     for (int part = 0; part < SYSTEM_PARTS; part++) SYSTEM_part_free(s, part);
     for (int k = 0; k < SYSTEM_VARIABLES; k++) free(s->texts[k]);
     memset(s, 0, sizeof *s);
-}
-
-/* --- values --- */
-
-static int checked(SYSTEM *s, int k, SYSTEM_Kind a, SYSTEM_Kind b) {
-    static const char *const KINDS[] = {"a real number", "a whole number", "a Boolean", "a text"};
-    if (k < 0 || k >= SYSTEM_VARIABLES) return SYSTEM_say(s, s->name, 3, "there is no variable of number %d", k);
-    const SYSTEM_Variable *v = &SYSTEM_variables[k];
-    if (v->kind != a && v->kind != b) return SYSTEM_say(s, s->name, 3, "%s is %s", v->name, KINDS[v->kind]);
-    return 0;
-}
-
-/* A value that was set goes on to its component at once, where that is there to hear it. */
-static int set(SYSTEM *s, int k) {
-    const SYSTEM_Variable *v = &SYSTEM_variables[k];
-    if (v->causality != SYSTEM_PARAMETER && v->causality != SYSTEM_TUNABLE && v->causality != SYSTEM_INPUT)
-        return SYSTEM_say(s, s->name, 3, "%s cannot be set", v->name);
-    if (s->now.stage > SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s: %s can be set no more", s->name, v->name);
-    if (s->now.stage == SYSTEM_RUNNING && v->causality == SYSTEM_PARAMETER)
-        return SYSTEM_say(s, s->name, 3, "%s is a parameter; it is set before the run", v->name);
-    return 0;
-}
-
-static int passed_on(SYSTEM *s, int k) {
-    const SYSTEM_Variable *v = &SYSTEM_variables[k];
-    s->now.given[k] = true;
-    if (s->now.stage == SYSTEM_NEW) return 0;
-    s->now.stale = s->now.stage == SYSTEM_INITIALIZING;
-    if (v->cell >= 0 && v->kind == SYSTEM_REAL) s->now.z[v->cell] = s->now.values[k].real;
-    else if (v->cell >= 0 && v->kind != SYSTEM_TEXT) s->now.whole[v->cell] = s->now.values[k].whole;
-    return SYSTEM_part_give(s, k - v->index);
-}
-
-int SYSTEM_set_real(SYSTEM *s, int k, double value) {
-    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || set(s, k)) return 1;
-    s->now.values[k].real = value;
-    return passed_on(s, k);
-}
-
-int SYSTEM_set_whole(SYSTEM *s, int k, int64_t value) {
-    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || set(s, k)) return 1;
-    s->now.values[k].whole = SYSTEM_variables[k].kind == SYSTEM_BOOLEAN ? value != 0 : value;
-    return passed_on(s, k);
-}
-
-int SYSTEM_set_text(SYSTEM *s, int k, const char *value) {
-    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || set(s, k)) return 1;
-    char *copy = value ? malloc(strlen(value) + 1) : NULL;
-    if (!copy) return SYSTEM_say(s, s->name, 3, value ? "not enough memory" : "a text is wanted");
-    free(s->texts[k]);
-    s->texts[k] = strcpy(copy, value);
-    return passed_on(s, k);
-}
-
-/* Where a number is to be found: in its cell, among what was set, or with its component. */
-static int number(SYSTEM *s, int k, SYSTEM_Value *value) {
-    const SYSTEM_Variable *v = &SYSTEM_variables[k];
-    *value = s->now.values[k];
-    if (v->causality == SYSTEM_CALCULATED || v->causality == SYSTEM_OUTPUT) {
-        if (s->now.stage == SYSTEM_NEW) return 0;
-        if (SYSTEM_settle(s)) return 1;
-        if (v->part >= 0 && v->cell < 0) return SYSTEM_part_ask(s, k, value);
-        if (v->kind == SYSTEM_REAL) value->real = s->now.z[v->cell];
-        else value->whole = s->now.whole[v->cell];
-    }
-    return 0;
-}
-
-int SYSTEM_get_real(SYSTEM *s, int k, double *value) {
-    SYSTEM_Value found;
-    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || number(s, k, &found)) return 1;
-    *value = found.real;
-    return 0;
-}
-
-/* Outputs lie in their cells while it runs: a host that records hundreds of them at each step has them at once. */
-int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *values) {
-    const bool there = s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED;
-    for (size_t k = 0; k < n; k++) {
-        for (int cell; there && k < n && variables[k] < SYSTEM_VARIABLES && (cell = SYSTEM_in_cells[variables[k]]) >= 0; k++)
-            values[k] = s->now.z[cell];
-        if (k < n && SYSTEM_get_real(s, variables[k] < SYSTEM_VARIABLES ? (int)variables[k] : -1, &values[k])) return 1;
-    }
-    return 0;
-}
-
-int SYSTEM_get_whole(SYSTEM *s, int k, int64_t *value) {
-    SYSTEM_Value found;
-    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || number(s, k, &found)) return 1;
-    *value = found.whole;
-    return 0;
-}
-
-int SYSTEM_get_text(SYSTEM *s, int k, const char **value) {
-    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT)) return 1;
-    *value = s->texts[k] ? s->texts[k] : SYSTEM_variables[k].text;
-    return 0;
-}
-
-int SYSTEM_number(SYSTEM *s, int k, double *value) {
-    SYSTEM_Value found;
-    if (number(s, k, &found)) return 1;
-    *value = SYSTEM_variables[k].kind == SYSTEM_REAL ? found.real : (double)found.whole;
-    return 0;
-}
-
-int SYSTEM_required(SYSTEM *s, int status, const char *words, double value, double low, double high) {
-    char text[900];
-    snprintf(text, sizeof text, words, value, low, high);
-    if (status > 1) return fail(s, s->name, status, text);
-    SYSTEM_say(s, s->name, status, "%s", text);
-    return 0;
 }

@@ -50,6 +50,7 @@ int SYSTEM_number(SYSTEM *s, int variable, double *value); /* whatever its type 
 int SYSTEM_required(SYSTEM *s, int status, const char *words, double value, double low, double high);
 
 /* Errors: each tells `message` and returns 1. */
+int SYSTEM_fail(SYSTEM *s, const char *who, int status, const char *text);
 int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...);
 int SYSTEM_refused(SYSTEM *s, int part, const char *what, int status);
 int SYSTEM_not_finite(SYSTEM *s, int cell, double value);
@@ -57,7 +58,19 @@ int SYSTEM_unfit(SYSTEM *s, int cell);
 int SYSTEM_asks(SYSTEM *s, int part, int end, int early);
 int SYSTEM_not_converged(SYSTEM *s, int cell);
 
-/* Components: see parts.c. */
+/* Components: see parts.c; what depends on the version of FMI, parts2.c and parts3.c. */
+const char *SYSTEM_text_of(const SYSTEM *s, int variable);
+void SYSTEM_folder_of(const SYSTEM *s, int part, int uri, char *to, size_t size);
+#if SYSTEM_FMI2
+int SYSTEM_make2(SYSTEM *s, int part, const Functions2 *f);
+int SYSTEM_give2(SYSTEM *s, int part, int variable, const Functions2 *f);
+int SYSTEM_ask2(SYSTEM *s, int part, int variable, const Functions2 *f, SYSTEM_Value *value);
+#endif
+#if SYSTEM_FMI3
+int SYSTEM_make3(SYSTEM *s, int part, const Functions3 *f);
+int SYSTEM_give3(SYSTEM *s, int part, int variable, const Functions3 *f);
+int SYSTEM_ask3(SYSTEM *s, int part, int variable, const Functions3 *f, SYSTEM_Value *value);
+#endif
 int SYSTEM_part_make(SYSTEM *s, int part);
 int SYSTEM_part_set_up(SYSTEM *s, int part, double start, int with_stop, double stop);
 int SYSTEM_part_enter(SYSTEM *s, int part, double start, int with_stop, double stop);

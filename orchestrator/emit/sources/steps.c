@@ -91,5 +91,3 @@ int SYSTEM_estimate(SYSTEM *s, int p, int n, const double *settings) {
     return 1;
 }
 #endif
-
-typedef int something; /* where neither is */
