@@ -6,12 +6,14 @@ References: FMI 2.0.4, sections 2.2.3 (UnitDefinitions), 2.2.7 (ModelVariables),
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from fractions import Fraction
 from importlib.metadata import version
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from ..fmu.types import BOOLEAN, TEXT, FmiType
+from ..fmu.attributes import items_of
+from ..fmu.types import BOOLEAN, TEXT
 from ..units import Definition
 from .code.exposed import CALCULATED, HIDDEN, INPUT, OUTPUT, PARAMETER, TUNABLE, Exposed
 from .dependencies import at_the_start
@@ -21,18 +23,22 @@ SMALL = ("Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32") 
 BASE = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
 
 
-def type2(kind: FmiType) -> str:
+def type2(e: Exposed) -> str:
     """The type in FMI 2.0; empty where none holds all of its values."""
+    kind = e.kind
     if kind.real:
         return "Real"
     if kind.code in (BOOLEAN, TEXT):
         return "Boolean" if kind.code == BOOLEAN else "String"
+    items = items_of(e.variable).values() if e.variable is not None else ()
+    if kind.name == "Enumeration" and kind.size > 4:  # of FMI 3.0
+        return "Integer" if items and all(abs(item) < 2**31 for item in items) else ""
     return "Integer" if kind.name in SMALL else ""
 
 
 def variables2(shown: Iterable[Exposed]) -> list[tuple[int, Exposed]]:
     """What FMI 2.0 can show, each with its number."""
-    return [(k, e) for k, e in enumerate(shown) if e.causality != HIDDEN and type2(e.kind)]
+    return [(k, e) for k, e in enumerate(shown) if e.causality != HIDDEN and type2(e)]
 
 
 def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
@@ -40,7 +46,7 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
     plan, code = found.plan, found.code
     root = Element("fmiModelDescription", {
         "fmiVersion": "2.0", "modelName": plan.system.name, "guid": guid, "description": plan.system.description,
-        "generationTool": made_by(), "variableNamingConvention": "structured",
+        "generationTool": made_by(), "variableNamingConvention": convention(code.shown),
     })  # fmt: skip
     states = {key.replace("State", "state"): value for key, value in can_save(found).items()}
     interface = SubElement(root, "CoSimulation", {
@@ -57,13 +63,14 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
     add_units(root, found)
     categories = SubElement(root, "LogCategories")
     SubElement(categories, "Category", {"name": "logAll", "description": "what components say"})
+    SubElement(categories, "Category", {"name": "logStatusWarning", "description": "what may be wrong"})
     SubElement(categories, "Category", {"name": "logStatusError", "description": "what went wrong"})
     SubElement(root, "DefaultExperiment", experiment(found))
     listed = variables2(code.shown)
     scalars = SubElement(root, "ModelVariables")
     for k, e in listed:
         element = SubElement(scalars, "ScalarVariable", attributes(e, k))
-        kind = type2(e.kind)
+        kind = type2(e)
         typed = typed_attributes(e, kind == "Real")
         SubElement(
             element, kind, typed if kind in ("Real", "Integer") else {k: v for k, v in typed.items() if k == "start"}
@@ -84,6 +91,16 @@ def description2(found: Prepared, guid: str, sources: Iterable[str]) -> bytes:
 def made_by() -> str:
     """What writes these files; not the words of a component, which are another kind of FMU."""
     return f"rovbrush-export {version('rovbrush')}"
+
+
+NAME = r"(?:[A-Za-z_]\w*|'(?:[^'\\]|\\.)+')(?:\[\d+(?:,\d+)*\])?"
+STRUCTURED = re.compile(rf"(?:{NAME}\.)*(?:{NAME}|der\({NAME}(?:\.{NAME})*(?:,\d+)?\))", re.ASCII)
+
+
+def convention(shown: Iterable[Exposed]) -> str:
+    """How variables are called (FMI 2.0.4, section 2.2.9): as their components' FMUs allow."""
+    names = (e.name for e in shown if e.causality != HIDDEN)
+    return "structured" if all(STRUCTURED.fullmatch(name) for name in names) else "flat"
 
 
 def once(found: Prepared) -> str:

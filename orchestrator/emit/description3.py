@@ -14,7 +14,17 @@ from ..fmu.types import FmiType
 from .code.exposed import CALCULATED, HIDDEN, OUTPUT, Exposed
 from .compiling import OPTIONS
 from .dependencies import at_the_start
-from .description2 import add_units, attributes, can_save, experiment, made_by, once, typed_attributes, written
+from .description2 import (
+    add_units,
+    attributes,
+    can_save,
+    convention,
+    experiment,
+    made_by,
+    once,
+    typed_attributes,
+    written,
+)
 from .prepared import Prepared
 
 NAMES = {"Real": "Float64", "Integer": "Int32"}
@@ -37,7 +47,8 @@ def description3(found: Prepared, token: str) -> bytes:
     plan, code = found.plan, found.code
     root = Element("fmiModelDescription", {
         "fmiVersion": "3.0", "modelName": plan.system.name, "instantiationToken": token,
-        "description": plan.system.description, "generationTool": made_by(), "variableNamingConvention": "structured",
+        "description": plan.system.description, "generationTool": made_by(),
+        "variableNamingConvention": convention(code.shown),
     })  # fmt: skip
     timing = experiment(found)
     SubElement(root, "CoSimulation", {
@@ -48,6 +59,7 @@ def description3(found: Prepared, token: str) -> bytes:
     add_units(root, found, more=("s",))
     categories = SubElement(root, "LogCategories")
     SubElement(categories, "Category", {"name": "logAll", "description": "what components say"})
+    SubElement(categories, "Category", {"name": "logStatusWarning", "description": "what may be wrong"})
     SubElement(categories, "Category", {"name": "logStatusError", "description": "what went wrong"})
     SubElement(root, "DefaultExperiment", timing)
     listed = variables3(code.shown)

@@ -9,7 +9,9 @@ from dataclasses import dataclass, replace
 from math import lcm
 from pathlib import Path
 
-from ..clock import common_tick
+import numpy as np
+
+from ..clock import common_tick, seconds_text
 from ..errors import InputError
 from ..fmu.types import BINARY, TEXT
 from ..plan.happening.scenario import with_values_from_start
@@ -20,7 +22,7 @@ from ..system.model import System
 from .carried import as_library
 from .code.exchange import Key
 from .code.exposed import exposed
-from .code.names import identifiers
+from .code.names import identifiers, system_identifier
 from .code.text import Code, code_of
 from .compiling import here
 from .refusals import check_plan, check_system
@@ -36,8 +38,11 @@ class Prepared:
     code: Code
 
 
-def plan_for_c(system: System) -> Plan:
-    """The plan of a system that shows all outputs, its hyperperiod whole. Raises InputError for what C cannot hold."""
+def plan_for_c(system: System, to_its_end: bool = False) -> Plan:
+    """The plan of a system that shows all outputs, its hyperperiod whole; `to_its_end`: the end of the run too.
+
+    Raises InputError for what C cannot hold.
+    """
     check_system(system)
     names = [
         f"{name}.{variable}"
@@ -51,11 +56,30 @@ def plan_for_c(system: System) -> Plan:
     periods = [c.period for c in every.components.values()]
     tick = common_tick(periods)
     whole = tick * lcm(*(int(period / tick) for period in periods))
-    if every.stop - every.start < whole:
-        every = replace(every, stop=every.start + whole)
     plan = planned(every)
+    if every.stop - every.start < whole and not plan.adaptive:
+        plan = _with_a_whole_cycle(planned(replace(every, stop=every.start + whole)), plan, to_its_end)
     check_plan(plan)
     return plan
+
+
+def _with_a_whole_cycle(longer: Plan, plan: Plan, to_its_end: bool) -> Plan:
+    """The plan of a run that is shorter than its hyperperiod: all of it is what is left behind no cycle."""
+    clock, own, system = longer.clock, plan.clock, plan.system
+    alike = (clock.numerator, clock.denominator) == (own.numerator, own.denominator) and longer.layout == plan.layout
+    if not alike and to_its_end:
+        raise InputError(
+            f"{system.name} ends at {seconds_text(system.stop)}, between two instants of its rates and before they "
+            f"meet ({seconds_text(clock.seconds(clock.hyperperiod))}); choose another stop_time for a program"
+        )
+    if not alike:
+        return replace(longer, system=system)
+    last = plan.cycle.copy()
+    last[:, -1] += len(longer.coefficients)
+    return replace(
+        longer, system=system, clock=replace(clock, stop=own.stop), last=last,
+        coefficients=np.concatenate([longer.coefficients, plan.coefficients]), at_last_events=plan.at_events,
+    )  # fmt: skip
 
 
 @contextmanager
@@ -64,10 +88,10 @@ def prepared(system: System, carries: bool = True) -> Iterator[Prepared]:
 
     Raises InputError, FmuError.
     """
-    plan = plan_for_c(system)
+    plan = plan_for_c(system, to_its_end=not carries)
     target = here()
     fmus = {c.fmu.own.digest: c.fmu.own for c in plan.system.components.values()}
-    own = [identifiers([system.name])[0], *plan.system.components]
+    own = [system_identifier(system.name), *plan.system.components]
     prefixes = dict(zip(fmus, identifiers((fmu.path.stem for fmu in fmus.values()), own), strict=True))
     _require_once(plan.system)
     with tempfile.TemporaryDirectory(prefix="rovbrush_emit_") as work:

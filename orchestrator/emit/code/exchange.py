@@ -13,7 +13,7 @@ from ...plan.plan import Plan
 from ...plan.together import together
 from ...run.memory.memory import Memory
 from ..units import Unit
-from .names import cell_words, identifiers, number
+from .names import cell_identifiers, cell_words, identifiers, number
 
 Key = tuple[str, str]
 
@@ -38,7 +38,8 @@ class Names:
             zip(self.components, identifiers(f"part_{name}".upper() for name in self.components), strict=True)
         )
         self.words = cell_words(plan)
-        self.cells = identifiers(self.words, self.parts.values())
+        self.extras = {extra.slot: extra for extra in plan.layout.extras.values()}
+        self.cells = cell_identifiers(self.words, self.parts.values())
         self.memory = Memory(plan)
         layout = plan.layout
         self.whole = np.zeros(max(layout.size, 1), dtype=bool)  # cells that are no doubles

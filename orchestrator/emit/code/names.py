@@ -14,12 +14,32 @@ WORDS = (
     "and or not xor class new delete this template t h v x n tail total found sent again seconds status_ k k_"
 )
 KEYWORDS = frozenset(re.findall(r"\w+", WORDS))
+# What a system must not be called in C: headers, files that Windows does not have, functions and types of libraries.
+TAKEN = (
+    "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg "
+    "stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings tgmath threads time uchar wchar wctype "
+    "windows dlfcn memory malloc sched unistd aux con nul prn bool true false NULL NAN INFINITY EOF stdin stdout "
+    "stderr abort abs acos asin atan atexit atof atoi atol bind bsearch calloc ceil clock close cos cosh exit exp "
+    "fabs fclose feof ferror fflush floor fmax fmin fmod fopen fork fprintf fputc fputs fread free frexp fscanf "
+    "fseek ftell fwrite getc getenv index isfinite isinf isnan j0 j1 jn kill labs ldexp link log lround malloc "
+    "memchr memcmp memcpy memmove memset modf nan open pause perror pipe pow printf putc puts qsort raise rand "
+    "random read realloc remainder remove rename rewind rindex rint round scanf select send sin sinh sleep socket "
+    "sprintf sqrt srand sscanf stat stpcpy strcat strchr strcmp strcpy strlen strtod strtok sync system tan tanh "
+    "test tmpfile trunc truncate ungetc wait write y0 y1 yn div gamma signbit step linux unix components fmi2 fmi3"
+)
+RESERVED = KEYWORDS | frozenset(TAKEN.split())
 
 
 def identifier(text: str) -> str:
     """A text as a name of C: what is no letter, digit or _ becomes one _."""
     name = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_") or "x"
     return f"{name}_" if name in KEYWORDS else f"_{name}"[name[0].isalpha() :]
+
+
+def system_identifier(text: str) -> str:
+    """The name of a system, of which are called its type, its header and its files."""
+    name = identifier(text)
+    return f"{name}_" if name.lower() in RESERVED or name in RESERVED else name
 
 
 def identifiers(texts: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
@@ -35,8 +55,23 @@ def identifiers(texts: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
     return found
 
 
+SHORT = (
+    "unfit", "not_finite", "asks", "not_converged", "solve_start", "iterate", "held_at", "mean_over", "read_outputs",
+    "paused", "keep", "go_back", "gauge", "choose_step", "estimate",
+)  # fmt: skip
+FUNCTIONS = re.compile(r"(begin|end|loop|bring|pass_on|macro_step|together)(_last)?_\d+|\w+_t")
+
+
+def cell_identifiers(texts: Iterable[str], taken: Iterable[str]) -> list[str]:
+    """Names of cells, none of which is that of a function beside them or of a type."""
+    free = (f"cell {text}" if FUNCTIONS.fullmatch(identifier(text)) else text for text in texts)
+    return identifiers(free, {*taken, *SHORT})
+
+
 def number(value: float) -> str:
     """A double with all of its digits."""
+    if math.isnan(value):
+        return "NAN"
     if math.isinf(value):
         return "INFINITY" if value > 0 else "-INFINITY"
     return repr(float(value))

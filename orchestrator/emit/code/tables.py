@@ -94,7 +94,19 @@ def parts_table(plan: Plan, names: Names, units: Sequence[Unit]) -> str:
 
 
 def cells_table(names: Names) -> str:
-    lines = [f"    {cell}, /* {comment(words)} */" for cell, words in zip(names.cells, names.words, strict=True)]
+    known = {
+        slot: key for table in (names.plan.layout.inputs, names.plan.layout.outputs) for key, slot in table.items()
+    }
+    lines = []
+    for slot, (cell, words) in enumerate(zip(names.cells, names.words, strict=True)):
+        said = words
+        if slot in known:
+            name, variable = known[slot]
+            v = names.plan.system.components[name].fmu.variables[variable]
+            said += (f": {v.description}" if v.description else "") + (f" [{v.unit}]" if v.unit else "")
+        elif extra := names.extras.get(slot):
+            said += f": {extra.description} [{extra.unit}]"
+        lines.append(f"    {cell}, /* {comment(said)} */")
     return "\n".join(["/* The vector of signals. */", "enum {", *lines, "};"])
 
 

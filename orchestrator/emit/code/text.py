@@ -14,7 +14,7 @@ from .exchange import Key, Names
 from .exposed import Exposed
 from .happening import Happening
 from .instants import Cycle, Instants
-from .names import comment, identifier
+from .names import SHORT, comment, system_identifier
 from .requirements import requirements
 from .rows import Cost, Rows
 from .tables import (
@@ -32,23 +32,6 @@ from .tables import (
 )
 
 SHARED = ("core.c", "values.c", "messages.c", "loops.c", "parts.c", "state.c")
-SHORT = (
-    "unfit",
-    "not_finite",
-    "asks",
-    "not_converged",
-    "solve_start",
-    "iterate",
-    "held_at",
-    "mean_over",
-    "read_outputs",
-    "paused",
-    "keep",
-    "go_back",
-    "gauge",
-    "choose_step",
-    "estimate",
-)
 
 
 @dataclass(frozen=True)
@@ -66,7 +49,7 @@ class Code:
 
 def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutions: Mapping[Key, float]) -> Code:
     """The files of a system but those of its units; `units`: by component."""
-    name = identifier(plan.system.name)
+    name = system_identifier(plan.system.name)
     names = Names(plan, name, dict(units))
     rows = Rows(names)
     instants = Instants(names, rows)

@@ -22,8 +22,10 @@ int SYSTEM_open(SYSTEM *s, const char *name, const char *resources, SYSTEM_Messa
     }
     for (int k = 0; k < SYSTEM_SOLVER; k++) s->now.solver[k] = 0.0;
     for (int k = 0; k < SYSTEM_PARTS; k++) {
-        if (SYSTEM_parts[k].load && SYSTEM_parts[k].load(s)) return 1;
-        if (SYSTEM_part_make(s, k)) return SYSTEM_say(s, SYSTEM_parts[k].name, 3, "%s cannot be instantiated", SYSTEM_parts[k].name);
+        const bool loaded = !SYSTEM_parts[k].load || SYSTEM_parts[k].load(s) == 0;
+        if (loaded && SYSTEM_part_make(s, k) == 0) continue;
+        s->now.stage = SYSTEM_FAILED;
+        return SYSTEM_say(s, SYSTEM_parts[k].name, 3, "%s cannot be instantiated", SYSTEM_parts[k].name);
     }
     return 0;
 }
@@ -37,24 +39,37 @@ static bool array_given(const SYSTEM *s, int k) {
     return false;
 }
 
-int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
-    if (s->now.stage != SYSTEM_NEW) return SYSTEM_say(s, s->name, 3, "%s is initialized already", s->name);
-    const double ticks = start * (double)SYSTEM_DENOMINATOR / (double)SYSTEM_NUMERATOR;
-    s->now.first = s->now.begin = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : 0;
-    if (fabs(seconds(s->now.first) - start) > 1e-9 * fmax(fabs(start), SYSTEM_TICK))
-        return SYSTEM_say(s, s->name, 3, "%s cannot start at %.17g s; a multiple of %.9g s is wanted", s->name, start, SYSTEM_TICK);
-    s->now.time = seconds(s->now.first);
-    s->now.stop = with_stop ? stop : 1e300;
+/* Every component in its initialization, with all that was given to it before. */
+static int enter(SYSTEM *s, double start, int with_stop, double stop) {
     for (int part = 0; part < SYSTEM_PARTS; part++) {
         if (SYSTEM_part_set_up(s, part, start, with_stop, stop)) return 1;
         for (int k = 0; k < SYSTEM_VARIABLES; k++)
             if (SYSTEM_variables[k].part == part && leads(k) && array_given(s, k) && SYSTEM_part_give(s, k)) return 1;
         if (SYSTEM_part_enter(s, part, start, with_stop, stop)) return 1;
     }
-    if (SYSTEM_first_cells(s)) return 1;
+    return SYSTEM_first_cells(s);
+}
+
+int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
+    if (s->now.stage != SYSTEM_NEW)
+        return SYSTEM_say(s, s->name, 3, s->now.stage == SYSTEM_FAILED ? "%s has failed before" : "%s is initialized already", s->name);
+    if (with_stop && !(stop > start))
+        return SYSTEM_say(s, s->name, 3, "%s cannot stop at %.9g s: it starts at %.9g s", s->name, stop, start);
+    const double ticks = start * (double)SYSTEM_DENOMINATOR / (double)SYSTEM_NUMERATOR;
+    s->now.first = s->now.begin = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : 0;
+    if (fabs(seconds(s->now.first) - start) > 1e-9 * fmax(fabs(start), SYSTEM_TICK))
+        return SYSTEM_say(s, s->name, 3, "%s cannot start at %.17g s; a multiple of %.9g s is wanted", s->name, start, SYSTEM_TICK);
 #if SYSTEM_EVENTS
     if (s->now.first != SYSTEM_START)
         return SYSTEM_say(s, s->name, 3, "%s has events, whose times count from its own start, %.9g s", s->name, seconds(SYSTEM_START));
+#endif
+    s->now.time = seconds(s->now.first);
+    s->now.stop = with_stop ? stop : 1e300;
+    if (enter(s, start, with_stop, stop)) {
+        s->now.stage = SYSTEM_FAILED; /* some of its components are further than others */
+        return 1;
+    }
+#if SYSTEM_EVENTS
     SYSTEM_first_events(s);
 #endif
     s->now.stage = SYSTEM_INITIALIZING, s->now.stale = true;
@@ -110,7 +125,6 @@ int SYSTEM_step(SYSTEM *s) {
 /* Steps of its own length, of which one ends there. */
 static int go_on(SYSTEM *s, int64_t end) {
     int64_t *clock = s->now.clock;
-    if (s->now.stage != SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s cannot make a step now", s->name);
     clock[STOP] = end - s->now.first;
     clock[STEP_TICKS] = clock[NOW] ? SYSTEM_fitted(s, s->now.wanted) : s->now.wanted < clock[STOP] ? s->now.wanted : clock[STOP];
     while (clock[NOW] < clock[STOP])
@@ -163,15 +177,25 @@ static int go_on(SYSTEM *s, int64_t end) {
 }
 #endif
 
+/* Where a step ends [ticks from time 0], or -1: that is no instant. Hosts that add step to step drift away from an instant
+   by rounding: a hundredth of a tick is no other instant. How long a step is must be right to rounding, or where it ends. */
+static int64_t end_of_step(const SYSTEM *s, double time, double step) {
+    const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time), ticks = step / SYSTEM_TICK;
+    if (!(ticks > 0.0 && ticks < 0x1p53)) return -1;
+    const int64_t length = (int64_t)llround(ticks), end = (int64_t)llround(s->now.time / SYSTEM_TICK) + length;
+    const bool exact = fabs(seconds(length) - step) <= near || fabs(seconds(end) - (time + step)) <= near;
+    return exact && (end == SYSTEM_next(s) || is_instant(s, end)) ? end : -1;
+}
+
 int SYSTEM_go_to(SYSTEM *s, double time, double step) {
-    const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time), ticks = (time + step) / SYSTEM_TICK;
-    if (!(fabs(time - s->now.time) <= near))
+    if (s->now.stage != SYSTEM_RUNNING) return SYSTEM_say(s, s->name, 3, "%s cannot make a step now", s->name);
+    if (!(fabs(time - s->now.time) <= fmax(0.01 * SYSTEM_TICK, 1e-12 * fabs(time))))
         return SYSTEM_say(s, s->name, 3, "a step from t = %.17g s is not possible: %s is at %.17g s", time, s->name, s->now.time);
-    const int64_t end = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : s->now.first;
-    if (!(step > 0.0) || fabs(seconds(end) - (time + step)) > near || !(end == SYSTEM_next(s) || is_instant(s, end)))
+    const int64_t end = end_of_step(s, time, step);
+    if (end < 0)
         return SYSTEM_say(s, s->name, 3, "a step of %.9g s from t = %.9g s is not possible: %s goes on by instants, the next one at %.9g s",
                     step, time, s->name, seconds(SYSTEM_next(s)));
-    if (seconds(end) > s->now.stop + near)
+    if (seconds(end) > s->now.stop + 1e-6 * SYSTEM_TICK + 1e-12 * fabs(s->now.stop))
         return SYSTEM_say(s, s->name, 3, "a step to t = %.9g s is not possible: %s was told to stop at %.9g s", seconds(end), s->name, s->now.stop);
     return go_on(s, end);
 }

@@ -13,13 +13,23 @@ typedef struct {
     char *name, *resources;
     double start, stop;
     int with_stop;
+    bool logging; /* what components say is told, and not only what goes wrong */
 } Instance;
 
 static void message(void *user, const char *component, int status, const char *text) {
+    static const char *const CATEGORIES[] = {"logAll", "logStatusWarning", "logStatusError"};
     const Instance *instance = user;
-    if (instance->logger)
-        instance->logger(instance->environment, instance->name, (fmi2Status)(status & 7),
-                         status > 1 ? "logStatusError" : "logAll", "%s: %s", component, text);
+    char words[2300];
+    size_t n = 0;
+    if (!instance->logger || (status == 0 && !instance->logging)) return;
+    const char *const parts[] = {component, ": ", text};
+    for (int k = 0; k < 3; k++)
+        for (const char *c = parts[k]; *c && n + 3 < sizeof words; c++) {
+            if (*c == '%') words[n++] = '%'; /* a format without arguments: hosts not in C cannot read those */
+            words[n++] = *c;
+        }
+    words[n] = '\0';
+    instance->logger(instance->environment, instance->name, (fmi2Status)(status & 7), CATEGORIES[status > 1 ? 2 : status == 1], words);
 }
 
 static char *copied(const char *text) {
@@ -41,18 +51,28 @@ FMI2_Export const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
 FMI2_Export const char *fmi2GetVersion(void) { return fmi2Version; }
 
 FMI2_Export fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String categories[]) {
-    (void)c, (void)on, (void)count, (void)categories; /* what goes wrong is told, and always */
+    Instance *instance = c; /* what goes wrong is told always */
+    instance->logging = on && count == 0;
+    for (size_t k = 0; k < count; k++)
+        if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
     return fmi2OK;
 }
 
 FMI2_Export fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String token, fmi2String resources,
                                           const fmi2CallbackFunctions *callbacks, fmi2Boolean visible, fmi2Boolean logging) {
-    (void)visible, (void)logging;
-    if (type != fmi2CoSimulation || !name || !token || strcmp(token, "@GUID@") != 0) return NULL;
+    (void)visible;
+    const fmi2CallbackLogger logger = callbacks ? callbacks->logger : NULL;
+    const bool known = token && strcmp(token, "@GUID@") == 0;
+    if (type != fmi2CoSimulation || !name || !known) {
+        if (logger)
+            logger(callbacks->componentEnvironment, name ? name : "", fmi2Error, "logStatusError",
+                   !known ? "the GUID is not that of this library" : name ? "it is for co-simulation" : "an instance needs a name");
+        return NULL;
+    }
     Instance *instance = calloc(1, sizeof *instance);
     if (!instance) return NULL;
-    instance->name = copied(name), instance->resources = copied(resources);
-    if (callbacks) instance->logger = callbacks->logger, instance->environment = callbacks->componentEnvironment;
+    instance->name = copied(name), instance->resources = copied(resources), instance->logging = logging != 0;
+    if (callbacks) instance->logger = logger, instance->environment = callbacks->componentEnvironment;
     if (!instance->name || SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance)) {
         fmi2FreeInstance(instance);
         return NULL;
@@ -71,6 +91,8 @@ FMI2_Export fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean with_tol
                                            fmi2Boolean with_stop, fmi2Real stop) {
     Instance *instance = c;
     (void)with_tolerance, (void)tolerance; /* each component has its own */
+    if (instance->s.now.stage != SYSTEM_NEW)
+        return status_of(SYSTEM_say(&instance->s, instance->name, fmi2Error, "an experiment is set up before the initialization"));
     instance->start = start, instance->with_stop = with_stop != 0, instance->stop = stop;
     return fmi2OK;
 }
@@ -87,6 +109,7 @@ FMI2_Export fmi2Status fmi2Terminate(fmi2Component c) { return status_of(SYSTEM_
 FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
     Instance *instance = c;
     SYSTEM_close(&instance->s);
+    instance->start = instance->stop = 0.0, instance->with_stop = 0;
     return status_of(SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance));
 }
 

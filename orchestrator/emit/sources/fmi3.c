@@ -11,15 +11,17 @@ typedef struct {
     fmi3LogMessageCallback logger;
     fmi3InstanceEnvironment environment;
     char *name, *resources;
+    bool logging; /* what components say is told, and not only what goes wrong */
 } Instance;
 
 static void message(void *user, const char *component, int status, const char *text) {
+    static const char *const CATEGORIES[] = {"logAll", "logStatusWarning", "logStatusError"};
     const Instance *instance = user;
     char words[1100];
-    if (!instance->logger) return;
+    if (!instance->logger || (status == 0 && !instance->logging)) return;
     words[0] = '\0';
     strncat(words, component, 90), strncat(words, ": ", 3), strncat(words, text, 990);
-    instance->logger(instance->environment, (fmi3Status)(status > 4 ? 3 : status), status > 1 ? "logStatusError" : "logAll", words);
+    instance->logger(instance->environment, (fmi3Status)(status > 4 ? 3 : status), CATEGORIES[status > 1 ? 2 : status == 1], words);
 }
 
 static char *copied(const char *text) {
@@ -40,7 +42,10 @@ static fmi3Status unsupported(fmi3Instance c, const char *function) {
 FMI3_Export const char *fmi3GetVersion(void) { return fmi3Version; }
 
 FMI3_Export fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String categories[]) {
-    (void)c, (void)on, (void)count, (void)categories; /* what goes wrong is told, and always */
+    Instance *instance = c; /* what goes wrong is told always */
+    instance->logging = on && count == 0;
+    for (size_t k = 0; k < count; k++)
+        if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
     return fmi3OK;
 }
 
@@ -55,10 +60,16 @@ FMI3_Export fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String
     fmi3Boolean visible, fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean early_return,
     const fmi3ValueReference required[], size_t n_required, fmi3InstanceEnvironment environment,
     fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback update) {
-    (void)visible, (void)logging, (void)early_return, (void)required, (void)update;
-    if (event_mode || n_required || !name || !token || strcmp(token, "@GUID@") != 0) return NULL;
-    Instance *instance = calloc(1, sizeof *instance);
+    (void)visible, (void)early_return, (void)required, (void)update;
+    const char *wrong = !token || strcmp(token, "@GUID@") != 0 ? "the instantiation token is not that of this library"
+                        : !name                                ? "an instance needs a name"
+                        : event_mode                           ? "it has no event mode"
+                        : n_required                           ? "it has no intermediate variables"
+                                                               : NULL;
+    if (wrong && log) log(environment, fmi3Error, "logStatusError", wrong);
+    Instance *instance = wrong ? NULL : calloc(1, sizeof *instance);
     if (!instance) return NULL;
+    instance->logging = logging;
     instance->name = copied(name), instance->resources = copied(resources);
     instance->logger = log, instance->environment = environment;
     if (!instance->name || SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance)) {

@@ -60,7 +60,10 @@ int SYSTEM_not_converged(SYSTEM *s, int cell);
 
 /* Components: see parts.c; what depends on the version of FMI, parts2.c and parts3.c. */
 const char *SYSTEM_text_of(const SYSTEM *s, int variable);
-void SYSTEM_folder_of(const SYSTEM *s, int part, int uri, char *to, size_t size);
+/* The path of a file in the folder of resources, which may have come as a URI. */
+void SYSTEM_resource(const SYSTEM *s, const char *file, char *to, size_t size);
+/* The folder of a component's own resources as FMI 2.0 wants it, a URI, or 3.0, a path that ends in a separator; or "". */
+void SYSTEM_folder(const SYSTEM *s, int part, bool uri, char *to, size_t size);
 #if SYSTEM_FMI2
 int SYSTEM_make2(SYSTEM *s, int part, const Functions2 *f);
 int SYSTEM_give2(SYSTEM *s, int part, int variable, const Functions2 *f);

@@ -2,7 +2,7 @@
    All instances in a process share it, as they do in any host. */
 #include "@SYSTEM@_inside.h"
 
-#include <stdio.h>
+#include <stdatomic.h>
 
 #if defined _WIN32
 #include <windows.h>
@@ -28,44 +28,21 @@ static void *function_of(const char *name) {
 #endif
 }
 
-/* A file in the folder of resources, which may have come as a URI. */
-static void path_of(const @SYSTEM@ *s, const char *file, char *to, size_t size) {
-    const char *given = s->resources ? s->resources : "";
-    size_t n = 0;
-    int uri = strncmp(given, "file:", 5) == 0;
-    if (uri) {
-        given += 5;
-        if (given[0] == '/' && given[1] == '/') given += 2;
-        if (given[0] != '/' && strchr(given, '/')) given = strchr(given, '/'); /* behind the name of a machine */
-#if defined _WIN32
-        if (given[0] == '/' && given[1] && given[2] == ':') given++;
-#endif
-    }
-    while (*given && n + 1 < size) {
-        unsigned byte;
-        if (uri && given[0] == '%' && sscanf(given + 1, "%2x", &byte) == 1) to[n++] = (char)byte, given += 3;
-        else to[n++] = *given++;
-    }
-    while (n > 1 && (to[n - 1] == '/' || to[n - 1] == '\\')) n--;
-    snprintf(to + n, size - n, "/%s", file);
-#if defined _WIN32
-    for (char *c = to; *c; c++)
-        if (*c == '/') *c = '\\';
-#endif
-}
-
 #define FIND(name) *(void **)&@PREFIX@_fmi@VERSION@##name = function_of("fmi@VERSION@" #name), @PREFIX@_functions.name = @PREFIX@_fmi@VERSION@##name
 
-int @PREFIX@_load(@SYSTEM@ *s) {
+static int load(@SYSTEM@ *s) {
     char path[3000];
     if (library) return 0;
 #if defined _WIN32
-    path_of(s, "@WINDOWS@", path, sizeof path);
-    library = (void *)LoadLibraryExA(path, NULL, LOAD_WITH_ALTERED_SEARCH_PATH);
+    wchar_t wide[3000];
+    @SYSTEM@_resource(s, "@WINDOWS@", path, sizeof path);
+    for (char *c = path; *c; c++)
+        if (*c == '/') *c = '\\';
+    if (MultiByteToWideChar(CP_UTF8, 0, path, -1, wide, 3000)) library = (void *)LoadLibraryExW(wide, NULL, LOAD_WITH_ALTERED_SEARCH_PATH);
     if (!library)
         return @SYSTEM@_say(s, "@PREFIX@", 3, "its library %s cannot be loaded (error %lu)", path, (unsigned long)GetLastError());
 #else
-    path_of(s, "@LINUX@", path, sizeof path);
+    @SYSTEM@_resource(s, "@LINUX@", path, sizeof path);
     library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!library) return @SYSTEM@_say(s, "@PREFIX@", 3, "its library %s cannot be loaded: %s", path, dlerror());
 #endif
@@ -75,4 +52,12 @@ int @PREFIX@_load(@SYSTEM@ *s) {
         return @SYSTEM@_say(s, "@PREFIX@", 3, "its library %s has not the functions of FMI @VERSION@.0", path);
     }
     return 0;
+}
+
+int @PREFIX@_load(@SYSTEM@ *s) {
+    static atomic_flag busy = ATOMIC_FLAG_INIT; /* hosts make instances in several threads */
+    while (atomic_flag_test_and_set(&busy)) {}
+    const int failed = load(s);
+    atomic_flag_clear(&busy);
+    return failed;
 }

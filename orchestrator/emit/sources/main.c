@@ -13,7 +13,7 @@ typedef struct {
     const char *file;
     int columns;
     const int *cells;
-    const bool *whole;
+    const bool *is_whole;
     int most; /* rows of a step that may be repeated */
     int64_t *kept; /* these: tick and cells of each */
     int rows;
@@ -22,7 +22,7 @@ typedef struct {
 @TABLES@
 
 static FILE *files[SYSTEM_TABLES];
-static SYSTEM system_; /* nothing of it is on a stack or a heap */
+static SYSTEM whole; /* nothing of it is on a stack or a heap */
 
 static void message(void *user, const char *component, int status, const char *text) {
     (void)user;
@@ -39,7 +39,7 @@ static void written(int table) {
         for (int k = 0; k < t->columns; k++) {
             double number;
             memcpy(&number, &kept[k + 1], sizeof number);
-            if (t->whole[k]) fprintf(file, ",%lld", (long long)kept[k + 1]);
+            if (t->is_whole[k]) fprintf(file, ",%lld", (long long)kept[k + 1]);
             else fprintf(file, ",%.17g", number);
         }
         fputc('\n', file);
@@ -62,17 +62,29 @@ static void taken_back(void *user, int table, int rows) {
 }
 
 static int assigned(SYSTEM *s, char *text) {
-    char *value = strchr(text, '=');
+    char *value = strchr(text, '='), *rest = value;
     *value++ = '\0';
     const int k = SYSTEM_find(text);
     if (k < 0) return fprintf(stderr, "there is no variable %s\n", text), 1;
-    if (SYSTEM_variables[k].kind == SYSTEM_REAL) return SYSTEM_set_real(s, k, strtod(value, NULL));
-    if (SYSTEM_variables[k].kind == SYSTEM_TEXT) return SYSTEM_set_text(s, k, value);
-    return SYSTEM_set_whole(s, k, strtoll(value, NULL, 10));
+    const SYSTEM_Kind kind = SYSTEM_variables[k].kind;
+    if (kind == SYSTEM_TEXT) return SYSTEM_set_text(s, k, value);
+    if (kind == SYSTEM_BOOLEAN && strcmp(value, "true") == 0) return SYSTEM_set_whole(s, k, 1);
+    if (kind == SYSTEM_BOOLEAN && strcmp(value, "false") == 0) return SYSTEM_set_whole(s, k, 0);
+    const double real = kind == SYSTEM_REAL ? strtod(value, &rest) : 0.0;
+    const long long number = kind == SYSTEM_REAL ? 0 : strtoll(value, &rest, 10);
+    if (rest == value || *rest) return fprintf(stderr, "%s=%s: a number is wanted\n", text, value), 1;
+    return kind == SYSTEM_REAL ? SYSTEM_set_real(s, k, real) : SYSTEM_set_whole(s, k, number);
+}
+
+/* A name as CSV has it: in quotes where a comma is in it. */
+static void heading(FILE *file, const char *name) {
+    fprintf(file, strpbrk(name, ",\"") ? ",\"" : ",");
+    for (const char *c = name; *c; c++) fprintf(file, *c == '"' ? "\"\"" : "%c", *c);
+    if (strpbrk(name, ",\"")) fputc('"', file);
 }
 
 int main(int count, char **words) {
-    SYSTEM *s = &system_;
+    SYSTEM *s = &whole;
     const char *folder = NULL, *resources = "resources";
     int speed = 0;
     if (SYSTEM_open(s, SYSTEM_TITLE, resources, message, NULL)) return 1;
@@ -87,7 +99,7 @@ int main(int count, char **words) {
         if (folder && !files[t]) return fprintf(stderr, "%s cannot be written\n", path), 1;
         if (!files[t]) continue;
         fprintf(files[t], "time");
-        for (int k = 0; k < TABLES[t].columns; k++) fprintf(files[t], ",%s", SYSTEM_cells[TABLES[t].cells[k]]);
+        for (int k = 0; k < TABLES[t].columns; k++) heading(files[t], SYSTEM_cells[TABLES[t].cells[k]]);
         fputc('\n', files[t]);
     }
     if (!speed) s->record = row, s->rewind = taken_back;

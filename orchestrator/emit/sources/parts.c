@@ -5,12 +5,58 @@
 
 const char *SYSTEM_text_of(const SYSTEM *s, int k) { return s->texts[k] ? s->texts[k] : SYSTEM_variables[k].text; }
 
-/* The folder of a component's own resources: a path, or a URI of it. */
-void SYSTEM_folder_of(const SYSTEM *s, int part, int uri, char *to, size_t size) {
-    const char *folder = SYSTEM_parts[part].folder, *given = s->resources ? s->resources : "";
-    const int is_uri = strncmp(given, "file:", 5) == 0;
-    if (!is_uri && uri && given[0] == '/') snprintf(to, size, "file://%s%s%s", given, folder ? "/" : "", folder ? folder : "");
-    else snprintf(to, size, "%s%s%s", given, folder && given[0] ? "/" : "", folder ? folder : "");
+void SYSTEM_resource(const SYSTEM *s, const char *file, char *to, size_t size) {
+    const char *given = s->resources ? s->resources : "";
+    const bool uri = strncmp(given, "file:", 5) == 0;
+    size_t n = 0;
+    if (uri) {
+        given += 5;
+        if (given[0] == '/' && given[1] == '/') given += 2;
+        if (given[0] != '/' && strchr(given, '/')) given = strchr(given, '/'); /* behind the name of a machine */
+        if (given[0] == '/' && given[1] && given[2] == ':') given++;          /* C:/ */
+    }
+    while (*given && n + 1 < size) {
+        unsigned byte;
+        if (uri && given[0] == '%' && sscanf(given + 1, "%2x", &byte) == 1) to[n++] = (char)byte, given += 3;
+        else to[n++] = *given++;
+    }
+    while (n > 1 && (to[n - 1] == '/' || to[n - 1] == '\\')) n--;
+    snprintf(to + n, size - n, "%s%s", n && file[0] ? "/" : "", file);
+}
+
+/* A path as a URI; one that is not absolute as it is. */
+static void as_uri(const char *path, char *to, size_t size) {
+    static const char PLAIN[] = "/:-._~";
+    const bool drive = path[0] && path[1] == ':';
+    size_t n = 0;
+    if (path[0] != '/' && !drive) {
+        snprintf(to, size, "%s", path);
+        return;
+    }
+    snprintf(to, size, "file://%s", drive ? "/" : "");
+    for (n = strlen(to); *path && n + 4 < size; path++) {
+        const unsigned char c = *path == '\\' ? '/' : (unsigned char)*path;
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || strchr(PLAIN, c);
+        n += (size_t)snprintf(to + n, size - n, plain ? "%c" : "%%%02X", c);
+    }
+}
+
+void SYSTEM_folder(const SYSTEM *s, int part, bool uri, char *to, size_t size) {
+    char path[3000];
+    to[0] = '\0';
+    if (!s->resources || !s->resources[0]) return;
+    SYSTEM_resource(s, SYSTEM_parts[part].folder ? SYSTEM_parts[part].folder : "", path, sizeof path - 1);
+    if (uri) {
+        as_uri(path, to, size);
+        return;
+    }
+#if defined _WIN32
+    for (char *c = path; *c; c++)
+        if (*c == '/') *c = '\\';
+    snprintf(to, size, "%s\\", path);
+#else
+    snprintf(to, size, "%s/", path);
+#endif
 }
 
 /* The same for both; F stands for the functions of a part. */

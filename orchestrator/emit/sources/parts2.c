@@ -19,10 +19,10 @@ static void logged2(fmi2ComponentEnvironment environment, fmi2String instance, f
 
 int SYSTEM_make2(SYSTEM *s, int part, const Functions2 *f) {
     fmi2CallbackFunctions *callbacks = (fmi2CallbackFunctions *)(void *)s->callbacks;
-    char folder[2000];
+    char folder[9000];
     const fmi2CallbackFunctions own = {logged2, calloc, free, NULL, s};
     memcpy(callbacks, &own, sizeof own);
-    SYSTEM_folder_of(s, part, 1, folder, sizeof folder);
+    SYSTEM_folder(s, part, true, folder, sizeof folder);
     s->part[part] = f->Instantiate(SYSTEM_parts[part].name, fmi2CoSimulation, SYSTEM_parts[part].token, folder, callbacks,
                                    fmi2False, fmi2False);
     return s->part[part] == NULL;

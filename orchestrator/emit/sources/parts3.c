@@ -10,8 +10,8 @@ static void logged3(fmi3InstanceEnvironment environment, fmi3Status status, fmi3
 }
 
 int SYSTEM_make3(SYSTEM *s, int part, const Functions3 *f) {
-    char folder[2000];
-    SYSTEM_folder_of(s, part, 0, folder, sizeof folder);
+    char folder[3100];
+    SYSTEM_folder(s, part, false, folder, sizeof folder);
     s->part[part] = f->InstantiateCoSimulation(SYSTEM_parts[part].name, SYSTEM_parts[part].token, folder[0] ? folder : NULL,
                                                0, 0, 0, 0, NULL, 0, s, logged3, NULL);
     return s->part[part] == NULL;

@@ -112,7 +112,6 @@ struct SYSTEM {
     void *kept[SYSTEM_PARTS];
 #endif
     int final;      /* 1: no state before a step will be restored behind it */
-    bool in_memory; /* of the caller: texts were allocated */
     void *callbacks[8];
 };
 
@@ -140,9 +139,10 @@ int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *val
 int SYSTEM_get_whole(SYSTEM *s, int variable, int64_t *value);
 int SYSTEM_get_text(SYSTEM *s, int variable, const char **value);
 
-/* The complete state: what is in `now`, and the components' own states; NULL or 1 where one of them cannot save its. */
+/* The complete state: what is in `now`, texts that were set, and the components' own states. */
 typedef struct {
     SYSTEM_Now now;
+    char *texts[SYSTEM_VARIABLES];
     void *part[SYSTEM_PARTS];
 } SYSTEM_State;
 

@@ -1,6 +1,7 @@
 /* The values of a system's variables: set, passed on to its components, and got. */
 #include "inside.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 static int checked(SYSTEM *s, int k, SYSTEM_Kind a, SYSTEM_Kind b) {
@@ -11,8 +12,8 @@ static int checked(SYSTEM *s, int k, SYSTEM_Kind a, SYSTEM_Kind b) {
     return 0;
 }
 
-/* A value that was set goes on to its component at once, where that is there to hear it. */
-static int set(SYSTEM *s, int k) {
+/* 0 where a variable may be set now. */
+static int settable(SYSTEM *s, int k) {
     const SYSTEM_Variable *v = &SYSTEM_variables[k];
     if (v->causality != SYSTEM_PARAMETER && v->causality != SYSTEM_TUNABLE && v->causality != SYSTEM_INPUT)
         return SYSTEM_say(s, s->name, 3, "%s cannot be set", v->name);
@@ -22,7 +23,8 @@ static int set(SYSTEM *s, int k) {
     return 0;
 }
 
-static int passed_on(SYSTEM *s, int k) {
+/* A value in its cell, and with its component where that is there to hear it. */
+static int pass_on(SYSTEM *s, int k) {
     const SYSTEM_Variable *v = &SYSTEM_variables[k];
     s->now.given[k] = true;
     if (s->now.stage == SYSTEM_NEW) return 0;
@@ -32,25 +34,52 @@ static int passed_on(SYSTEM *s, int k) {
     return SYSTEM_part_give(s, k - v->index);
 }
 
+/* A number takes the place of the one before, which is back where the component refuses it. */
+static int put(SYSTEM *s, int k, SYSTEM_Value value) {
+    const SYSTEM_Value before = s->now.values[k];
+    s->now.values[k] = value;
+    if (pass_on(s, k) == 0) return 0;
+    s->now.values[k] = before;
+    if (SYSTEM_variables[k].cell >= 0 && SYSTEM_variables[k].kind == SYSTEM_REAL) s->now.z[SYSTEM_variables[k].cell] = before.real;
+    else if (SYSTEM_variables[k].cell >= 0) s->now.whole[SYSTEM_variables[k].cell] = before.whole;
+    return 1;
+}
+
+/* Of a host that knows one type of whole numbers only: whether the component's own holds it. */
+static bool fits(Type type, int64_t value) {
+    switch (type) {
+    case T_INT8: return value >= INT8_MIN && value <= INT8_MAX;
+    case T_UINT8: return value >= 0 && value <= UINT8_MAX;
+    case T_INT16: return value >= INT16_MIN && value <= INT16_MAX;
+    case T_UINT16: return value >= 0 && value <= UINT16_MAX;
+    case T_INT32: return value >= INT32_MIN && value <= INT32_MAX;
+    case T_UINT32: return value >= 0 && value <= UINT32_MAX;
+    default: return true;
+    }
+}
+
 int SYSTEM_set_real(SYSTEM *s, int k, double value) {
-    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || set(s, k)) return 1;
-    s->now.values[k].real = value;
-    return passed_on(s, k);
+    if (checked(s, k, SYSTEM_REAL, SYSTEM_REAL) || settable(s, k)) return 1;
+    if (SYSTEM_variables[k].type == T_FLOAT32 && fabs(value) > FLT_MAX)
+        return SYSTEM_say(s, s->name, 3, "%s cannot be %.9g: it is a Float32", SYSTEM_variables[k].name, value);
+    return put(s, k, (SYSTEM_Value){.real = value});
 }
 
 int SYSTEM_set_whole(SYSTEM *s, int k, int64_t value) {
-    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || set(s, k)) return 1;
-    s->now.values[k].whole = SYSTEM_variables[k].kind == SYSTEM_BOOLEAN ? value != 0 : value;
-    return passed_on(s, k);
+    if (checked(s, k, SYSTEM_WHOLE, SYSTEM_BOOLEAN) || settable(s, k)) return 1;
+    if (SYSTEM_variables[k].kind == SYSTEM_BOOLEAN) value = value != 0;
+    if (!fits((Type)SYSTEM_variables[k].type, value))
+        return SYSTEM_say(s, s->name, 3, "%s cannot be %lld: its type does not hold that", SYSTEM_variables[k].name, (long long)value);
+    return put(s, k, (SYSTEM_Value){.whole = value});
 }
 
 int SYSTEM_set_text(SYSTEM *s, int k, const char *value) {
-    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || set(s, k)) return 1;
+    if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || settable(s, k)) return 1;
     char *copy = value ? malloc(strlen(value) + 1) : NULL;
     if (!copy) return SYSTEM_say(s, s->name, 3, value ? "not enough memory" : "a text is wanted");
     free(s->texts[k]);
     s->texts[k] = strcpy(copy, value);
-    return passed_on(s, k);
+    return pass_on(s, k);
 }
 
 /* Where a number is to be found: in its cell, among what was set, or with its component. */

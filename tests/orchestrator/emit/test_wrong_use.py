@@ -9,6 +9,7 @@ from emit_cases import PARTS, WIRES
 from fmpy import read_model_description
 from helpers import python, read_system
 from native_build import needs_gcc
+from rovbrush.orchestrator.emit import archive
 from rovbrush.orchestrator.emit.export import export_fmu
 
 pytestmark = needs_gcc
@@ -60,6 +61,13 @@ for time in (1.0, nan, -h):
     refused(f"a step from {time}", f.doStep, time, h)
 f.doStep(0.0, h)  # it is as good as before
 first = f.read(x)
+drifting = start(new())
+drifting.doStep(0.0, h)
+drifting.doStep(h + 4e-6, h)  # a host that adds step to step, after millions of them
+refused("a step from far away", drifting.doStep, 2 * h + 2e-5, h)
+refused("a step that is too long", drifting.doStep, 2 * h, 1.004 * h)
+drifting.doStep(2 * h - 4e-6, h + 4e-6)  # to where it means to be
+refused("a stop before the start", start, new(), 5 * h, 4 * h)
 refused("a second initialization", f.enterInitializationMode)
 state = f.getFMUState()
 f.doStep(h, h)
@@ -110,6 +118,81 @@ def test_wrong_use_is_a_status_and_never_a_crash(version: str, carried: Path, tm
     said = done.stdout + done.stderr
     assert "a step to t = 0.003 s is not possible: x was told to stop at 0.0025 s" in said
     assert "goes on by instants, the next one at 0.001 s" in said
+
+
+TYPES = """
+import sys
+from fmpy import extract, read_model_description
+from fmpy.fmi2 import FMU2Slave
+file = sys.argv[1]
+d = read_model_description(file)
+number = {v.name: v.valueReference for v in d.modelVariables}
+said = []
+def log(environment, name, status, category, text):
+    said.append((status, category.decode(), text.decode()))
+def new(**keys):
+    f = FMU2Slave(guid=keys.get("guid", d.guid), unzipDirectory=folder,
+                  modelIdentifier=d.coSimulation.modelIdentifier, instanceName="x")
+    from fmpy.fmi2 import (fmi2CallbackFunctions, fmi2CallbackLoggerTYPE, fmi2CallbackAllocateMemoryTYPE,
+                           fmi2CallbackFreeMemoryTYPE)
+    f.own = fmi2CallbackFunctions()
+    f.own.logger = fmi2CallbackLoggerTYPE(log)
+    f.instantiate(callbacks=f.own)
+    return f
+folder = extract(file)
+try:
+    new(guid="{wrong}")
+except Exception:
+    pass
+assert said[-1][:2] == (3, "logStatusError") and "GUID" in said[-1][2], said
+f = new()
+f.setupExperiment(startTime=0.0, stopTime=1.0)
+f.setString([number["a.String_in"]], ["one"])
+f.enterInitializationMode()
+f.exitInitializationMode()
+for name, value in (("a.Int8_in", 200), ("a.UInt8_in", -1), ("a.Int16_in", 2**15), ("a.UInt16_in", 2**16)):
+    before = f.getInteger([number[name]])
+    try:
+        f.setInteger([number[name]], [value])
+    except Exception:
+        assert f.getInteger([number[name]]) == before
+        assert "its type does not hold that" in said[-1][2], said[-1]
+    else:
+        raise AssertionError(name)
+try:
+    f.setReal([number["a.Float32_in"]], [1e300])
+except Exception:
+    assert "it is a Float32" in said[-1][2]
+else:
+    raise AssertionError("Float32")
+assert f.getString([number["a.String_in"]]) == [b"one"]
+state = f.getFMUState()
+f.setString([number["a.String_in"]], ["another text"])
+f.setFMUState(state)
+assert f.getString([number["a.String_in"]]) == [b"one"]
+kept = f.serializeFMUState(state)
+f.setString([number["a.String_in"]], ["a third"])
+f.setFMUState(f.deserializeFMUState(kept))
+assert f.getString([number["a.String_in"]]) == [b"one"]
+try:
+    f.setupExperiment(startTime=5.0)
+except Exception:
+    print("alive")
+"""
+
+
+def test_types_texts_and_messages_are_as_they_should_be_in_a_host_of_fmi_2(
+    carried: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whole numbers of 8 bits are Integers there: one that they do not hold is refused, and nothing has changed."""
+    system = read_system(tmp_path, carried, {"a": ("feedthrough3", "1 ms")}, [], stop="0.1 s", algorithm="jacobi")
+    monkeypatch.setattr(archive, "for_windows", lambda: None)
+    export_fmu(system, tmp_path / "whole.fmu")
+    names = {v.name: v for v in read_model_description(str(tmp_path / "whole.fmu")).modelVariables}
+    assert "a.Int64_in" not in names and "a.Int8_in" in names
+    assert "a.Enumeration_in" not in names  # one of its items is beyond the whole numbers of FMI 2.0
+    done = python(TYPES, str(tmp_path / "whole.fmu"))
+    assert done.stdout.split()[-1:] == ["alive"], done.stderr[-2000:]
 
 
 def test_what_unknowns_depend_on_at_the_start_is_followed_along_connections(carried: Path, tmp_path: Path) -> None:
