@@ -64,7 +64,7 @@ def test_libraries_for_windows_are_carried_and_loaded_there(version: str, tmp_pa
         system = read_system(tmp_path, tmp_path, parts, wires, stop="0.1 s", algorithm="jacobi")
     written = export_fmu(system, tmp_path / "whole.fmu", version)
     assert not any("for Linux only" in note for note in written.notes)
-    folder = tmp_path / "a folder of windows"
+    folder = tmp_path / "ein Ordner f\u00fcr Windows"
     folder.mkdir()
     linux = [
         n for n in zipfile.ZipFile(tmp_path / "whole.fmu").namelist() if n.startswith("binaries/") and "linux" in n

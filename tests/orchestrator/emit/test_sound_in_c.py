@@ -74,9 +74,7 @@ def test_a_run_that_is_shorter_than_its_hyperperiod_ends_where_the_run_does(
 
 
 def test_a_short_run_that_ends_between_instants_is_refused_as_a_program(masses: Masses, tmp_path: Path) -> None:
-    with pytest.raises(
-        InputError, match=r"ends at 2.5 ms, between two instants .*another stop_time"
-    ):
+    with pytest.raises(InputError, match=r"ends at 2.5 ms, between two instants .*another stop_time"):
         write_c(masses(stop="2.5 ms"), tmp_path / "c")
     assert not (tmp_path / "c").exists()
 
