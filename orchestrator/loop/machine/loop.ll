@@ -1,4 +1,4 @@
-; made by `python -m release.loop --text` of sources fd40c75e194df690d51b180d
+; made by `python -m release.loop --text` of sources 2fec18ec2846cbf6c8d9afb2
 
 @".const.Error creating Python tuple from runtime exception arguments" = internal constant [61 x i8] c"Error creating Python tuple from runtime exception arguments\00"
 @".const.unknown error when calling native function" = internal constant [43 x i8] c"unknown error when calling native function\00"
@@ -6,7 +6,7 @@
 @PyExc_RuntimeError = external global i8
 @PyExc_StopIteration = external global i8
 @PyExc_SystemError = external global i8
-define i32 @f67(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, i64 %arg.address, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator) {
+define i32 @f68(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, i64 %arg.address, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator) {
 B0.endif.endif.endif.endi...endif.4.endif.endif:
   %.935 = alloca i64, align 8
   %excinfo.25 = alloca ptr, align 8
@@ -155,7 +155,7 @@ B0.endif.endif.endif.endi...endif.4.endif.endif:
   %.16.i.i208 = shl i64 %.107.i207, 3
   %.25.i.i209 = mul nsw i64 %.107.i207, %.77.i206
   store i64 0, ptr %.935, align 8
-  %.999 = call i32 @f68(ptr nonnull %.935, ptr nonnull %excinfo.25, ptr null, ptr null, i64 %.25.i.i, i64 8, ptr %.47.i, i64 %.77.i, i64 %.107.i, i64 %.16.i.i, i64 8, ptr null, ptr null, i64 %.78.i, i64 8, ptr %.47.i2, i64 %.78.i, i64 8, ptr null, ptr null, i64 %.25.i.i9, i64 8, ptr %.47.i5, i64 %.77.i6, i64 %.107.i7, i64 %.16.i.i8, i64 8, ptr null, ptr null, i64 %.25.i.i22, i64 8, ptr %.47.i18, i64 %.77.i19, i64 %.107.i20, i64 %.16.i.i21, i64 8, ptr null, ptr null, i64 %.78.i33, i64 8, ptr %.47.i31, i64 %.78.i33, i64 8, ptr null, ptr null, i64 %.78.i42, i64 8, ptr %.47.i40, i64 %.78.i42, i64 8, ptr null, ptr null, i64 %.78.i51, i64 1, ptr %.47.i49, i64 %.78.i51, i64 1, ptr null, ptr null, i64 %.78.i60, i64 4, ptr %.47.i58, i64 %.78.i60, i64 4, ptr null, ptr null, i64 %.78.i69, i64 1, ptr %.47.i67, i64 %.78.i69, i64 1, ptr null, ptr null, i64 %.78.i78, i64 8, ptr %.47.i76, i64 %.78.i78, i64 8, ptr null, ptr null, i64 %.78.i87, i64 8, ptr %.47.i85, i64 %.78.i87, i64 8, ptr null, ptr null, i64 %.25.i.i98, i64 8, ptr %.47.i94, i64 %.77.i95, i64 %.107.i96, i64 %.16.i.i97, i64 8, ptr null, ptr null, i64 %.78.i109, i64 8, ptr %.47.i107, i64 %.78.i109, i64 8, ptr null, ptr null, i64 %.78.i118, i64 8, ptr %.47.i116, i64 %.78.i118, i64 8, ptr null, ptr null, i64 %.78.i127, i64 8, ptr %.47.i125, i64 %.78.i127, i64 8, ptr null, ptr null, i64 %.78.i136, i64 8, ptr %.47.i134, i64 %.78.i136, i64 8, ptr null, ptr null, i64 %.78.i145, i64 8, ptr %.47.i143, i64 %.78.i145, i64 8, ptr null, ptr null, i64 %.78.i154, i64 8, ptr %.47.i152, i64 %.78.i154, i64 8, ptr null, ptr null, i64 %.78.i163, i64 8, ptr %.47.i161, i64 %.78.i163, i64 8, ptr null, ptr null, i64 %.78.i172, i64 8, ptr %.47.i170, i64 %.78.i172, i64 8, ptr null, ptr null, i64 %.25.i.i183, i64 8, ptr %.47.i179, i64 %.77.i180, i64 %.107.i181, i64 %.16.i.i182, i64 8, ptr null, ptr null, i64 %.25.i.i196, i64 8, ptr %.47.i192, i64 %.77.i193, i64 %.107.i194, i64 %.16.i.i195, i64 8, ptr null, ptr null, i64 %.25.i.i209, i64 8, ptr %.47.i205, i64 %.77.i206, i64 %.107.i207, i64 %.16.i.i208, i64 8, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator)
+  %.999 = call i32 @f69(ptr nonnull %.935, ptr nonnull %excinfo.25, ptr null, ptr null, i64 %.25.i.i, i64 8, ptr %.47.i, i64 %.77.i, i64 %.107.i, i64 %.16.i.i, i64 8, ptr null, ptr null, i64 %.78.i, i64 8, ptr %.47.i2, i64 %.78.i, i64 8, ptr null, ptr null, i64 %.25.i.i9, i64 8, ptr %.47.i5, i64 %.77.i6, i64 %.107.i7, i64 %.16.i.i8, i64 8, ptr null, ptr null, i64 %.25.i.i22, i64 8, ptr %.47.i18, i64 %.77.i19, i64 %.107.i20, i64 %.16.i.i21, i64 8, ptr null, ptr null, i64 %.78.i33, i64 8, ptr %.47.i31, i64 %.78.i33, i64 8, ptr null, ptr null, i64 %.78.i42, i64 8, ptr %.47.i40, i64 %.78.i42, i64 8, ptr null, ptr null, i64 %.78.i51, i64 1, ptr %.47.i49, i64 %.78.i51, i64 1, ptr null, ptr null, i64 %.78.i60, i64 4, ptr %.47.i58, i64 %.78.i60, i64 4, ptr null, ptr null, i64 %.78.i69, i64 1, ptr %.47.i67, i64 %.78.i69, i64 1, ptr null, ptr null, i64 %.78.i78, i64 8, ptr %.47.i76, i64 %.78.i78, i64 8, ptr null, ptr null, i64 %.78.i87, i64 8, ptr %.47.i85, i64 %.78.i87, i64 8, ptr null, ptr null, i64 %.25.i.i98, i64 8, ptr %.47.i94, i64 %.77.i95, i64 %.107.i96, i64 %.16.i.i97, i64 8, ptr null, ptr null, i64 %.78.i109, i64 8, ptr %.47.i107, i64 %.78.i109, i64 8, ptr null, ptr null, i64 %.78.i118, i64 8, ptr %.47.i116, i64 %.78.i118, i64 8, ptr null, ptr null, i64 %.78.i127, i64 8, ptr %.47.i125, i64 %.78.i127, i64 8, ptr null, ptr null, i64 %.78.i136, i64 8, ptr %.47.i134, i64 %.78.i136, i64 8, ptr null, ptr null, i64 %.78.i145, i64 8, ptr %.47.i143, i64 %.78.i145, i64 8, ptr null, ptr null, i64 %.78.i154, i64 8, ptr %.47.i152, i64 %.78.i154, i64 8, ptr null, ptr null, i64 %.78.i163, i64 8, ptr %.47.i161, i64 %.78.i163, i64 8, ptr null, ptr null, i64 %.78.i172, i64 8, ptr %.47.i170, i64 %.78.i172, i64 8, ptr null, ptr null, i64 %.25.i.i183, i64 8, ptr %.47.i179, i64 %.77.i180, i64 %.107.i181, i64 %.16.i.i182, i64 8, ptr null, ptr null, i64 %.25.i.i196, i64 8, ptr %.47.i192, i64 %.77.i193, i64 %.107.i194, i64 %.16.i.i195, i64 8, ptr null, ptr null, i64 %.25.i.i209, i64 8, ptr %.47.i205, i64 %.77.i206, i64 %.107.i207, i64 %.16.i.i208, i64 8, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator)
   %cond = icmp eq i32 %.999, 0
   br i1 %cond, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B0.endif.endif.endif.endi...endif.4.endif.endif.if.if
 common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.if.if, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
@@ -185,7 +185,7 @@ declare ptr @numba_runtime_build_excinfo_struct(ptr, ptr)
 declare void @NRT_Free(ptr)
 declare void @numba_do_raise(ptr)
 declare void @PyErr_SetNone(ptr)
-define linkonce_odr i32 @f68(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.operations.0, ptr readnone %arg.operations.1, i64 %arg.operations.2, i64 %arg.operations.3, ptr readonly %arg.operations.4, i64 %arg.operations.5.0, i64 %arg.operations.5.1, i64 %arg.operations.6.0, i64 %arg.operations.6.1, ptr readnone %arg.coefficients.0, ptr readnone %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr readonly %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr readnone %arg.components.0, ptr readnone %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr readonly %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0, ptr readnone %arg.slots.0, ptr readnone %arg.slots.1, i64 %arg.slots.2, i64 %arg.slots.3, ptr readonly %arg.slots.4, i64 %arg.slots.5.0, i64 %arg.slots.6.0, ptr readnone %arg.groups.0, ptr readnone %arg.groups.1, i64 %arg.groups.2, i64 %arg.groups.3, ptr readonly %arg.groups.4, i64 %arg.groups.5.0, i64 %arg.groups.5.1, i64 %arg.groups.6.0, i64 %arg.groups.6.1, ptr readnone %arg.buffer.0, ptr readnone %arg.buffer.1, i64 %arg.buffer.2, i64 %arg.buffer.3, ptr writeonly %arg.buffer.4, i64 %arg.buffer.5.0, i64 %arg.buffer.6.0, ptr readnone %arg.rows.0, ptr readnone %arg.rows.1, i64 %arg.rows.2, i64 %arg.rows.3, ptr %arg.rows.4, i64 %arg.rows.5.0, i64 %arg.rows.6.0, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0, ptr readnone %arg.saved.0, ptr readnone %arg.saved.1, i64 %arg.saved.2, i64 %arg.saved.3, ptr %arg.saved.4, i64 %arg.saved.5.0, i64 %arg.saved.6.0, ptr readnone %arg.solver.0, ptr readnone %arg.solver.1, i64 %arg.solver.2, i64 %arg.solver.3, ptr %arg.solver.4, i64 %arg.solver.5.0, i64 %arg.solver.6.0, ptr readnone %arg.states.0, ptr readnone %arg.states.1, i64 %arg.states.2, i64 %arg.states.3, ptr %arg.states.4, i64 %arg.states.5.0, i64 %arg.states.6.0, ptr readnone %arg.state_calls.0, ptr readnone %arg.state_calls.1, i64 %arg.state_calls.2, i64 %arg.state_calls.3, ptr readonly %arg.state_calls.4, i64 %arg.state_calls.5.0, i64 %arg.state_calls.5.1, i64 %arg.state_calls.6.0, i64 %arg.state_calls.6.1, ptr readnone %arg.moves.0, ptr readnone %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr readonly %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, ptr readnone %arg.turns.0, ptr readnone %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr readonly %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator) {
+define linkonce_odr i32 @f69(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.operations.0, ptr readnone %arg.operations.1, i64 %arg.operations.2, i64 %arg.operations.3, ptr readonly %arg.operations.4, i64 %arg.operations.5.0, i64 %arg.operations.5.1, i64 %arg.operations.6.0, i64 %arg.operations.6.1, ptr readnone %arg.coefficients.0, ptr readnone %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr readonly %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr readnone %arg.components.0, ptr readnone %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr readonly %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0, ptr readnone %arg.slots.0, ptr readnone %arg.slots.1, i64 %arg.slots.2, i64 %arg.slots.3, ptr readonly %arg.slots.4, i64 %arg.slots.5.0, i64 %arg.slots.6.0, ptr readnone %arg.groups.0, ptr readnone %arg.groups.1, i64 %arg.groups.2, i64 %arg.groups.3, ptr readonly %arg.groups.4, i64 %arg.groups.5.0, i64 %arg.groups.5.1, i64 %arg.groups.6.0, i64 %arg.groups.6.1, ptr readnone %arg.buffer.0, ptr readnone %arg.buffer.1, i64 %arg.buffer.2, i64 %arg.buffer.3, ptr writeonly %arg.buffer.4, i64 %arg.buffer.5.0, i64 %arg.buffer.6.0, ptr readnone %arg.rows.0, ptr readnone %arg.rows.1, i64 %arg.rows.2, i64 %arg.rows.3, ptr %arg.rows.4, i64 %arg.rows.5.0, i64 %arg.rows.6.0, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0, ptr readnone %arg.saved.0, ptr readnone %arg.saved.1, i64 %arg.saved.2, i64 %arg.saved.3, ptr %arg.saved.4, i64 %arg.saved.5.0, i64 %arg.saved.6.0, ptr readnone %arg.solver.0, ptr readnone %arg.solver.1, i64 %arg.solver.2, i64 %arg.solver.3, ptr %arg.solver.4, i64 %arg.solver.5.0, i64 %arg.solver.6.0, ptr readnone %arg.states.0, ptr readnone %arg.states.1, i64 %arg.states.2, i64 %arg.states.3, ptr %arg.states.4, i64 %arg.states.5.0, i64 %arg.states.6.0, ptr readnone %arg.state_calls.0, ptr readnone %arg.state_calls.1, i64 %arg.state_calls.2, i64 %arg.state_calls.3, ptr readonly %arg.state_calls.4, i64 %arg.state_calls.5.0, i64 %arg.state_calls.5.1, i64 %arg.state_calls.6.0, i64 %arg.state_calls.6.1, ptr readnone %arg.moves.0, ptr readnone %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr readonly %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, ptr readnone %arg.turns.0, ptr readnone %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr readonly %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %arg.first_cycle, i64 %arg.cycles, i64 %arg.cycle_ticks, i64 %arg.numerator, i64 %arg.denominator) {
 B0:
   %.2846 = alloca i64, align 8
   store i64 0, ptr %.2846, align 8
@@ -199,38 +199,38 @@ B0:
   store i64 0, ptr %.4529, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.8821 = alloca double, align 8
-  store double 0.000000e+00, ptr %.8821, align 8
-  %excinfo.13 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.13, align 8
-  %.10301 = alloca i64, align 8
-  store i64 0, ptr %.10301, align 8
-  %excinfo.22 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.22, align 8
-  %.10693 = alloca i64, align 8
-  store i64 0, ptr %.10693, align 8
+  %.9112 = alloca double, align 8
+  store double 0.000000e+00, ptr %.9112, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.10592 = alloca i64, align 8
+  store i64 0, ptr %.10592, align 8
   %excinfo.23 = alloca ptr, align 8
   store ptr null, ptr %excinfo.23, align 8
-  %.11141 = alloca double, align 8
-  store double 0.000000e+00, ptr %.11141, align 8
-  %excinfo.25 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.25, align 8
-  %.11673 = alloca i64, align 8
-  store i64 0, ptr %.11673, align 8
+  %.10984 = alloca i64, align 8
+  store i64 0, ptr %.10984, align 8
+  %excinfo.24 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.24, align 8
+  %.11432 = alloca double, align 8
+  store double 0.000000e+00, ptr %.11432, align 8
   %excinfo.26 = alloca ptr, align 8
   store ptr null, ptr %excinfo.26, align 8
-  %.12842 = alloca i64, align 8
-  store i64 0, ptr %.12842, align 8
-  %excinfo.30 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.30, align 8
-  %.14395 = alloca double, align 8
-  store double 0.000000e+00, ptr %.14395, align 8
-  %excinfo.33 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.33, align 8
-  %.15010 = alloca i64, align 8
-  store i64 0, ptr %.15010, align 8
-  %excinfo.35 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.35, align 8
+  %.11964 = alloca i64, align 8
+  store i64 0, ptr %.11964, align 8
+  %excinfo.27 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.27, align 8
+  %.13133 = alloca i64, align 8
+  store i64 0, ptr %.13133, align 8
+  %excinfo.31 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.31, align 8
+  %.14686 = alloca double, align 8
+  store double 0.000000e+00, ptr %.14686, align 8
+  %excinfo.34 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.34, align 8
+  %.15301 = alloca i64, align 8
+  store i64 0, ptr %.15301, align 8
+  %excinfo.36 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.36, align 8
   %.328 = getelementptr i8, ptr %arg.control.4, i64 48
   %.329 = load i64, ptr %.328, align 8
   %.330 = icmp sgt i64 %.329, 0
@@ -244,30 +244,30 @@ B38:                                              ; preds = %B0
   %.397 = sitofp i64 %arg.denominator to double
   %.401 = fdiv double %.396, %.397
   br label %B116.endif
-B206:                                             ; preds = %B206.lr.ph, %B10142
-  %.509.0 = phi i64 [ %arg.first_cycle, %B206.lr.ph ], [ %.581, %B10142 ]
-  %.56710940 = phi i64 [ %arg.cycles, %B206.lr.ph ], [ %.577, %B10142 ]
-  %begin.2.010938 = phi i64 [ %.444, %B206.lr.ph ], [ 0, %B10142 ]
-  %.577 = add nsw i64 %.56710940, -1
+B206:                                             ; preds = %B206.lr.ph, %B10352
+  %.509.0 = phi i64 [ %arg.first_cycle, %B206.lr.ph ], [ %.581, %B10352 ]
+  %.56711337 = phi i64 [ %arg.cycles, %B206.lr.ph ], [ %.577, %B10352 ]
+  %begin.2.011335 = phi i64 [ %.444, %B206.lr.ph ], [ 0, %B10352 ]
+  %.577 = add nsw i64 %.56711337, -1
   %.581 = add i64 %.509.0, 1
   %.641 = mul nsw i64 %.509.0, %arg.cycle_ticks
-  %.735 = icmp slt i64 %begin.2.010938, %arg.operations.5.0
-  br i1 %.735, label %B362.preheader, label %B10002
+  %.735 = icmp slt i64 %begin.2.011335, %arg.operations.5.0
+  br i1 %.735, label %B362.preheader, label %B10212
 B362.preheader:                                   ; preds = %B206
-  %.712 = add nsw i64 %begin.2.010938, -1
-  %sunkaddr616 = getelementptr i8, ptr %arg.control.4, i64 64
-  %.638 = load i64, ptr %sunkaddr616, align 8
+  %.712 = add nsw i64 %begin.2.011335, -1
+  %sunkaddr630 = getelementptr i8, ptr %arg.control.4, i64 64
+  %.638 = load i64, ptr %sunkaddr630, align 8
   %.642 = add nsw i64 %.638, %.641
   %.672 = load i64, ptr %arg.clock.4, align 8
   %.673 = add nsw i64 %.642, %.672
-  %sunkaddr617 = getelementptr i8, ptr %arg.clock.4, i64 48
-  %.703 = load i64, ptr %sunkaddr617, align 8
+  %sunkaddr631 = getelementptr i8, ptr %arg.clock.4, i64 48
+  %.703 = load i64, ptr %sunkaddr631, align 8
   %.704 = add nsw i64 %.673, %.703
   br label %B362
-B362:                                             ; preds = %B9960, %B362.preheader
-  %base.3.1 = phi i64 [ %base.4.3, %B9960 ], [ %.704, %B362.preheader ]
-  %last_tick.2.1 = phi i64 [ %last_tick.3.3, %B9960 ], [ -1, %B362.preheader ]
-  %m.6.1 = phi i64 [ %m.7.3, %B9960 ], [ %.712, %B362.preheader ]
+B362:                                             ; preds = %B10170, %B362.preheader
+  %base.3.1 = phi i64 [ %base.4.3, %B10170 ], [ %.704, %B362.preheader ]
+  %last_tick.2.1 = phi i64 [ %last_tick.3.3, %B10170 ], [ -1, %B362.preheader ]
+  %m.6.1 = phi i64 [ %m.7.3, %B10170 ], [ %.712, %B362.preheader ]
   %.745 = add nsw i64 %m.6.1, 1
   %.778 = icmp slt i64 %m.6.1, -1
   %.779 = select i1 %.778, i64 %arg.operations.5.0, i64 0
@@ -295,8 +295,8 @@ B544:                                             ; preds = %B362
   %.1256 = load i64, ptr %arg.control.4, align 8
   %.1257.not = icmp eq i64 %.1256, 0
   br i1 %.1257.not, label %B642, label %B582
-common.ret:                                       ; preds = %B9784.if.if, %B9124.if.if, %B8016.if.if, %B7182.endif.if.if, %B6796.endif.if.if, %B6446.endif.if.if, %B6260.if.if, %B5274.endif.endif.if.if, %B2608.if.if, %B2050.if.if, %B1560.if.if, %B10146, %B10124, %B9910, %B8386, %B8218, %B7538, %B6568, %B6360, %B6096, %B4216, %B2708, %B2488, %B2172, %B1614, %B1086, %B682, %B582
-  %common.ret.op = phi i32 [ 0, %B582 ], [ 0, %B682 ], [ 0, %B1086 ], [ 0, %B1614 ], [ 0, %B2172 ], [ 0, %B2488 ], [ 0, %B2708 ], [ 0, %B4216 ], [ 0, %B6096 ], [ 0, %B6360 ], [ 0, %B6568 ], [ 0, %B7538 ], [ 0, %B8218 ], [ 0, %B8386 ], [ 0, %B9910 ], [ 0, %B10124 ], [ 0, %B10146 ], [ %.8827, %B5274.endif.endif.if.if ], [ %.15016, %B9784.if.if ], [ %.10311, %B6260.if.if ], [ %.14399, %B9124.if.if ], [ %.2864, %B1560.if.if ], [ %.10703, %B6446.endif.if.if ], [ %.11685, %B7182.endif.if.if ], [ %.3617, %B2050.if.if ], [ %.12846, %B8016.if.if ], [ %.4551, %B2608.if.if ], [ %.11151, %B6796.endif.if.if ]
+common.ret:                                       ; preds = %B9994.if.if, %B9328.if.if, %B8220.if.if, %B7386.endif.if.if, %B7000.endif.if.if, %B6650.endif.if.if, %B6464.if.if, %B5478.endif.endif.if.if, %B2608.if.if, %B2050.if.if, %B1560.if.if, %B10356, %B10334, %B10120, %B8590, %B8422, %B7742, %B6772, %B6564, %B6300, %B4420, %B2870, %B2708, %B2488, %B2172, %B1614, %B1086, %B682, %B582
+  %common.ret.op = phi i32 [ 0, %B582 ], [ 0, %B682 ], [ 0, %B1086 ], [ 0, %B1614 ], [ 0, %B2172 ], [ 0, %B2488 ], [ 0, %B2708 ], [ 0, %B2870 ], [ 0, %B4420 ], [ 0, %B6300 ], [ 0, %B6564 ], [ 0, %B6772 ], [ 0, %B7742 ], [ 0, %B8422 ], [ 0, %B8590 ], [ 0, %B10120 ], [ 0, %B10334 ], [ 0, %B10356 ], [ %.10994, %B6650.endif.if.if ], [ %.15307, %B9994.if.if ], [ %.9118, %B5478.endif.endif.if.if ], [ %.14690, %B9328.if.if ], [ %.2864, %B1560.if.if ], [ %.10602, %B6464.if.if ], [ %.11976, %B7386.endif.if.if ], [ %.3617, %B2050.if.if ], [ %.13137, %B8220.if.if ], [ %.4551, %B2608.if.if ], [ %.11442, %B7000.endif.if.if ]
   ret i32 %common.ret.op
 B582:                                             ; preds = %B544
   %.1364 = getelementptr i8, ptr %arg.control.4, i64 8
@@ -307,8 +307,8 @@ B582:                                             ; preds = %B544
   br label %common.ret
 B642:                                             ; preds = %B544
   %.1412 = add nsw i64 %.860, %base.3.1
-  %sunkaddr618 = getelementptr i8, ptr %arg.control.4, i64 56
-  %.1442 = load i64, ptr %sunkaddr618, align 8
+  %sunkaddr632 = getelementptr i8, ptr %arg.control.4, i64 56
+  %.1442 = load i64, ptr %sunkaddr632, align 8
   %.1443 = icmp sgt i64 %.1412, %.1442
   br i1 %.1443, label %B682, label %B742
 B682:                                             ; preds = %B642
@@ -320,40 +320,41 @@ B682:                                             ; preds = %B642
   br label %common.ret
 B742:                                             ; preds = %B642, %B362
   %last_tick.3.3 = phi i64 [ %.860, %B642 ], [ %last_tick.2.1, %B362 ]
-  switch i64 %.805, label %B5482 [
+  switch i64 %.805, label %B5686 [
     i64 4, label %B764
     i64 5, label %B1204
     i64 3, label %B1204
     i64 38, label %B2608
-    i64 37, label %B2784
-    i64 0, label %B2848
-    i64 1, label %B2938
-    i64 7, label %B3088
-    i64 35, label %B3194
-    i64 2, label %B3300
-    i64 9, label %B3500
-    i64 6, label %B3500
-    i64 27, label %B3548
-    i64 28, label %B3752
-    i64 8, label %B4302.endif
-    i64 12, label %B4526
-    i64 13, label %B4752
-    i64 10, label %B4850
-    i64 11, label %B5096
-    i64 21, label %B5274
-    i64 22, label %B5420
+    i64 39, label %B2784.endif
+    i64 37, label %B2988
+    i64 0, label %B3052
+    i64 1, label %B3142
+    i64 7, label %B3292
+    i64 35, label %B3398
+    i64 2, label %B3504
+    i64 9, label %B3704
+    i64 6, label %B3704
+    i64 27, label %B3752
+    i64 28, label %B3956
+    i64 8, label %B4506.endif
+    i64 12, label %B4730
+    i64 13, label %B4956
+    i64 10, label %B5054
+    i64 11, label %B5300
+    i64 21, label %B5478
+    i64 22, label %B5624
   ]
 B764:                                             ; preds = %B742
   %.1606 = add nsw i64 %.1034, %base.3.1
   %.1610 = mul nsw i64 %.1606, %arg.numerator
   %.1612 = sitofp i64 %.1610 to double
-  %.1617 = fdiv double %.1612, %.8915
-  %sunkaddr619 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.1650 = load i64, ptr %sunkaddr619, align 8
+  %.1617 = fdiv double %.1612, %.9206
+  %sunkaddr633 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.1650 = load i64, ptr %sunkaddr633, align 8
   %.1652 = add nsw i64 %.1650, %.979
   %.1656 = mul nsw i64 %.1652, %arg.numerator
   %.1658 = sitofp i64 %.1656 to double
-  %.1663 = fdiv double %.1658, %.8915
+  %.1663 = fdiv double %.1658, %.9206
   %.1668 = fadd double %.1617, %.1663
   %.1670 = fcmp ogt double %.1668, %"$phi116.0.2.0"
   br i1 %.1670, label %B852, label %B884
@@ -388,10 +389,10 @@ B884:                                             ; preds = %B32.i, %B852, %B764
   br i1 %.23.i, label %B884.endif, label %B54.endif.i
 B54.endif.i:                                      ; preds = %B884
   %0 = inttoptr i64 %.1810 to ptr
-  %sunkaddr1149 = shl i64 %.1750, 3
-  %sunkaddr1150 = getelementptr i8, ptr %arg.components.4, i64 %sunkaddr1149
-  %sunkaddr1151 = getelementptr i8, ptr %sunkaddr1150, i64 24
-  %.1977 = load i64, ptr %sunkaddr1151, align 8
+  %sunkaddr1172 = shl i64 %.1750, 3
+  %sunkaddr1173 = getelementptr i8, ptr %arg.components.4, i64 %sunkaddr1172
+  %sunkaddr1174 = getelementptr i8, ptr %sunkaddr1173, i64 24
+  %.1977 = load i64, ptr %sunkaddr1174, align 8
   %.12.i2.i = inttoptr i64 %.1977 to ptr
   %.13.i.i = add i64 %.1977, 1
   %.14.i.i = inttoptr i64 %.13.i.i to ptr
@@ -406,37 +407,37 @@ B54.endif.i:                                      ; preds = %B884
   %.23.i.i = inttoptr i64 %.1865 to ptr
   %.24.i.i = tail call i32 %0(ptr %.23.i.i, double %.1617, double %length.6.3, i32 %.22.i.i, ptr nonnull %.12.i2.i, ptr nonnull %.14.i.i, ptr nonnull %.16.i.i, ptr %.18.i.i)
   %.7.i9.i = icmp ugt i32 %.24.i.i, 1
-  br i1 %.7.i9.i, label %B1086.split.loop.exit625, label %B124.endif.i
+  br i1 %.7.i9.i, label %B1086.split.loop.exit638, label %B124.endif.i
 B124.endif.i:                                     ; preds = %B54.endif.i
   %1 = inttoptr i64 %.13.i.i to ptr
-  %const609 = bitcast i64 1099511627776 to i64
+  %const623 = bitcast i64 1099511627776 to i64
   %.6.i.i = load i8, ptr %1, align 1
   %.175.not.i = icmp eq i8 %.6.i.i, 0
-  %const_mat610 = add i64 %const609, 1
+  %const_mat624 = add i64 %const623, 1
   br i1 %.175.not.i, label %B182.endif.i, label %B1086
 B182.endif.i:                                     ; preds = %B124.endif.i
   %2 = inttoptr i64 %.15.i.i to ptr
   %.6.i4.i = load i8, ptr %2, align 1
   %.209.not.i = icmp eq i8 %.6.i4.i, 0
-  %const_mat611 = add i64 %const609, 2
+  %const_mat625 = add i64 %const623, 2
   br i1 %.209.not.i, label %B240.endif.i, label %B1086
 B240.endif.i:                                     ; preds = %B182.endif.i
   %3 = inttoptr i64 %.1977 to ptr
   %.6.i7.i = load i8, ptr %3, align 1
   %.244.not.i = icmp eq i8 %.6.i7.i, 0
-  br i1 %.244.not.i, label %B9960, label %B1086
-B1086.split.loop.exit625:                         ; preds = %B884.endif, %B54.endif.i
-  %.68.sink.i.in717 = phi i32 [ %.12.i.i, %B884.endif ], [ %.24.i.i, %B54.endif.i ]
-  %.68.sink.i.le = sext i32 %.68.sink.i.in717 to i64
+  br i1 %.244.not.i, label %B10170, label %B1086
+B1086.split.loop.exit638:                         ; preds = %B884.endif, %B54.endif.i
+  %.68.sink.i.in732 = phi i32 [ %.12.i.i, %B884.endif ], [ %.24.i.i, %B54.endif.i ]
+  %.68.sink.i.le = sext i32 %.68.sink.i.in732 to i64
   br label %B1086
-B1086:                                            ; preds = %B240.endif.i, %B182.endif.i, %B124.endif.i, %B1086.split.loop.exit625
-  %.68.sink.i525 = phi i64 [ %.68.sink.i.le, %B1086.split.loop.exit625 ], [ %const_mat610, %B124.endif.i ], [ %const609, %B240.endif.i ], [ %const_mat611, %B182.endif.i ]
+B1086:                                            ; preds = %B240.endif.i, %B182.endif.i, %B124.endif.i, %B1086.split.loop.exit638
+  %.68.sink.i536 = phi i64 [ %.68.sink.i.le, %B1086.split.loop.exit638 ], [ %const_mat624, %B124.endif.i ], [ %const623, %B240.endif.i ], [ %const_mat625, %B182.endif.i ]
   %.2135 = getelementptr i8, ptr %arg.control.4, i64 8
   store i64 %.745, ptr %.2135, align 8
   %.2168 = getelementptr i8, ptr %arg.control.4, i64 16
   store i64 %.509.0, ptr %.2168, align 8
   %.2201 = getelementptr i8, ptr %arg.control.4, i64 24
-  store i64 %.68.sink.i525, ptr %.2201, align 8
+  store i64 %.68.sink.i536, ptr %.2201, align 8
   store i64 2, ptr %retptr, align 8
   br label %common.ret
 B1204:                                            ; preds = %B742, %B742
@@ -461,16 +462,16 @@ B1392:                                            ; preds = %B1286
   %.2645 = getelementptr i8, ptr %5, i64 56
   br label %B1452.endif
 B1488:                                            ; preds = %B1488.preheader, %B2578
-  %.27371084310883 = phi i64 [ %.2747, %B2578 ], [ %.2694, %B1488.preheader ]
-  %.27441085110882 = phi i64 [ %.2751, %B2578 ], [ %first.4.4, %B1488.preheader ]
+  %.27371124011280 = phi i64 [ %.2747, %B2578 ], [ %.2694, %B1488.preheader ]
+  %.27441124811279 = phi i64 [ %.2751, %B2578 ], [ %first.4.4, %B1488.preheader ]
   %6 = icmp eq i64 %.805, 3
-  %.2747 = add nsw i64 %.27371084310883, -1
-  %.2751 = add i64 %.27441085110882, 1
+  %.2747 = add nsw i64 %.27371124011280, -1
+  %.2751 = add i64 %.27441124811279, 1
   br i1 %6, label %B1512, label %B1698
 B1512:                                            ; preds = %B1488
-  %.2809 = icmp slt i64 %.27441085110882, 0
+  %.2809 = icmp slt i64 %.27441124811279, 0
   %.2810 = select i1 %.2809, i64 %arg.blocks.5.0, i64 0
-  %.2811 = add i64 %.2810, %.27441085110882
+  %.2811 = add i64 %.2810, %.27441124811279
   %.2831 = mul i64 %.2811, %arg.blocks.5.1
   %7 = getelementptr i64, ptr %arg.blocks.4, i64 %.2831
   %.2835 = getelementptr i8, ptr %7, i64 48
@@ -479,27 +480,27 @@ B1512:                                            ; preds = %B1488
   br i1 %.2837.not, label %B1698, label %B1560
 B1560:                                            ; preds = %B1512
   store i64 0, ptr %.2846, align 8
-  %.2864 = call i32 @f69(ptr nonnull %.2846, ptr nonnull %excinfo.5, ptr %arg.blocks.0, ptr %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr nonnull %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %.27441085110882, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.whole.0, ptr %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr %arg.raw.0, ptr %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr %arg.raw32.0, ptr %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
-  %cond540 = icmp eq i32 %.2864, 0
-  br i1 %cond540, label %B1560.endif, label %B1560.if.if
+  %.2864 = call i32 @f70(ptr nonnull %.2846, ptr nonnull %excinfo.5, ptr %arg.blocks.0, ptr %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr nonnull %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %.27441124811279, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.whole.0, ptr %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr %arg.raw.0, ptr %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr %arg.raw32.0, ptr %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
+  %cond551 = icmp eq i32 %.2864, 0
+  br i1 %cond551, label %B1560.endif, label %B1560.if.if
 B1614:                                            ; preds = %B1560.endif
   %.2987 = getelementptr i8, ptr %arg.control.4, i64 8
   store i64 %.745, ptr %.2987, align 8
   %.3020 = getelementptr i8, ptr %arg.control.4, i64 16
   store i64 %.509.0, ptr %.3020, align 8
-  %sunkaddr1152 = getelementptr i8, ptr %arg.control.4, i64 32
-  store i64 %.2874, ptr %sunkaddr1152, align 8
+  %sunkaddr1175 = getelementptr i8, ptr %arg.control.4, i64 32
+  store i64 %.2874, ptr %sunkaddr1175, align 8
   store i64 6, ptr %retptr, align 8
   br label %common.ret
 B1698:                                            ; preds = %B1488, %B1560.endif, %B1512
-  %.3090 = icmp slt i64 %.27441085110882, 0
+  %.3090 = icmp slt i64 %.27441124811279, 0
   %.3091 = select i1 %.3090, i64 %arg.blocks.5.0, i64 0
-  %.3092 = add i64 %.3091, %.27441085110882
+  %.3092 = add i64 %.3091, %.27441124811279
   %.3112 = mul i64 %.3092, %arg.blocks.5.1
   %.3116 = getelementptr i64, ptr %arg.blocks.4, i64 %.3112
   %.3117 = load i64, ptr %.3116, align 8
-  %sunkaddr620 = getelementptr i8, ptr %5, i64 8
-  %.3172 = load i64, ptr %sunkaddr620, align 8
+  %sunkaddr634 = getelementptr i8, ptr %5, i64 8
+  %.3172 = load i64, ptr %sunkaddr634, align 8
   %.3226 = getelementptr i8, ptr %.3116, i64 8
   %.3227 = load i64, ptr %.3226, align 8
   %.3281 = getelementptr i8, ptr %.3116, i64 16
@@ -509,28 +510,28 @@ B1698:                                            ; preds = %B1488, %B1560.endif
   %.3391 = getelementptr i8, ptr %.3116, i64 32
   %.3392 = load i64, ptr %.3391, align 8
   %.3447 = load i64, ptr %5, align 8
-  %.23.i428 = icmp eq i64 %.3447, 2
-  br i1 %.23.i428, label %B16.endif.i433, label %B54.i
+  %.23.i437 = icmp eq i64 %.3447, 2
+  br i1 %.23.i437, label %B16.endif.i442, label %B54.i
 B54.i:                                            ; preds = %B1698
   %.71.i = icmp slt i64 %.3117, 0
   br i1 %.71.i, label %B66.endif.i, label %B122.endif.i
-B16.endif.i433:                                   ; preds = %B1698
+B16.endif.i442:                                   ; preds = %B1698
   %.9.i.i = inttoptr i64 %.3117 to ptr
-  %.10.i.i434 = inttoptr i64 %.3172 to ptr
-  %.11.i.i435 = inttoptr i64 %.3227 to ptr
-  %.12.i.i436 = inttoptr i64 %.3337 to ptr
-  %.13.i.i437 = tail call i32 %.9.i.i(ptr %.10.i.i434, ptr %.11.i.i435, i64 %.3282, ptr %.12.i.i436)
+  %.10.i.i443 = inttoptr i64 %.3172 to ptr
+  %.11.i.i444 = inttoptr i64 %.3227 to ptr
+  %.12.i.i445 = inttoptr i64 %.3337 to ptr
+  %.13.i.i446 = tail call i32 %.9.i.i(ptr %.10.i.i443, ptr %.11.i.i444, i64 %.3282, ptr %.12.i.i445)
   br label %B1698.endif
 B66.endif.i:                                      ; preds = %B54.i
   %.74.i = sub i64 0, %.3117
   %.78.i = shl nsw i64 %.3392, 3
   %.80.i = add nsw i64 %.78.i, %.3337
   %.11.i1.i = inttoptr i64 %.74.i to ptr
-  %.12.i2.i429 = inttoptr i64 %.3172 to ptr
+  %.12.i2.i438 = inttoptr i64 %.3172 to ptr
   %.13.i3.i = inttoptr i64 %.3227 to ptr
-  %.14.i.i430 = inttoptr i64 %.80.i to ptr
-  %.15.i.i431 = inttoptr i64 %.3337 to ptr
-  %.16.i.i432 = tail call i32 %.11.i1.i(ptr %.12.i2.i429, ptr %.13.i3.i, i64 %.3282, ptr %.14.i.i430, ptr %.15.i.i431, i64 %.3392)
+  %.14.i.i439 = inttoptr i64 %.80.i to ptr
+  %.15.i.i440 = inttoptr i64 %.3337 to ptr
+  %.16.i.i441 = tail call i32 %.11.i1.i(ptr %.12.i2.i438, ptr %.13.i3.i, i64 %.3282, ptr %.14.i.i439, ptr %.15.i.i440, i64 %.3392)
   br label %B1698.endif
 B122.endif.i:                                     ; preds = %B54.i
   %.10.i4.i = inttoptr i64 %.3117 to ptr
@@ -543,57 +544,57 @@ B1980:                                            ; preds = %B1698.endif
   %8 = icmp eq i64 %.805, 5
   br i1 %8, label %B2002, label %B2578
 B2002:                                            ; preds = %B1980
-  %sunkaddr1154 = shl i64 %.3112, 3
-  %sunkaddr1155 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr1154
-  %sunkaddr1156 = getelementptr i8, ptr %sunkaddr1155, i64 48
-  %.3580 = load i64, ptr %sunkaddr1156, align 8
+  %sunkaddr1177 = shl i64 %.3112, 3
+  %sunkaddr1178 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr1177
+  %sunkaddr1179 = getelementptr i8, ptr %sunkaddr1178, i64 48
+  %.3580 = load i64, ptr %sunkaddr1179, align 8
   %.3581.not = icmp eq i64 %.3580, -1
   br i1 %.3581.not, label %B2278, label %B2050
 B2050:                                            ; preds = %B2002
   store i64 0, ptr %.3597, align 8
-  %.3617 = call i32 @f70(ptr nonnull %.3597, ptr nonnull %excinfo.8, ptr %arg.blocks.0, ptr %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr nonnull %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %.27441085110882, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.whole.0, ptr %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr %arg.raw.0, ptr %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr %arg.raw32.0, ptr %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr %arg.pool.0, ptr %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
-  %cond539 = icmp eq i32 %.3617, 0
-  br i1 %cond539, label %B2050.endif, label %B2050.if.if
+  %.3617 = call i32 @f71(ptr nonnull %.3597, ptr nonnull %excinfo.8, ptr %arg.blocks.0, ptr %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr nonnull %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %.27441124811279, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.whole.0, ptr %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr %arg.raw.0, ptr %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr %arg.raw32.0, ptr %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr %arg.pool.0, ptr %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
+  %cond550 = icmp eq i32 %.3617, 0
+  br i1 %cond550, label %B2050.endif, label %B2050.if.if
 B2142.thread:                                     ; preds = %B2050.endif
   %const = bitcast i64 1099511627776 to i64
-  %sunkaddr1157 = getelementptr i8, ptr %arg.control.4, i64 32
-  store i64 %.3627, ptr %sunkaddr1157, align 8
+  %sunkaddr1180 = getelementptr i8, ptr %arg.control.4, i64 32
+  store i64 %.3627, ptr %sunkaddr1180, align 8
   %const_mat = add i64 %const, 3
   br label %B2172
 B2172.loopexit:                                   ; preds = %B1698.endif
   %.3476.le = sext i32 %.14.i8.sink.i to i64
   br label %B2172
 B2172:                                            ; preds = %B2172.loopexit, %B2142.thread
-  %status.8.5516 = phi i64 [ %const_mat, %B2142.thread ], [ %.3476.le, %B2172.loopexit ]
+  %status.8.5527 = phi i64 [ %const_mat, %B2142.thread ], [ %.3476.le, %B2172.loopexit ]
   %.3815 = getelementptr i8, ptr %arg.control.4, i64 8
   store i64 %.745, ptr %.3815, align 8
   %.3848 = getelementptr i8, ptr %arg.control.4, i64 16
   store i64 %.509.0, ptr %.3848, align 8
   %.3881 = getelementptr i8, ptr %arg.control.4, i64 24
-  store i64 %status.8.5516, ptr %.3881, align 8
+  store i64 %status.8.5527, ptr %.3881, align 8
   store i64 2, ptr %retptr, align 8
   br label %common.ret
 B2278:                                            ; preds = %B2050.endif, %B2002
-  %sunkaddr621 = mul i64 %.3112, 8
-  %sunkaddr622 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr621
-  %sunkaddr623 = getelementptr i8, ptr %sunkaddr622, i64 56
-  %.3948 = load i64, ptr %sunkaddr623, align 8
+  %sunkaddr635 = mul i64 %.3112, 8
+  %sunkaddr636 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr635
+  %sunkaddr637 = getelementptr i8, ptr %sunkaddr636, i64 56
+  %.3948 = load i64, ptr %sunkaddr637, align 8
   %.3949 = icmp eq i64 %.3948, 0
   br i1 %.3949, label %B2326.endif, label %B2578
 B2442:                                            ; preds = %B2326.endif, %B2444
-  %.420410835 = phi i64 [ %.4211, %B2444 ], [ %.4005, %B2326.endif ]
-  %.419710834 = phi i64 [ %.4207, %B2444 ], [ %..4117, %B2326.endif ]
-  %.4198 = icmp sgt i64 %.419710834, 0
+  %.420411232 = phi i64 [ %.4211, %B2444 ], [ %.4005, %B2326.endif ]
+  %.419711231 = phi i64 [ %.4207, %B2444 ], [ %..4117, %B2326.endif ]
+  %.4198 = icmp sgt i64 %.419711231, 0
   br i1 %.4198, label %B2444, label %B2578
 B2444:                                            ; preds = %B2442
-  %.4207 = add nsw i64 %.419710834, -1
-  %.4211 = add i64 %.420410835, 1
-  %.4253 = icmp slt i64 %.420410835, 0
+  %.4207 = add nsw i64 %.419711231, -1
+  %.4211 = add i64 %.420411232, 1
+  %.4253 = icmp slt i64 %.420411232, 0
   %9 = select i1 %.4253, i64 %173, i64 0
-  %scevgep1086 = getelementptr i8, ptr %arg.z.4, i64 %9
-  %10 = shl i64 %.420410835, 3
-  %scevgep1087 = getelementptr i8, ptr %scevgep1086, i64 %10
-  %.4269 = load double, ptr %scevgep1087, align 8
+  %scevgep1109 = getelementptr i8, ptr %arg.z.4, i64 %9
+  %10 = shl i64 %.420411232, 3
+  %scevgep1110 = getelementptr i8, ptr %scevgep1109, i64 %10
+  %.4269 = load double, ptr %scevgep1110, align 8
   %.4270 = fsub double %.4269, %.4269
   %.4271 = fcmp ord double %.4270, 0.000000e+00
   br i1 %.4271, label %B2442, label %B2488
@@ -602,21 +603,21 @@ B2488:                                            ; preds = %B2444
   store i64 %.745, ptr %.4370, align 8
   %.4403 = getelementptr i8, ptr %arg.control.4, i64 16
   store i64 %.509.0, ptr %.4403, align 8
-  %sunkaddr1161 = getelementptr i8, ptr %arg.control.4, i64 32
+  %sunkaddr1184 = getelementptr i8, ptr %arg.control.4, i64 32
   %11 = add i64 %.4211, -1
-  store i64 %11, ptr %sunkaddr1161, align 8
+  store i64 %11, ptr %sunkaddr1184, align 8
   store i64 3, ptr %retptr, align 8
   br label %common.ret
 B2578:                                            ; preds = %B2442, %B2278, %B1980
-  %.2738 = icmp sgt i64 %.27371084310883, 1
-  br i1 %.2738, label %B1488, label %B9960
+  %.2738 = icmp sgt i64 %.27371124011280, 1
+  br i1 %.2738, label %B1488, label %B10170
 B2608:                                            ; preds = %B742
-  %sunkaddr624 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.4515 = load i64, ptr %sunkaddr624, align 8
+  %sunkaddr638 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.4515 = load i64, ptr %sunkaddr638, align 8
   store i64 0, ptr %.4529, align 8
-  %.4551 = call i32 @f71(ptr nonnull %.4529, ptr nonnull %excinfo.10, ptr %arg.turns.0, ptr %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %.979, i64 %.1034, ptr %arg.moves.0, ptr %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, i64 %.1089, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr %arg.components.0, ptr %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr %arg.control.0, ptr %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %base.3.1, i64 %.4515, i64 %arg.numerator, i64 %arg.denominator, double %"$phi116.0.2.0")
-  %cond538 = icmp eq i32 %.4551, 0
-  br i1 %cond538, label %B2608.endif, label %B2608.if.if
+  %.4551 = call i32 @f72(ptr nonnull %.4529, ptr nonnull %excinfo.10, ptr %arg.turns.0, ptr %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %.979, i64 %.1034, ptr %arg.moves.0, ptr %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, i64 %.1089, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr %arg.components.0, ptr %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr %arg.control.0, ptr %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %base.3.1, i64 %.4515, i64 %arg.numerator, i64 %arg.denominator, double %"$phi116.0.2.0")
+  %cond549 = icmp eq i32 %.4551, 0
+  br i1 %cond549, label %B2608.endif, label %B2608.if.if
 B2708:                                            ; preds = %B2608.endif
   %.4672 = getelementptr i8, ptr %arg.control.4, i64 8
   store i64 %.745, ptr %.4672, align 8
@@ -624,11 +625,21 @@ B2708:                                            ; preds = %B2608.endif
   store i64 %.509.0, ptr %.4705, align 8
   store i64 %.4561, ptr %retptr, align 8
   br label %common.ret
-B2784:                                            ; preds = %B742
+B2870:                                            ; preds = %B2784.endif
+  %.4902 = getelementptr i8, ptr %arg.control.4, i64 8
+  %.4903 = load i64, ptr %.4902, align 8
+  %.4932 = getelementptr i8, ptr %arg.control.4, i64 88
+  store i64 %.4903, ptr %.4932, align 8
+  store i64 %.745, ptr %.4902, align 8
+  %.4996 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.4996, align 8
+  store i64 %.13.i, ptr %retptr, align 8
+  br label %common.ret
+B2988:                                            ; preds = %B742
   %.79.i = sub i64 %.1034, %.979
   %.124248.not.i = icmp slt i64 %.79.i, 1
-  br i1 %.124248.not.i, label %B9960, label %B38.preheader.i
-B38.preheader.i:                                  ; preds = %B2784
+  br i1 %.124248.not.i, label %B10170, label %B38.preheader.i
+B38.preheader.i:                                  ; preds = %B2988
   %12 = add nuw i64 %.79.i, 1
   br label %B38.i
 B38.i:                                            ; preds = %B277.i, %B38.preheader.i
@@ -683,599 +694,599 @@ B277.i:                                           ; preds = %B158.i, %B82.i
   %lsr.iv.next.i = add i64 %lsr.iv.i, -1
   %.137.i = add i64 %.130247249.i, 1
   %.124.i = icmp ugt i64 %lsr.iv.next.i, 1
-  br i1 %.124.i, label %B38.i, label %B9960
-B2848:                                            ; preds = %B742
-  %.4833 = icmp slt i64 %.1208, 0
-  %.4834 = select i1 %.4833, i64 %arg.coefficients.5.0, i64 0
+  br i1 %.124.i, label %B38.i, label %B10170
+B3052:                                            ; preds = %B742
+  %.5124 = icmp slt i64 %.1208, 0
+  %.5125 = select i1 %.5124, i64 %arg.coefficients.5.0, i64 0
   %17 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.4848 = getelementptr double, ptr %17, i64 %.4834
-  %.4849 = load double, ptr %.4848, align 8
-  %.4864 = icmp slt i64 %.979, 0
-  %.4865 = select i1 %.4864, i64 %arg.z.5.0, i64 0
+  %.5139 = getelementptr double, ptr %17, i64 %.5125
+  %.5140 = load double, ptr %.5139, align 8
+  %.5155 = icmp slt i64 %.979, 0
+  %.5156 = select i1 %.5155, i64 %arg.z.5.0, i64 0
   %18 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.4879 = getelementptr double, ptr %18, i64 %.4865
-  %.4880 = load double, ptr %.4879, align 8
-  %.4883 = fmul double %.4849, %.4880
-  %.4901 = icmp slt i64 %.1208, -1
-  %.4902 = select i1 %.4901, i64 %arg.coefficients.5.0, i64 0
-  %19 = getelementptr i8, ptr %17, i64 8
-  %.4916 = getelementptr double, ptr %19, i64 %.4902
-  %.4917 = load double, ptr %.4916, align 8
-  %.4918 = fadd double %.4883, %.4917
-  %.4933 = icmp slt i64 %.1034, 0
-  %.4934 = select i1 %.4933, i64 %arg.z.5.0, i64 0
-  %20 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.4948 = getelementptr double, ptr %20, i64 %.4934
-  store double %.4918, ptr %.4948, align 8
-  br label %B9960
-B2938:                                            ; preds = %B742
-  %.4988 = icmp slt i64 %.1208, 0
-  %.4989 = select i1 %.4988, i64 %arg.coefficients.5.0, i64 0
-  %21 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.5003 = getelementptr double, ptr %21, i64 %.4989
-  %.5004 = load double, ptr %.5003, align 8
-  %.5019 = icmp slt i64 %.979, 0
-  %.5020 = select i1 %.5019, i64 %arg.z.5.0, i64 0
-  %22 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.5034 = getelementptr double, ptr %22, i64 %.5020
-  %.5035 = load double, ptr %.5034, align 8
-  %.5051 = icmp slt i64 %.1208, -2
-  %.5052 = select i1 %.5051, i64 %arg.coefficients.5.0, i64 0
-  %23 = getelementptr i8, ptr %21, i64 16
-  %.5066 = getelementptr double, ptr %23, i64 %.5052
-  %.5067 = load double, ptr %.5066, align 8
-  %.5115 = icmp slt i64 %.1089, 0
-  %.5116 = select i1 %.5115, i64 %arg.z.5.0, i64 0
-  %24 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.5130 = getelementptr double, ptr %24, i64 %.5116
-  %.5131 = load double, ptr %.5130, align 8
-  %.5134 = fsub double %.5035, %.5131
-  %.5135 = fmul double %.5067, %.5134
-  %.5136 = fadd double %.5035, %.5135
-  %.5137 = fmul double %.5004, %.5136
-  %.5155 = icmp slt i64 %.1208, -1
-  %.5156 = select i1 %.5155, i64 %arg.coefficients.5.0, i64 0
-  %25 = getelementptr i8, ptr %21, i64 8
-  %.5170 = getelementptr double, ptr %25, i64 %.5156
+  %.5170 = getelementptr double, ptr %18, i64 %.5156
   %.5171 = load double, ptr %.5170, align 8
-  %.5172 = fadd double %.5171, %.5137
-  %.5187 = icmp slt i64 %.1034, 0
-  %.5188 = select i1 %.5187, i64 %arg.z.5.0, i64 0
+  %.5174 = fmul double %.5140, %.5171
+  %.5192 = icmp slt i64 %.1208, -1
+  %.5193 = select i1 %.5192, i64 %arg.coefficients.5.0, i64 0
+  %19 = getelementptr i8, ptr %17, i64 8
+  %.5207 = getelementptr double, ptr %19, i64 %.5193
+  %.5208 = load double, ptr %.5207, align 8
+  %.5209 = fadd double %.5174, %.5208
+  %.5224 = icmp slt i64 %.1034, 0
+  %.5225 = select i1 %.5224, i64 %arg.z.5.0, i64 0
+  %20 = getelementptr double, ptr %arg.z.4, i64 %.1034
+  %.5239 = getelementptr double, ptr %20, i64 %.5225
+  store double %.5209, ptr %.5239, align 8
+  br label %B10170
+B3142:                                            ; preds = %B742
+  %.5279 = icmp slt i64 %.1208, 0
+  %.5280 = select i1 %.5279, i64 %arg.coefficients.5.0, i64 0
+  %21 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
+  %.5294 = getelementptr double, ptr %21, i64 %.5280
+  %.5295 = load double, ptr %.5294, align 8
+  %.5310 = icmp slt i64 %.979, 0
+  %.5311 = select i1 %.5310, i64 %arg.z.5.0, i64 0
+  %22 = getelementptr double, ptr %arg.z.4, i64 %.979
+  %.5325 = getelementptr double, ptr %22, i64 %.5311
+  %.5326 = load double, ptr %.5325, align 8
+  %.5342 = icmp slt i64 %.1208, -2
+  %.5343 = select i1 %.5342, i64 %arg.coefficients.5.0, i64 0
+  %23 = getelementptr i8, ptr %21, i64 16
+  %.5357 = getelementptr double, ptr %23, i64 %.5343
+  %.5358 = load double, ptr %.5357, align 8
+  %.5406 = icmp slt i64 %.1089, 0
+  %.5407 = select i1 %.5406, i64 %arg.z.5.0, i64 0
+  %24 = getelementptr double, ptr %arg.z.4, i64 %.1089
+  %.5421 = getelementptr double, ptr %24, i64 %.5407
+  %.5422 = load double, ptr %.5421, align 8
+  %.5425 = fsub double %.5326, %.5422
+  %.5426 = fmul double %.5358, %.5425
+  %.5427 = fadd double %.5326, %.5426
+  %.5428 = fmul double %.5295, %.5427
+  %.5446 = icmp slt i64 %.1208, -1
+  %.5447 = select i1 %.5446, i64 %arg.coefficients.5.0, i64 0
+  %25 = getelementptr i8, ptr %21, i64 8
+  %.5461 = getelementptr double, ptr %25, i64 %.5447
+  %.5462 = load double, ptr %.5461, align 8
+  %.5463 = fadd double %.5462, %.5428
+  %.5478 = icmp slt i64 %.1034, 0
+  %.5479 = select i1 %.5478, i64 %arg.z.5.0, i64 0
   %26 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.5202 = getelementptr double, ptr %26, i64 %.5188
-  store double %.5172, ptr %.5202, align 8
-  br label %B9960
-B3088:                                            ; preds = %B742
-  %.5242 = icmp slt i64 %.1034, 0
-  %.5243 = select i1 %.5242, i64 %arg.z.5.0, i64 0
+  %.5493 = getelementptr double, ptr %26, i64 %.5479
+  store double %.5463, ptr %.5493, align 8
+  br label %B10170
+B3292:                                            ; preds = %B742
+  %.5533 = icmp slt i64 %.1034, 0
+  %.5534 = select i1 %.5533, i64 %arg.z.5.0, i64 0
   %27 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.5257 = getelementptr double, ptr %27, i64 %.5243
-  %.5258 = load double, ptr %.5257, align 8
-  %.5273 = icmp slt i64 %.1208, 0
-  %.5274 = select i1 %.5273, i64 %arg.coefficients.5.0, i64 0
+  %.5548 = getelementptr double, ptr %27, i64 %.5534
+  %.5549 = load double, ptr %.5548, align 8
+  %.5564 = icmp slt i64 %.1208, 0
+  %.5565 = select i1 %.5564, i64 %arg.coefficients.5.0, i64 0
   %28 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.5288 = getelementptr double, ptr %28, i64 %.5274
-  %.5289 = load double, ptr %.5288, align 8
-  %.5306 = icmp slt i64 %.1089, 0
-  %.5307 = select i1 %.5306, i64 %arg.z.5.0, i64 0
+  %.5579 = getelementptr double, ptr %28, i64 %.5565
+  %.5580 = load double, ptr %.5579, align 8
+  %.5597 = icmp slt i64 %.1089, 0
+  %.5598 = select i1 %.5597, i64 %arg.z.5.0, i64 0
   %29 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.5321 = getelementptr double, ptr %29, i64 %.5307
-  %.5322 = load double, ptr %.5321, align 8
-  %.5339 = icmp slt i64 %.979, 0
-  %.5340 = select i1 %.5339, i64 %arg.z.5.0, i64 0
+  %.5612 = getelementptr double, ptr %29, i64 %.5598
+  %.5613 = load double, ptr %.5612, align 8
+  %.5630 = icmp slt i64 %.979, 0
+  %.5631 = select i1 %.5630, i64 %arg.z.5.0, i64 0
   %30 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.5354 = getelementptr double, ptr %30, i64 %.5340
-  %.5355 = load double, ptr %.5354, align 8
-  %.5358 = fadd double %.5322, %.5355
-  %.5359 = fmul double %.5289, %.5358
-  %.5360 = fadd double %.5258, %.5359
-  store double %.5360, ptr %.5257, align 8
-  br label %B9960
-B3194:                                            ; preds = %B742
-  %.5430 = icmp slt i64 %.1034, 0
-  %.5431 = select i1 %.5430, i64 %arg.z.5.0, i64 0
+  %.5645 = getelementptr double, ptr %30, i64 %.5631
+  %.5646 = load double, ptr %.5645, align 8
+  %.5649 = fadd double %.5613, %.5646
+  %.5650 = fmul double %.5580, %.5649
+  %.5651 = fadd double %.5549, %.5650
+  store double %.5651, ptr %.5548, align 8
+  br label %B10170
+B3398:                                            ; preds = %B742
+  %.5721 = icmp slt i64 %.1034, 0
+  %.5722 = select i1 %.5721, i64 %arg.z.5.0, i64 0
   %31 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.5445 = getelementptr double, ptr %31, i64 %.5431
-  %.5446 = load double, ptr %.5445, align 8
-  %.5461 = icmp slt i64 %.1208, 0
-  %.5462 = select i1 %.5461, i64 %arg.coefficients.5.0, i64 0
+  %.5736 = getelementptr double, ptr %31, i64 %.5722
+  %.5737 = load double, ptr %.5736, align 8
+  %.5752 = icmp slt i64 %.1208, 0
+  %.5753 = select i1 %.5752, i64 %arg.coefficients.5.0, i64 0
   %32 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.5476 = getelementptr double, ptr %32, i64 %.5462
-  %.5477 = load double, ptr %.5476, align 8
-  %.5494 = icmp slt i64 %.979, 0
-  %.5495 = select i1 %.5494, i64 %arg.z.5.0, i64 0
+  %.5767 = getelementptr double, ptr %32, i64 %.5753
+  %.5768 = load double, ptr %.5767, align 8
+  %.5785 = icmp slt i64 %.979, 0
+  %.5786 = select i1 %.5785, i64 %arg.z.5.0, i64 0
   %33 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.5509 = getelementptr double, ptr %33, i64 %.5495
-  %.5510 = load double, ptr %.5509, align 8
-  %.5527 = icmp slt i64 %.1089, 0
-  %.5528 = select i1 %.5527, i64 %arg.z.5.0, i64 0
+  %.5800 = getelementptr double, ptr %33, i64 %.5786
+  %.5801 = load double, ptr %.5800, align 8
+  %.5818 = icmp slt i64 %.1089, 0
+  %.5819 = select i1 %.5818, i64 %arg.z.5.0, i64 0
   %34 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.5542 = getelementptr double, ptr %34, i64 %.5528
-  %.5543 = load double, ptr %.5542, align 8
-  %.5546 = fsub double %.5510, %.5543
-  %.5547 = fmul double %.5477, %.5546
-  %.5548 = fadd double %.5446, %.5547
-  store double %.5548, ptr %.5445, align 8
-  br label %B9960
-B3300:                                            ; preds = %B742
-  %.5617 = icmp slt i64 %.1208, -2
-  %.5618 = select i1 %.5617, i64 %arg.coefficients.5.0, i64 0
+  %.5833 = getelementptr double, ptr %34, i64 %.5819
+  %.5834 = load double, ptr %.5833, align 8
+  %.5837 = fsub double %.5801, %.5834
+  %.5838 = fmul double %.5768, %.5837
+  %.5839 = fadd double %.5737, %.5838
+  store double %.5839, ptr %.5736, align 8
+  br label %B10170
+B3504:                                            ; preds = %B742
+  %.5908 = icmp slt i64 %.1208, -2
+  %.5909 = select i1 %.5908, i64 %arg.coefficients.5.0, i64 0
   %35 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
   %36 = getelementptr i8, ptr %35, i64 16
-  %.5632 = getelementptr double, ptr %36, i64 %.5618
-  %.5633 = load double, ptr %.5632, align 8
-  %.5648 = icmp slt i64 %.979, 0
-  %.5649 = select i1 %.5648, i64 %arg.z.5.0, i64 0
+  %.5923 = getelementptr double, ptr %36, i64 %.5909
+  %.5924 = load double, ptr %.5923, align 8
+  %.5939 = icmp slt i64 %.979, 0
+  %.5940 = select i1 %.5939, i64 %arg.z.5.0, i64 0
   %37 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.5663 = getelementptr double, ptr %37, i64 %.5649
-  %.5664 = load double, ptr %.5663, align 8
-  %.5667 = fmul double %.5633, %.5664
-  %.5683 = icmp slt i64 %.1208, -3
-  %.5684 = select i1 %.5683, i64 %arg.coefficients.5.0, i64 0
+  %.5954 = getelementptr double, ptr %37, i64 %.5940
+  %.5955 = load double, ptr %.5954, align 8
+  %.5958 = fmul double %.5924, %.5955
+  %.5974 = icmp slt i64 %.1208, -3
+  %.5975 = select i1 %.5974, i64 %arg.coefficients.5.0, i64 0
   %38 = getelementptr i8, ptr %35, i64 24
-  %.5698 = getelementptr double, ptr %38, i64 %.5684
-  %.5699 = load double, ptr %.5698, align 8
-  %.5714 = icmp slt i64 %.1089, 0
-  %.5715 = select i1 %.5714, i64 %arg.z.5.0, i64 0
+  %.5989 = getelementptr double, ptr %38, i64 %.5975
+  %.5990 = load double, ptr %.5989, align 8
+  %.6005 = icmp slt i64 %.1089, 0
+  %.6006 = select i1 %.6005, i64 %arg.z.5.0, i64 0
   %39 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.5729 = getelementptr double, ptr %39, i64 %.5715
-  %.5730 = load double, ptr %.5729, align 8
-  %.5733 = fmul double %.5699, %.5730
-  %.5734 = fadd double %.5667, %.5733
-  %.5749 = icmp slt i64 %.1208, 0
-  %.5750 = select i1 %.5749, i64 %arg.coefficients.5.0, i64 0
-  %.5764 = getelementptr double, ptr %35, i64 %.5750
-  %.5765 = load double, ptr %.5764, align 8
-  %.5780 = icmp slt i64 %.1153, 0
-  %.5781 = select i1 %.5780, i64 %arg.z.5.0, i64 0
+  %.6020 = getelementptr double, ptr %39, i64 %.6006
+  %.6021 = load double, ptr %.6020, align 8
+  %.6024 = fmul double %.5990, %.6021
+  %.6025 = fadd double %.5958, %.6024
+  %.6040 = icmp slt i64 %.1208, 0
+  %.6041 = select i1 %.6040, i64 %arg.coefficients.5.0, i64 0
+  %.6055 = getelementptr double, ptr %35, i64 %.6041
+  %.6056 = load double, ptr %.6055, align 8
+  %.6071 = icmp slt i64 %.1153, 0
+  %.6072 = select i1 %.6071, i64 %arg.z.5.0, i64 0
   %40 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.5795 = getelementptr double, ptr %40, i64 %.5781
-  %.5796 = load double, ptr %.5795, align 8
-  %.5797 = fadd double %.5796, %.5734
-  %.5798 = fmul double %.5765, %.5797
-  %.5816 = icmp slt i64 %.1208, -1
-  %.5817 = select i1 %.5816, i64 %arg.coefficients.5.0, i64 0
+  %.6086 = getelementptr double, ptr %40, i64 %.6072
+  %.6087 = load double, ptr %.6086, align 8
+  %.6088 = fadd double %.6087, %.6025
+  %.6089 = fmul double %.6056, %.6088
+  %.6107 = icmp slt i64 %.1208, -1
+  %.6108 = select i1 %.6107, i64 %arg.coefficients.5.0, i64 0
   %41 = getelementptr i8, ptr %35, i64 8
-  %.5831 = getelementptr double, ptr %41, i64 %.5817
-  %.5832 = load double, ptr %.5831, align 8
-  %.5833 = fadd double %.5832, %.5798
-  %.5848 = icmp slt i64 %.1034, 0
-  %.5849 = select i1 %.5848, i64 %arg.z.5.0, i64 0
+  %.6122 = getelementptr double, ptr %41, i64 %.6108
+  %.6123 = load double, ptr %.6122, align 8
+  %.6124 = fadd double %.6123, %.6089
+  %.6139 = icmp slt i64 %.1034, 0
+  %.6140 = select i1 %.6139, i64 %arg.z.5.0, i64 0
   %42 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.5863 = getelementptr double, ptr %42, i64 %.5849
-  store double %.5833, ptr %.5863, align 8
-  %.5867 = fneg double %.5734
-  store double %.5867, ptr %.5795, align 8
-  br label %B9960
-B3500:                                            ; preds = %B742, %B742
-  %.5981 = icmp slt i64 %.979, 0
-  %.5982 = select i1 %.5981, i64 %arg.z.5.0, i64 0
+  %.6154 = getelementptr double, ptr %42, i64 %.6140
+  store double %.6124, ptr %.6154, align 8
+  %.6158 = fneg double %.6025
+  store double %.6158, ptr %.6086, align 8
+  br label %B10170
+B3704:                                            ; preds = %B742, %B742
+  %.6272 = icmp slt i64 %.979, 0
+  %.6273 = select i1 %.6272, i64 %arg.z.5.0, i64 0
   %43 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.5996 = getelementptr double, ptr %43, i64 %.5982
-  %.5997 = load double, ptr %.5996, align 8
-  %.6014 = icmp slt i64 %.1034, 0
-  %.6015 = select i1 %.6014, i64 %arg.z.5.0, i64 0
+  %.6287 = getelementptr double, ptr %43, i64 %.6273
+  %.6288 = load double, ptr %.6287, align 8
+  %.6305 = icmp slt i64 %.1034, 0
+  %.6306 = select i1 %.6305, i64 %arg.z.5.0, i64 0
   %44 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.6029 = getelementptr double, ptr %44, i64 %.6015
-  store double %.5997, ptr %.6029, align 8
-  br label %B9960
-B3548:                                            ; preds = %B742
-  %.6046.not = icmp eq i64 %.1089, 0
-  %.6102 = icmp slt i64 %.979, 0
-  %.6103 = select i1 %.6102, i64 %arg.whole.5.0, i64 0
-  %45 = getelementptr i64, ptr %arg.whole.4, i64 %.979
-  %.6117 = getelementptr i64, ptr %45, i64 %.6103
-  %.6118 = load i64, ptr %.6117, align 8
-  %.6083 = uitofp i64 %.6118 to double
-  %.6121 = sitofp i64 %.6118 to double
-  %"$phi3670.1.2.4" = select i1 %.6046.not, double %.6121, double %.6083
-  %.6152 = icmp slt i64 %.1208, 0
-  %.6153 = select i1 %.6152, i64 %arg.coefficients.5.0, i64 0
-  %46 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.6167 = getelementptr double, ptr %46, i64 %.6153
-  %.6168 = load double, ptr %.6167, align 8
-  %.6169 = fmul double %.6168, %"$phi3670.1.2.4"
-  %.6187 = icmp slt i64 %.1208, -1
-  %.6188 = select i1 %.6187, i64 %arg.coefficients.5.0, i64 0
-  %47 = getelementptr i8, ptr %46, i64 8
-  %.6202 = getelementptr double, ptr %47, i64 %.6188
-  %.6203 = load double, ptr %.6202, align 8
-  %.6204 = fadd double %.6203, %.6169
-  %.6219 = icmp slt i64 %.1034, 0
-  %.6220 = select i1 %.6219, i64 %arg.z.5.0, i64 0
-  %48 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.6234 = getelementptr double, ptr %48, i64 %.6220
-  store double %.6204, ptr %.6234, align 8
-  br label %B9960
+  %.6320 = getelementptr double, ptr %44, i64 %.6306
+  store double %.6288, ptr %.6320, align 8
+  br label %B10170
 B3752:                                            ; preds = %B742
-  %.6249.not = icmp eq i64 %.1089, 0
-  br i1 %.6249.not, label %B3850, label %B3756
-B3756:                                            ; preds = %B3752
-  %.6265 = icmp slt i64 %.1208, 0
-  %.6266 = select i1 %.6265, i64 %arg.coefficients.5.0, i64 0
+  %.6337.not = icmp eq i64 %.1089, 0
+  %.6393 = icmp slt i64 %.979, 0
+  %.6394 = select i1 %.6393, i64 %arg.whole.5.0, i64 0
+  %45 = getelementptr i64, ptr %arg.whole.4, i64 %.979
+  %.6408 = getelementptr i64, ptr %45, i64 %.6394
+  %.6409 = load i64, ptr %.6408, align 8
+  %.6374 = uitofp i64 %.6409 to double
+  %.6412 = sitofp i64 %.6409 to double
+  %"$phi3874.1.2.4" = select i1 %.6337.not, double %.6412, double %.6374
+  %.6443 = icmp slt i64 %.1208, 0
+  %.6444 = select i1 %.6443, i64 %arg.coefficients.5.0, i64 0
+  %46 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
+  %.6458 = getelementptr double, ptr %46, i64 %.6444
+  %.6459 = load double, ptr %.6458, align 8
+  %.6460 = fmul double %.6459, %"$phi3874.1.2.4"
+  %.6478 = icmp slt i64 %.1208, -1
+  %.6479 = select i1 %.6478, i64 %arg.coefficients.5.0, i64 0
+  %47 = getelementptr i8, ptr %46, i64 8
+  %.6493 = getelementptr double, ptr %47, i64 %.6479
+  %.6494 = load double, ptr %.6493, align 8
+  %.6495 = fadd double %.6494, %.6460
+  %.6510 = icmp slt i64 %.1034, 0
+  %.6511 = select i1 %.6510, i64 %arg.z.5.0, i64 0
+  %48 = getelementptr double, ptr %arg.z.4, i64 %.1034
+  %.6525 = getelementptr double, ptr %48, i64 %.6511
+  store double %.6495, ptr %.6525, align 8
+  br label %B10170
+B3956:                                            ; preds = %B742
+  %.6540.not = icmp eq i64 %.1089, 0
+  br i1 %.6540.not, label %B4054, label %B3960
+B3960:                                            ; preds = %B3956
+  %.6556 = icmp slt i64 %.1208, 0
+  %.6557 = select i1 %.6556, i64 %arg.coefficients.5.0, i64 0
   %49 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.6280 = getelementptr double, ptr %49, i64 %.6266
-  %.6281 = load double, ptr %.6280, align 8
-  %.6296 = icmp slt i64 %.979, 0
-  %.6297 = select i1 %.6296, i64 %arg.z.5.0, i64 0
+  %.6571 = getelementptr double, ptr %49, i64 %.6557
+  %.6572 = load double, ptr %.6571, align 8
+  %.6587 = icmp slt i64 %.979, 0
+  %.6588 = select i1 %.6587, i64 %arg.z.5.0, i64 0
   %50 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.6311 = getelementptr double, ptr %50, i64 %.6297
-  %.6312 = load double, ptr %.6311, align 8
-  %.6313 = fmul double %.6281, %.6312
-  %.6329 = icmp slt i64 %.1208, -1
-  %.6330 = select i1 %.6329, i64 %arg.coefficients.5.0, i64 0
+  %.6602 = getelementptr double, ptr %50, i64 %.6588
+  %.6603 = load double, ptr %.6602, align 8
+  %.6604 = fmul double %.6572, %.6603
+  %.6620 = icmp slt i64 %.1208, -1
+  %.6621 = select i1 %.6620, i64 %arg.coefficients.5.0, i64 0
   %51 = getelementptr i8, ptr %49, i64 8
-  %.6344 = getelementptr double, ptr %51, i64 %.6330
-  %.6345 = load double, ptr %.6344, align 8
-  %.6346 = fadd double %.6313, %.6345
-  %.6354.le = tail call double @llvm.rint.f64(double %.6346)
-  br label %B3890
-B3850:                                            ; preds = %B3752
-  %.6377 = icmp slt i64 %.979, 0
-  %.6378 = select i1 %.6377, i64 %arg.whole.5.0, i64 0
+  %.6635 = getelementptr double, ptr %51, i64 %.6621
+  %.6636 = load double, ptr %.6635, align 8
+  %.6637 = fadd double %.6604, %.6636
+  %.6645.le = tail call double @llvm.rint.f64(double %.6637)
+  br label %B4094
+B4054:                                            ; preds = %B3956
+  %.6668 = icmp slt i64 %.979, 0
+  %.6669 = select i1 %.6668, i64 %arg.whole.5.0, i64 0
   %52 = getelementptr i64, ptr %arg.whole.4, i64 %.979
-  %.6392 = getelementptr i64, ptr %52, i64 %.6378
-  %.6393 = load i64, ptr %.6392, align 8
-  %.6394 = sitofp i64 %.6393 to double
-  br label %B3890
-B3890:                                            ; preds = %B3850, %B3756
-  %"$phi3890.1.2.4" = phi double [ %.6394, %B3850 ], [ %.6354.le, %B3756 ]
-  %.6419 = icmp slt i64 %.1208, -2
-  %.6420 = select i1 %.6419, i64 %arg.coefficients.5.0, i64 0
+  %.6683 = getelementptr i64, ptr %52, i64 %.6669
+  %.6684 = load i64, ptr %.6683, align 8
+  %.6685 = sitofp i64 %.6684 to double
+  br label %B4094
+B4094:                                            ; preds = %B4054, %B3960
+  %"$phi4094.1.2.4" = phi double [ %.6685, %B4054 ], [ %.6645.le, %B3960 ]
+  %.6710 = icmp slt i64 %.1208, -2
+  %.6711 = select i1 %.6710, i64 %arg.coefficients.5.0, i64 0
   %53 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
   %54 = getelementptr i8, ptr %53, i64 16
-  %.6434 = getelementptr double, ptr %54, i64 %.6420
-  %.6435 = load double, ptr %.6434, align 8
-  %.6437 = fcmp ugt double %.6435, %"$phi3890.1.2.4"
-  br i1 %.6437, label %B4216, label %B3958
-B3958:                                            ; preds = %B3890
-  %.6463 = icmp slt i64 %.1208, -3
-  %.6464 = select i1 %.6463, i64 %arg.coefficients.5.0, i64 0
+  %.6725 = getelementptr double, ptr %54, i64 %.6711
+  %.6726 = load double, ptr %.6725, align 8
+  %.6728 = fcmp ugt double %.6726, %"$phi4094.1.2.4"
+  br i1 %.6728, label %B4420, label %B4162
+B4162:                                            ; preds = %B4094
+  %.6754 = icmp slt i64 %.1208, -3
+  %.6755 = select i1 %.6754, i64 %arg.coefficients.5.0, i64 0
   %55 = getelementptr i8, ptr %53, i64 24
-  %.6478 = getelementptr double, ptr %55, i64 %.6464
-  %.6479 = load double, ptr %.6478, align 8
-  %.6481 = fcmp olt double %"$phi3890.1.2.4", %.6479
-  br i1 %.6481, label %B3964, label %B4216
-B3964:                                            ; preds = %B3958
+  %.6769 = getelementptr double, ptr %55, i64 %.6755
+  %.6770 = load double, ptr %.6769, align 8
+  %.6772 = fcmp olt double %"$phi4094.1.2.4", %.6770
+  br i1 %.6772, label %B4168, label %B4420
+B4168:                                            ; preds = %B4162
   %56 = icmp eq i64 %.1089, 0
-  %.6519 = icmp slt i64 %.979, 0
-  %.6520 = select i1 %.6519, i64 %arg.whole.5.0, i64 0
+  %.6810 = icmp slt i64 %.979, 0
+  %.6811 = select i1 %.6810, i64 %arg.whole.5.0, i64 0
   %57 = getelementptr i64, ptr %arg.whole.4, i64 %.979
-  %.6534 = getelementptr i64, ptr %57, i64 %.6520
-  %.6535 = load i64, ptr %.6534, align 8
-  br i1 %56, label %B4046.endif, label %B3984
-B3984:                                            ; preds = %B3964
-  %.6549 = fcmp oge double %"$phi3890.1.2.4", 0x43E0000000000000
-  %.6555 = fadd double %"$phi3890.1.2.4", 0xC3F0000000000000
-  %"$phi4030.3.2.6" = select i1 %.6549, double %.6555, double %"$phi3890.1.2.4"
-  %.6569 = fptosi double %"$phi4030.3.2.6" to i64
-  br label %B4046.endif
-B4110:                                            ; preds = %B4110.lr.ph, %B4198
-  %lsr.iv1084 = phi i64 [ %.1153, %B4110.lr.ph ], [ %lsr.iv.next1085, %B4198 ]
-  %lsr.iv = phi i64 [ %.6767, %B4110.lr.ph ], [ %lsr.iv.next, %B4198 ]
-  %fit.3.510900 = phi i1 [ false, %B4110.lr.ph ], [ %"$phi4198.2.3.6", %B4198 ]
-  br i1 %fit.3.510900, label %B4198, label %B4116
-B4116:                                            ; preds = %B4110
+  %.6825 = getelementptr i64, ptr %57, i64 %.6811
+  %.6826 = load i64, ptr %.6825, align 8
+  br i1 %56, label %B4250.endif, label %B4188
+B4188:                                            ; preds = %B4168
+  %.6840 = fcmp oge double %"$phi4094.1.2.4", 0x43E0000000000000
+  %.6846 = fadd double %"$phi4094.1.2.4", 0xC3F0000000000000
+  %"$phi4234.3.2.6" = select i1 %.6840, double %.6846, double %"$phi4094.1.2.4"
+  %.6860 = fptosi double %"$phi4234.3.2.6" to i64
+  br label %B4250.endif
+B4314:                                            ; preds = %B4314.lr.ph, %B4402
+  %lsr.iv1107 = phi i64 [ %.1153, %B4314.lr.ph ], [ %lsr.iv.next1108, %B4402 ]
+  %lsr.iv = phi i64 [ %.7058, %B4314.lr.ph ], [ %lsr.iv.next, %B4402 ]
+  %fit.3.511297 = phi i1 [ false, %B4314.lr.ph ], [ %"$phi4402.2.3.6", %B4402 ]
+  br i1 %fit.3.511297, label %B4402, label %B4320
+B4320:                                            ; preds = %B4314
   %58 = add i64 %lsr.iv, -1
-  %.6743 = icmp slt i64 %58, 0
-  %59 = select i1 %.6743, i64 %172, i64 0
-  %scevgep1079 = getelementptr i8, ptr %arg.coefficients.4, i64 %59
+  %.7034 = icmp slt i64 %58, 0
+  %59 = select i1 %.7034, i64 %172, i64 0
+  %scevgep1102 = getelementptr i8, ptr %arg.coefficients.4, i64 %59
   %60 = shl i64 %lsr.iv, 3
-  %scevgep1080 = getelementptr i8, ptr %scevgep1079, i64 %60
-  %scevgep1081 = getelementptr i8, ptr %scevgep1080, i64 -8
-  %.6759 = load double, ptr %scevgep1081, align 8
-  %.6762 = fcmp oeq double %.6759, %.6761
-  br i1 %.6762, label %B4158, label %B4198
-B4158:                                            ; preds = %B4116
-  %.6786 = icmp slt i64 %lsr.iv, 0
-  %61 = select i1 %.6786, i64 %172, i64 0
-  %scevgep1082 = getelementptr i8, ptr %arg.coefficients.4, i64 %61
+  %scevgep1103 = getelementptr i8, ptr %scevgep1102, i64 %60
+  %scevgep1104 = getelementptr i8, ptr %scevgep1103, i64 -8
+  %.7050 = load double, ptr %scevgep1104, align 8
+  %.7053 = fcmp oeq double %.7050, %.7052
+  br i1 %.7053, label %B4362, label %B4402
+B4362:                                            ; preds = %B4320
+  %.7077 = icmp slt i64 %lsr.iv, 0
+  %61 = select i1 %.7077, i64 %172, i64 0
+  %scevgep1105 = getelementptr i8, ptr %arg.coefficients.4, i64 %61
   %62 = shl i64 %lsr.iv, 3
-  %scevgep564 = getelementptr i8, ptr %scevgep1082, i64 %62
-  %.6802 = load double, ptr %scevgep564, align 8
-  %.6805 = fcmp oeq double %.6802, %.6804
-  br label %B4198
-B4198:                                            ; preds = %B4158, %B4116, %B4110
-  %"$phi4198.2.3.6" = phi i1 [ true, %B4110 ], [ %.6805, %B4158 ], [ false, %B4116 ]
+  %scevgep578 = getelementptr i8, ptr %scevgep1105, i64 %62
+  %.7093 = load double, ptr %scevgep578, align 8
+  %.7096 = fcmp oeq double %.7093, %.7095
+  br label %B4402
+B4402:                                            ; preds = %B4362, %B4320, %B4314
+  %"$phi4402.2.3.6" = phi i1 [ true, %B4314 ], [ %.7096, %B4362 ], [ false, %B4320 ]
   %lsr.iv.next = add i64 %lsr.iv, 2
-  %lsr.iv.next1085 = add nsw i64 %lsr.iv1084, -1
-  %exitcond11375.not = icmp eq i64 %lsr.iv.next1085, 0
-  br i1 %exitcond11375.not, label %B4212, label %B4110
-B4212:                                            ; preds = %B4198, %B4046.endif
-  %fit.3.5.lcssa = phi i1 [ %.6584, %B4046.endif ], [ %"$phi4198.2.3.6", %B4198 ]
-  %.6847 = icmp slt i64 %.1034, 0
-  %.6848 = select i1 %.6847, i64 %arg.whole.5.0, i64 0
+  %lsr.iv.next1108 = add nsw i64 %lsr.iv1107, -1
+  %exitcond11781.not = icmp eq i64 %lsr.iv.next1108, 0
+  br i1 %exitcond11781.not, label %B4416, label %B4314
+B4416:                                            ; preds = %B4402, %B4250.endif
+  %fit.3.5.lcssa = phi i1 [ %.6875, %B4250.endif ], [ %"$phi4402.2.3.6", %B4402 ]
+  %.7138 = icmp slt i64 %.1034, 0
+  %.7139 = select i1 %.7138, i64 %arg.whole.5.0, i64 0
   %63 = getelementptr i64, ptr %arg.whole.4, i64 %.1034
-  %.6862 = getelementptr i64, ptr %63, i64 %.6848
-  store i64 %cell.4.5, ptr %.6862, align 8
-  br i1 %fit.3.5.lcssa, label %B9960, label %B4216
-B4216:                                            ; preds = %B4212, %B3958, %B3890
-  %.6974 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.6974, align 8
-  %.7007 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.7007, align 8
+  %.7153 = getelementptr i64, ptr %63, i64 %.7139
+  store i64 %cell.4.5, ptr %.7153, align 8
+  br i1 %fit.3.5.lcssa, label %B10170, label %B4420
+B4420:                                            ; preds = %B4416, %B4162, %B4094
+  %.7265 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.7265, align 8
+  %.7298 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.7298, align 8
   store i64 6, ptr %retptr, align 8
   br label %common.ret
-B4418:                                            ; preds = %B4418.preheader.new, %B4418
-  %.73321088810890 = phi i64 [ 0, %B4418.preheader.new ], [ %.7339.1, %B4418 ]
-  %64 = add i64 %.7097, %.73321088810890
-  %.7379 = icmp slt i64 %64, 0
-  %65 = select i1 %.7379, i64 %170, i64 0
-  %scevgep1077 = getelementptr i8, ptr %scevgep, i64 %65
-  %66 = shl i64 %.73321088810890, 3
-  %scevgep1078 = getelementptr i8, ptr %scevgep1077, i64 %66
-  %.7395 = load i64, ptr %scevgep1078, align 8
-  %.7409 = icmp slt i64 %.7395, 0
-  %.7410 = select i1 %.7409, i64 %arg.z.5.0, i64 0
-  %67 = getelementptr double, ptr %arg.z.4, i64 %.7395
-  %.7424 = getelementptr double, ptr %67, i64 %.7410
-  %.7425 = load double, ptr %.7424, align 8
-  %68 = add i64 %.7243, %.73321088810890
-  %.7441 = icmp slt i64 %68, 0
-  %69 = select i1 %.7441, i64 %171, i64 0
-  %scevgep1075 = getelementptr i8, ptr %scevgep1071, i64 %69
-  %70 = shl i64 %.73321088810890, 3
-  %scevgep563 = getelementptr i8, ptr %scevgep1075, i64 %70
-  store double %.7425, ptr %scevgep563, align 8
-  %.7339.1 = add nuw i64 %.73321088810890, 2
-  %71 = add i64 %.7097, %.73321088810890
+B4622:                                            ; preds = %B4622.preheader.new, %B4622
+  %.76231128511287 = phi i64 [ 0, %B4622.preheader.new ], [ %.7630.1, %B4622 ]
+  %64 = add i64 %.7388, %.76231128511287
+  %.7670 = icmp slt i64 %64, 0
+  %65 = select i1 %.7670, i64 %170, i64 0
+  %scevgep1100 = getelementptr i8, ptr %scevgep, i64 %65
+  %66 = shl i64 %.76231128511287, 3
+  %scevgep1101 = getelementptr i8, ptr %scevgep1100, i64 %66
+  %.7686 = load i64, ptr %scevgep1101, align 8
+  %.7700 = icmp slt i64 %.7686, 0
+  %.7701 = select i1 %.7700, i64 %arg.z.5.0, i64 0
+  %67 = getelementptr double, ptr %arg.z.4, i64 %.7686
+  %.7715 = getelementptr double, ptr %67, i64 %.7701
+  %.7716 = load double, ptr %.7715, align 8
+  %68 = add i64 %.7534, %.76231128511287
+  %.7732 = icmp slt i64 %68, 0
+  %69 = select i1 %.7732, i64 %171, i64 0
+  %scevgep1098 = getelementptr i8, ptr %scevgep1094, i64 %69
+  %70 = shl i64 %.76231128511287, 3
+  %scevgep577 = getelementptr i8, ptr %scevgep1098, i64 %70
+  store double %.7716, ptr %scevgep577, align 8
+  %.7630.1 = add nuw i64 %.76231128511287, 2
+  %71 = add i64 %.7388, %.76231128511287
   %72 = add i64 %71, 1
-  %.7379.1 = icmp slt i64 %72, 0
-  %73 = select i1 %.7379.1, i64 %170, i64 0
+  %.7670.1 = icmp slt i64 %72, 0
+  %73 = select i1 %.7670.1, i64 %170, i64 0
   %74 = add i64 %73, 8
-  %scevgep561 = getelementptr i8, ptr %scevgep, i64 %74
-  %75 = shl i64 %.73321088810890, 3
-  %scevgep562 = getelementptr i8, ptr %scevgep561, i64 %75
-  %.7395.1 = load i64, ptr %scevgep562, align 8
-  %.7409.1 = icmp slt i64 %.7395.1, 0
-  %.7410.1 = select i1 %.7409.1, i64 %arg.z.5.0, i64 0
-  %76 = getelementptr double, ptr %arg.z.4, i64 %.7395.1
-  %.7424.1 = getelementptr double, ptr %76, i64 %.7410.1
-  %.7425.1 = load double, ptr %.7424.1, align 8
-  %77 = add i64 %.7243, %.73321088810890
+  %scevgep575 = getelementptr i8, ptr %scevgep, i64 %74
+  %75 = shl i64 %.76231128511287, 3
+  %scevgep576 = getelementptr i8, ptr %scevgep575, i64 %75
+  %.7686.1 = load i64, ptr %scevgep576, align 8
+  %.7700.1 = icmp slt i64 %.7686.1, 0
+  %.7701.1 = select i1 %.7700.1, i64 %arg.z.5.0, i64 0
+  %76 = getelementptr double, ptr %arg.z.4, i64 %.7686.1
+  %.7715.1 = getelementptr double, ptr %76, i64 %.7701.1
+  %.7716.1 = load double, ptr %.7715.1, align 8
+  %77 = add i64 %.7534, %.76231128511287
   %78 = add i64 %77, 1
-  %.7441.1 = icmp slt i64 %78, 0
-  %79 = select i1 %.7441.1, i64 %171, i64 0
+  %.7732.1 = icmp slt i64 %78, 0
+  %79 = select i1 %.7732.1, i64 %171, i64 0
   %80 = add i64 %79, 8
-  %scevgep559 = getelementptr i8, ptr %scevgep1071, i64 %80
-  %81 = shl i64 %.73321088810890, 3
-  %scevgep560 = getelementptr i8, ptr %scevgep559, i64 %81
-  store double %.7425.1, ptr %scevgep560, align 8
-  %niter.ncmp.1 = icmp eq i64 %unroll_iter, %.7339.1
-  br i1 %niter.ncmp.1, label %B4468.loopexit.unr-lcssa, label %B4418
-B4468.loopexit.unr-lcssa:                         ; preds = %B4418
-  %82 = and i64 %.7152, 1
+  %scevgep573 = getelementptr i8, ptr %scevgep1094, i64 %80
+  %81 = shl i64 %.76231128511287, 3
+  %scevgep574 = getelementptr i8, ptr %scevgep573, i64 %81
+  store double %.7716.1, ptr %scevgep574, align 8
+  %niter.ncmp.1 = icmp eq i64 %unroll_iter, %.7630.1
+  br i1 %niter.ncmp.1, label %B4672.loopexit.unr-lcssa, label %B4622
+B4672.loopexit.unr-lcssa:                         ; preds = %B4622
+  %82 = and i64 %.7443, 1
   %lcmp.mod.not = icmp eq i64 %82, 0
-  br i1 %lcmp.mod.not, label %B4468.loopexit, label %B4418.epil.preheader
-B4418.epil.preheader:                             ; preds = %B4418.preheader, %B4468.loopexit.unr-lcssa
-  %.73321088810890.epil.init = phi i64 [ 0, %B4418.preheader ], [ %unroll_iter, %B4468.loopexit.unr-lcssa ]
-  %.7365.epil = add nsw i64 %.73321088810890.epil.init, %.7097
-  %.7379.epil = icmp slt i64 %.7365.epil, 0
-  %.7380.epil = select i1 %.7379.epil, i64 %arg.slots.5.0, i64 0
-  %83 = getelementptr i64, ptr %arg.slots.4, i64 %.7365.epil
-  %.7394.epil = getelementptr i64, ptr %83, i64 %.7380.epil
-  %.7395.epil = load i64, ptr %.7394.epil, align 8
-  %.7409.epil = icmp slt i64 %.7395.epil, 0
-  %.7410.epil = select i1 %.7409.epil, i64 %arg.z.5.0, i64 0
-  %84 = getelementptr double, ptr %arg.z.4, i64 %.7395.epil
-  %.7424.epil = getelementptr double, ptr %84, i64 %.7410.epil
-  %.7425.epil = load double, ptr %.7424.epil, align 8
-  %.7427.epil = add nsw i64 %.73321088810890.epil.init, %.7243
-  %.7441.epil = icmp slt i64 %.7427.epil, 0
-  %.7442.epil = select i1 %.7441.epil, i64 %arg.buffer.5.0, i64 0
-  %85 = getelementptr double, ptr %arg.buffer.4, i64 %.7427.epil
-  %.7456.epil = getelementptr double, ptr %85, i64 %.7442.epil
-  store double %.7425.epil, ptr %.7456.epil, align 8
-  br label %B4468.loopexit
-B4468.loopexit:                                   ; preds = %B4418.epil.preheader, %B4468.loopexit.unr-lcssa
-  %sunkaddr1163 = shl i64 %.7226, 3
-  %sunkaddr1164 = getelementptr inbounds i8, ptr %175, i64 %sunkaddr1163
-  %.7507.pre = load i64, ptr %sunkaddr1164, align 8
-  br label %B4468
-B4468:                                            ; preds = %B4302.endif.B4468_crit_edge, %B4468.loopexit
-  %sunkaddr1165.pre-phi = phi i64 [ %.pre244, %B4302.endif.B4468_crit_edge ], [ %sunkaddr1163, %B4468.loopexit ]
-  %.7507 = phi i64 [ %.7241, %B4302.endif.B4468_crit_edge ], [ %.7507.pre, %B4468.loopexit ]
-  %.7508 = add nsw i64 %.7507, 1
-  %sunkaddr1166 = getelementptr i8, ptr %175, i64 %sunkaddr1165.pre-phi
-  store i64 %.7508, ptr %sunkaddr1166, align 8
-  br label %B9960
-B4526:                                            ; preds = %B742
-  %.7567 = icmp slt i64 %.1208, -2
-  %.7568 = select i1 %.7567, i64 %arg.coefficients.5.0, i64 0
+  br i1 %lcmp.mod.not, label %B4672.loopexit, label %B4622.epil.preheader
+B4622.epil.preheader:                             ; preds = %B4622.preheader, %B4672.loopexit.unr-lcssa
+  %.76231128511287.epil.init = phi i64 [ 0, %B4622.preheader ], [ %unroll_iter, %B4672.loopexit.unr-lcssa ]
+  %.7656.epil = add nsw i64 %.76231128511287.epil.init, %.7388
+  %.7670.epil = icmp slt i64 %.7656.epil, 0
+  %.7671.epil = select i1 %.7670.epil, i64 %arg.slots.5.0, i64 0
+  %83 = getelementptr i64, ptr %arg.slots.4, i64 %.7656.epil
+  %.7685.epil = getelementptr i64, ptr %83, i64 %.7671.epil
+  %.7686.epil = load i64, ptr %.7685.epil, align 8
+  %.7700.epil = icmp slt i64 %.7686.epil, 0
+  %.7701.epil = select i1 %.7700.epil, i64 %arg.z.5.0, i64 0
+  %84 = getelementptr double, ptr %arg.z.4, i64 %.7686.epil
+  %.7715.epil = getelementptr double, ptr %84, i64 %.7701.epil
+  %.7716.epil = load double, ptr %.7715.epil, align 8
+  %.7718.epil = add nsw i64 %.76231128511287.epil.init, %.7534
+  %.7732.epil = icmp slt i64 %.7718.epil, 0
+  %.7733.epil = select i1 %.7732.epil, i64 %arg.buffer.5.0, i64 0
+  %85 = getelementptr double, ptr %arg.buffer.4, i64 %.7718.epil
+  %.7747.epil = getelementptr double, ptr %85, i64 %.7733.epil
+  store double %.7716.epil, ptr %.7747.epil, align 8
+  br label %B4672.loopexit
+B4672.loopexit:                                   ; preds = %B4622.epil.preheader, %B4672.loopexit.unr-lcssa
+  %sunkaddr1186 = shl i64 %.7517, 3
+  %sunkaddr1187 = getelementptr inbounds i8, ptr %175, i64 %sunkaddr1186
+  %.7798.pre = load i64, ptr %sunkaddr1187, align 8
+  br label %B4672
+B4672:                                            ; preds = %B4506.endif.B4672_crit_edge, %B4672.loopexit
+  %sunkaddr1188.pre-phi = phi i64 [ %.pre250, %B4506.endif.B4672_crit_edge ], [ %sunkaddr1186, %B4672.loopexit ]
+  %.7798 = phi i64 [ %.7532, %B4506.endif.B4672_crit_edge ], [ %.7798.pre, %B4672.loopexit ]
+  %.7799 = add nsw i64 %.7798, 1
+  %sunkaddr1189 = getelementptr i8, ptr %175, i64 %sunkaddr1188.pre-phi
+  store i64 %.7799, ptr %sunkaddr1189, align 8
+  br label %B10170
+B4730:                                            ; preds = %B742
+  %.7858 = icmp slt i64 %.1208, -2
+  %.7859 = select i1 %.7858, i64 %arg.coefficients.5.0, i64 0
   %86 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
   %87 = getelementptr i8, ptr %86, i64 16
-  %.7582 = getelementptr double, ptr %87, i64 %.7568
-  %.7583 = load double, ptr %.7582, align 8
-  %.7587 = fcmp oeq double %.7583, 0.000000e+00
-  br i1 %.7587, label %B4560, label %B4598
-B4560:                                            ; preds = %B4526
-  %sunkaddr625 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.7618 = load i64, ptr %sunkaddr625, align 8
-  %.7620 = mul nsw i64 %.7618, %arg.numerator
-  %.7622 = sitofp i64 %.7620 to double
-  %.7627 = fdiv double %.7622, %.8915
-  br label %B4598
-B4598:                                            ; preds = %B4560, %B4526
-  %h.3.4 = phi double [ %.7627, %B4560 ], [ %.7583, %B4526 ]
-  %.7655 = icmp slt i64 %.1034, 0
-  %.7656 = select i1 %.7655, i64 %arg.z.5.0, i64 0
+  %.7873 = getelementptr double, ptr %87, i64 %.7859
+  %.7874 = load double, ptr %.7873, align 8
+  %.7878 = fcmp oeq double %.7874, 0.000000e+00
+  br i1 %.7878, label %B4764, label %B4802
+B4764:                                            ; preds = %B4730
+  %sunkaddr639 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.7909 = load i64, ptr %sunkaddr639, align 8
+  %.7911 = mul nsw i64 %.7909, %arg.numerator
+  %.7913 = sitofp i64 %.7911 to double
+  %.7918 = fdiv double %.7913, %.9206
+  br label %B4802
+B4802:                                            ; preds = %B4764, %B4730
+  %h.3.4 = phi double [ %.7918, %B4764 ], [ %.7874, %B4730 ]
+  %.7946 = icmp slt i64 %.1034, 0
+  %.7947 = select i1 %.7946, i64 %arg.z.5.0, i64 0
   %88 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.7670 = getelementptr double, ptr %88, i64 %.7656
-  %.7671 = load double, ptr %.7670, align 8
-  %.7686 = icmp slt i64 %.1153, 0
-  %.7687 = select i1 %.7686, i64 %arg.z.5.0, i64 0
+  %.7961 = getelementptr double, ptr %88, i64 %.7947
+  %.7962 = load double, ptr %.7961, align 8
+  %.7977 = icmp slt i64 %.1153, 0
+  %.7978 = select i1 %.7977, i64 %arg.z.5.0, i64 0
   %89 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.7701 = getelementptr double, ptr %89, i64 %.7687
-  %.7702 = load double, ptr %.7701, align 8
-  %.7719 = icmp slt i64 %.1208, 0
-  %.7720 = select i1 %.7719, i64 %arg.coefficients.5.0, i64 0
-  %.7734 = getelementptr double, ptr %86, i64 %.7720
-  %.7735 = load double, ptr %.7734, align 8
-  %.7750 = icmp slt i64 %.1089, 0
-  %.7751 = select i1 %.7750, i64 %arg.z.5.0, i64 0
+  %.7992 = getelementptr double, ptr %89, i64 %.7978
+  %.7993 = load double, ptr %.7992, align 8
+  %.8010 = icmp slt i64 %.1208, 0
+  %.8011 = select i1 %.8010, i64 %arg.coefficients.5.0, i64 0
+  %.8025 = getelementptr double, ptr %86, i64 %.8011
+  %.8026 = load double, ptr %.8025, align 8
+  %.8041 = icmp slt i64 %.1089, 0
+  %.8042 = select i1 %.8041, i64 %arg.z.5.0, i64 0
   %90 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.7765 = getelementptr double, ptr %90, i64 %.7751
-  %.7766 = load double, ptr %.7765, align 8
-  %.7769 = fmul double %.7735, %.7766
-  %.7787 = icmp slt i64 %.1208, -1
-  %.7788 = select i1 %.7787, i64 %arg.coefficients.5.0, i64 0
+  %.8056 = getelementptr double, ptr %90, i64 %.8042
+  %.8057 = load double, ptr %.8056, align 8
+  %.8060 = fmul double %.8026, %.8057
+  %.8078 = icmp slt i64 %.1208, -1
+  %.8079 = select i1 %.8078, i64 %arg.coefficients.5.0, i64 0
   %91 = getelementptr i8, ptr %86, i64 8
-  %.7802 = getelementptr double, ptr %91, i64 %.7788
-  %.7803 = load double, ptr %.7802, align 8
-  %.7818 = icmp slt i64 %.979, 0
-  %.7819 = select i1 %.7818, i64 %arg.z.5.0, i64 0
+  %.8093 = getelementptr double, ptr %91, i64 %.8079
+  %.8094 = load double, ptr %.8093, align 8
+  %.8109 = icmp slt i64 %.979, 0
+  %.8110 = select i1 %.8109, i64 %arg.z.5.0, i64 0
   %92 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.7833 = getelementptr double, ptr %92, i64 %.7819
-  %.7834 = load double, ptr %.7833, align 8
-  %.7837 = fmul double %.7803, %.7834
-  %.7838 = fadd double %.7769, %.7837
-  %.7839 = fmul double %.7702, %.7838
-  %.7841 = fmul double %h.3.4, %.7839
-  %.7844 = fadd double %.7671, %.7841
-  store double %.7844, ptr %.7670, align 8
-  br label %B9960
-B4752:                                            ; preds = %B742
-  %.7914 = icmp slt i64 %.979, 0
-  %.7915 = select i1 %.7914, i64 %arg.z.5.0, i64 0
+  %.8124 = getelementptr double, ptr %92, i64 %.8110
+  %.8125 = load double, ptr %.8124, align 8
+  %.8128 = fmul double %.8094, %.8125
+  %.8129 = fadd double %.8060, %.8128
+  %.8130 = fmul double %.7993, %.8129
+  %.8132 = fmul double %h.3.4, %.8130
+  %.8135 = fadd double %.7962, %.8132
+  store double %.8135, ptr %.7961, align 8
+  br label %B10170
+B4956:                                            ; preds = %B742
+  %.8205 = icmp slt i64 %.979, 0
+  %.8206 = select i1 %.8205, i64 %arg.z.5.0, i64 0
   %93 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.7929 = getelementptr double, ptr %93, i64 %.7915
-  %.7930 = load double, ptr %.7929, align 8
-  %.7947 = icmp slt i64 %.1089, 0
-  %.7948 = select i1 %.7947, i64 %arg.z.5.0, i64 0
+  %.8220 = getelementptr double, ptr %93, i64 %.8206
+  %.8221 = load double, ptr %.8220, align 8
+  %.8238 = icmp slt i64 %.1089, 0
+  %.8239 = select i1 %.8238, i64 %arg.z.5.0, i64 0
   %94 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.7962 = getelementptr double, ptr %94, i64 %.7948
-  %.7963 = load double, ptr %.7962, align 8
-  %.7966 = fsub double %.7930, %.7963
-  %.7981 = icmp slt i64 %.1153, 0
-  %.7982 = select i1 %.7981, i64 %arg.z.5.0, i64 0
+  %.8253 = getelementptr double, ptr %94, i64 %.8239
+  %.8254 = load double, ptr %.8253, align 8
+  %.8257 = fsub double %.8221, %.8254
+  %.8272 = icmp slt i64 %.1153, 0
+  %.8273 = select i1 %.8272, i64 %arg.z.5.0, i64 0
   %95 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.7996 = getelementptr double, ptr %95, i64 %.7982
-  %.7997 = load double, ptr %.7996, align 8
-  %.7998 = fsub double %.7966, %.7997
-  %.8013 = icmp slt i64 %.1034, 0
-  %.8014 = select i1 %.8013, i64 %arg.z.5.0, i64 0
+  %.8287 = getelementptr double, ptr %95, i64 %.8273
+  %.8288 = load double, ptr %.8287, align 8
+  %.8289 = fsub double %.8257, %.8288
+  %.8304 = icmp slt i64 %.1034, 0
+  %.8305 = select i1 %.8304, i64 %arg.z.5.0, i64 0
   %96 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.8028 = getelementptr double, ptr %96, i64 %.8014
-  store double %.7998, ptr %.8028, align 8
-  store double %.7966, ptr %.7996, align 8
-  br label %B9960
-B4850:                                            ; preds = %B742
-  %.8099 = icmp slt i64 %.979, 0
-  %.8100 = select i1 %.8099, i64 %arg.z.5.0, i64 0
+  %.8319 = getelementptr double, ptr %96, i64 %.8305
+  store double %.8289, ptr %.8319, align 8
+  store double %.8257, ptr %.8287, align 8
+  br label %B10170
+B5054:                                            ; preds = %B742
+  %.8390 = icmp slt i64 %.979, 0
+  %.8391 = select i1 %.8390, i64 %arg.z.5.0, i64 0
   %97 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.8114 = getelementptr double, ptr %97, i64 %.8100
-  %.8115 = load double, ptr %.8114, align 8
-  %.8130 = icmp slt i64 %.1089, 0
-  %.8131 = select i1 %.8130, i64 %arg.z.5.0, i64 0
+  %.8405 = getelementptr double, ptr %97, i64 %.8391
+  %.8406 = load double, ptr %.8405, align 8
+  %.8421 = icmp slt i64 %.1089, 0
+  %.8422 = select i1 %.8421, i64 %arg.z.5.0, i64 0
   %98 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.8145 = getelementptr double, ptr %98, i64 %.8131
-  %.8146 = load double, ptr %.8145, align 8
-  %.8147 = fsub double %.8115, %.8146
-  %.8212 = fmul double %.8146, 2.000000e+00
-  %.8213 = fsub double %.8115, %.8212
-  %.8228 = icmp slt i64 %.1153, 0
-  %.8229 = select i1 %.8228, i64 %arg.z.5.0, i64 0
+  %.8436 = getelementptr double, ptr %98, i64 %.8422
+  %.8437 = load double, ptr %.8436, align 8
+  %.8438 = fsub double %.8406, %.8437
+  %.8503 = fmul double %.8437, 2.000000e+00
+  %.8504 = fsub double %.8406, %.8503
+  %.8519 = icmp slt i64 %.1153, 0
+  %.8520 = select i1 %.8519, i64 %arg.z.5.0, i64 0
   %99 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.8243 = getelementptr double, ptr %99, i64 %.8229
-  %.8244 = load double, ptr %.8243, align 8
-  %.8247 = fadd double %.8244, %.8213
-  %.8296 = icmp slt i64 %.1208, -2
-  %.8297 = select i1 %.8296, i64 %arg.coefficients.5.0, i64 0
+  %.8534 = getelementptr double, ptr %99, i64 %.8520
+  %.8535 = load double, ptr %.8534, align 8
+  %.8538 = fadd double %.8535, %.8504
+  %.8587 = icmp slt i64 %.1208, -2
+  %.8588 = select i1 %.8587, i64 %arg.coefficients.5.0, i64 0
   %100 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
   %101 = getelementptr i8, ptr %100, i64 16
-  %.8311 = getelementptr double, ptr %101, i64 %.8297
-  %.8312 = load double, ptr %.8311, align 8
-  %.8313 = fmul double %.8147, %.8312
-  %.8314 = fadd double %.8115, %.8313
-  %.8330 = icmp slt i64 %.1208, -3
-  %.8331 = select i1 %.8330, i64 %arg.coefficients.5.0, i64 0
+  %.8602 = getelementptr double, ptr %101, i64 %.8588
+  %.8603 = load double, ptr %.8602, align 8
+  %.8604 = fmul double %.8438, %.8603
+  %.8605 = fadd double %.8406, %.8604
+  %.8621 = icmp slt i64 %.1208, -3
+  %.8622 = select i1 %.8621, i64 %arg.coefficients.5.0, i64 0
   %102 = getelementptr i8, ptr %100, i64 24
-  %.8345 = getelementptr double, ptr %102, i64 %.8331
-  %.8346 = load double, ptr %.8345, align 8
-  %.8347 = fmul double %.8346, %.8247
-  %.8348 = fadd double %.8314, %.8347
-  %.8363 = icmp slt i64 %.1208, 0
-  %.8364 = select i1 %.8363, i64 %arg.coefficients.5.0, i64 0
-  %.8378 = getelementptr double, ptr %100, i64 %.8364
-  %.8379 = load double, ptr %.8378, align 8
-  %.8380 = fmul double %.8379, %.8348
-  %.8398 = icmp slt i64 %.1208, -1
-  %.8399 = select i1 %.8398, i64 %arg.coefficients.5.0, i64 0
+  %.8636 = getelementptr double, ptr %102, i64 %.8622
+  %.8637 = load double, ptr %.8636, align 8
+  %.8638 = fmul double %.8637, %.8538
+  %.8639 = fadd double %.8605, %.8638
+  %.8654 = icmp slt i64 %.1208, 0
+  %.8655 = select i1 %.8654, i64 %arg.coefficients.5.0, i64 0
+  %.8669 = getelementptr double, ptr %100, i64 %.8655
+  %.8670 = load double, ptr %.8669, align 8
+  %.8671 = fmul double %.8670, %.8639
+  %.8689 = icmp slt i64 %.1208, -1
+  %.8690 = select i1 %.8689, i64 %arg.coefficients.5.0, i64 0
   %103 = getelementptr i8, ptr %100, i64 8
-  %.8413 = getelementptr double, ptr %103, i64 %.8399
-  %.8414 = load double, ptr %.8413, align 8
-  %.8415 = fadd double %.8414, %.8380
-  %.8430 = icmp slt i64 %.1034, 0
-  %.8431 = select i1 %.8430, i64 %arg.z.5.0, i64 0
+  %.8704 = getelementptr double, ptr %103, i64 %.8690
+  %.8705 = load double, ptr %.8704, align 8
+  %.8706 = fadd double %.8705, %.8671
+  %.8721 = icmp slt i64 %.1034, 0
+  %.8722 = select i1 %.8721, i64 %arg.z.5.0, i64 0
   %104 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.8445 = getelementptr double, ptr %104, i64 %.8431
-  store double %.8415, ptr %.8445, align 8
-  br label %B9960
-B5096:                                            ; preds = %B742
-  %.8485 = icmp slt i64 %.1208, 0
-  %.8486 = select i1 %.8485, i64 %arg.coefficients.5.0, i64 0
+  %.8736 = getelementptr double, ptr %104, i64 %.8722
+  store double %.8706, ptr %.8736, align 8
+  br label %B10170
+B5300:                                            ; preds = %B742
+  %.8776 = icmp slt i64 %.1208, 0
+  %.8777 = select i1 %.8776, i64 %arg.coefficients.5.0, i64 0
   %105 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.8500 = getelementptr double, ptr %105, i64 %.8486
-  %.8501 = load double, ptr %.8500, align 8
-  %.8516 = icmp slt i64 %.1034, 0
-  %.8517 = select i1 %.8516, i64 %arg.z.5.0, i64 0
+  %.8791 = getelementptr double, ptr %105, i64 %.8777
+  %.8792 = load double, ptr %.8791, align 8
+  %.8807 = icmp slt i64 %.1034, 0
+  %.8808 = select i1 %.8807, i64 %arg.z.5.0, i64 0
   %106 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.8531 = getelementptr double, ptr %106, i64 %.8517
-  %.8532 = load double, ptr %.8531, align 8
-  %.8533 = fmul double %.8501, %.8532
-  %.8549 = icmp slt i64 %.1208, -1
-  %.8550 = select i1 %.8549, i64 %arg.coefficients.5.0, i64 0
+  %.8822 = getelementptr double, ptr %106, i64 %.8808
+  %.8823 = load double, ptr %.8822, align 8
+  %.8824 = fmul double %.8792, %.8823
+  %.8840 = icmp slt i64 %.1208, -1
+  %.8841 = select i1 %.8840, i64 %arg.coefficients.5.0, i64 0
   %107 = getelementptr i8, ptr %105, i64 8
-  %.8564 = getelementptr double, ptr %107, i64 %.8550
-  %.8565 = load double, ptr %.8564, align 8
-  %.8580 = icmp slt i64 %.979, 0
-  %.8581 = select i1 %.8580, i64 %arg.z.5.0, i64 0
+  %.8855 = getelementptr double, ptr %107, i64 %.8841
+  %.8856 = load double, ptr %.8855, align 8
+  %.8871 = icmp slt i64 %.979, 0
+  %.8872 = select i1 %.8871, i64 %arg.z.5.0, i64 0
   %108 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.8595 = getelementptr double, ptr %108, i64 %.8581
-  %.8596 = load double, ptr %.8595, align 8
-  %.8599 = fmul double %.8565, %.8596
-  %.8600 = fadd double %.8533, %.8599
-  %.8616 = icmp slt i64 %.1208, -2
-  %.8617 = select i1 %.8616, i64 %arg.coefficients.5.0, i64 0
+  %.8886 = getelementptr double, ptr %108, i64 %.8872
+  %.8887 = load double, ptr %.8886, align 8
+  %.8890 = fmul double %.8856, %.8887
+  %.8891 = fadd double %.8824, %.8890
+  %.8907 = icmp slt i64 %.1208, -2
+  %.8908 = select i1 %.8907, i64 %arg.coefficients.5.0, i64 0
   %109 = getelementptr i8, ptr %105, i64 16
-  %.8631 = getelementptr double, ptr %109, i64 %.8617
-  %.8632 = load double, ptr %.8631, align 8
-  %.8647 = icmp slt i64 %.1089, 0
-  %.8648 = select i1 %.8647, i64 %arg.z.5.0, i64 0
+  %.8922 = getelementptr double, ptr %109, i64 %.8908
+  %.8923 = load double, ptr %.8922, align 8
+  %.8938 = icmp slt i64 %.1089, 0
+  %.8939 = select i1 %.8938, i64 %arg.z.5.0, i64 0
   %110 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.8662 = getelementptr double, ptr %110, i64 %.8648
-  %.8663 = load double, ptr %.8662, align 8
-  %.8666 = fmul double %.8632, %.8663
-  %.8667 = fadd double %.8600, %.8666
-  %.8685 = icmp slt i64 %.1208, -3
-  %.8686 = select i1 %.8685, i64 %arg.coefficients.5.0, i64 0
+  %.8953 = getelementptr double, ptr %110, i64 %.8939
+  %.8954 = load double, ptr %.8953, align 8
+  %.8957 = fmul double %.8923, %.8954
+  %.8958 = fadd double %.8891, %.8957
+  %.8976 = icmp slt i64 %.1208, -3
+  %.8977 = select i1 %.8976, i64 %arg.coefficients.5.0, i64 0
   %111 = getelementptr i8, ptr %105, i64 24
-  %.8700 = getelementptr double, ptr %111, i64 %.8686
-  %.8701 = load double, ptr %.8700, align 8
-  %.8702 = fadd double %.8701, %.8667
-  store double %.8702, ptr %.8531, align 8
-  br label %B9960
-B5274:                                            ; preds = %B742
-  %.8758 = add nsw i64 %.1089, %base.3.1
-  %.8760 = mul nsw i64 %.8758, %arg.numerator
-  %.8762 = sitofp i64 %.8760 to double
-  %.8767 = fdiv double %.8762, %.8915
-  %.8776 = add nsw i64 %.8758, %.1153
-  %sunkaddr626 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.8808 = load i64, ptr %sunkaddr626, align 8
-  %.8809 = add nsw i64 %.8776, %.8808
-  %.8811 = mul nsw i64 %.8809, %arg.numerator
-  %.8813 = sitofp i64 %.8811 to double
-  %.8818 = fdiv double %.8813, %.8915
-  store double 0.000000e+00, ptr %.8821, align 8
-  %.8827 = call i32 @f72(ptr nonnull %.8821, ptr nonnull %excinfo.13, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, double %.8767, double %.8818)
-  %cond536 = icmp eq i32 %.8827, 0
-  br i1 %cond536, label %B5274.endif.endif.endif, label %B5274.endif.endif.if.if
-B5420:                                            ; preds = %B742
-  %.8906 = add nsw i64 %.1089, %base.3.1
-  %.8912 = mul nsw i64 %.8906, %arg.numerator
-  %.8914 = sitofp i64 %.8912 to double
-  %.8919 = fdiv double %.8914, %.8915
+  %.8991 = getelementptr double, ptr %111, i64 %.8977
+  %.8992 = load double, ptr %.8991, align 8
+  %.8993 = fadd double %.8992, %.8958
+  store double %.8993, ptr %.8822, align 8
+  br label %B10170
+B5478:                                            ; preds = %B742
+  %.9049 = add nsw i64 %.1089, %base.3.1
+  %.9051 = mul nsw i64 %.9049, %arg.numerator
+  %.9053 = sitofp i64 %.9051 to double
+  %.9058 = fdiv double %.9053, %.9206
+  %.9067 = add nsw i64 %.9049, %.1153
+  %sunkaddr640 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.9099 = load i64, ptr %sunkaddr640, align 8
+  %.9100 = add nsw i64 %.9067, %.9099
+  %.9102 = mul nsw i64 %.9100, %arg.numerator
+  %.9104 = sitofp i64 %.9102 to double
+  %.9109 = fdiv double %.9104, %.9206
+  store double 0.000000e+00, ptr %.9112, align 8
+  %.9118 = call i32 @f73(ptr nonnull %.9112, ptr nonnull %excinfo.14, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, double %.9058, double %.9109)
+  %cond547 = icmp eq i32 %.9118, 0
+  br i1 %cond547, label %B5478.endif.endif.endif, label %B5478.endif.endif.if.if
+B5624:                                            ; preds = %B742
+  %.9197 = add nsw i64 %.1089, %base.3.1
+  %.9203 = mul nsw i64 %.9197, %arg.numerator
+  %.9205 = sitofp i64 %.9203 to double
+  %.9210 = fdiv double %.9205, %.9206
   %.28.i = icmp slt i64 %.1208, 0
   %.29.i = select i1 %.28.i, i64 %arg.coefficients.5.0, i64 0
   %112 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
@@ -1284,10 +1295,10 @@ B5420:                                            ; preds = %B742
   %.5.i.i = fptosi double %.44.i to i64
   %.88.i.i = icmp sgt i64 %.5.i.i, 1
   br i1 %.88.i.i, label %B68.else.if.preheader.i.i, label %B0.endif.common.ret_crit_edge.i
-B0.endif.common.ret_crit_edge.i:                  ; preds = %B5420
+B0.endif.common.ret_crit_edge.i:                  ; preds = %B5624
   %.pre.i = add nsw i64 %.1208, 1
-  br label %B5420.endif.endif
-B68.else.if.preheader.i.i:                        ; preds = %B5420
+  br label %B5624.endif.endif
+B68.else.if.preheader.i.i:                        ; preds = %B5624
   %.78.i.i = add nsw i64 %.5.i.i, -1
   %.143.i.i = add nsw i64 %.1208, 1
   br label %B68.else.if.i.i
@@ -1303,725 +1314,725 @@ B68.else.if.i.i:                                  ; preds = %B68.else.if.i.i, %B
   %113 = getelementptr double, ptr %arg.coefficients.4, i64 %.145.i.i
   %.174.i.i = getelementptr double, ptr %113, i64 %.160.i.i
   %.175.i.i = load double, ptr %.174.i.i, align 8
-  %.177.i.i = fcmp ole double %.175.i.i, %.8919
+  %.177.i.i = fcmp ole double %.175.i.i, %.9210
   %.202.i.i = add nsw i64 %.106.1.i.i, -1
   %high.3.1.i.i = select i1 %.177.i.i, i64 %high.2.0.i.i, i64 %.202.i.i
   %low.3.1.i.i = select i1 %.177.i.i, i64 %.106.1.i.i, i64 %low.2.0.i.i
   %.219.i.i = icmp slt i64 %low.3.1.i.i, %high.3.1.i.i
-  br i1 %.219.i.i, label %B68.else.if.i.i, label %B5420.endif.endif
-B5482:                                            ; preds = %B742
+  br i1 %.219.i.i, label %B68.else.if.i.i, label %B5624.endif.endif
+B5686:                                            ; preds = %B742
   %114 = and i64 %.805, -2
-  %or.cond.i444.not = icmp eq i64 %114, 14
-  br i1 %or.cond.i444.not, label %B5514, label %B6180
-B5514:                                            ; preds = %B5482
-  %.9028 = icmp slt i64 %.915, 0
-  br i1 %.9028, label %B5526.endif, label %B5668
-B5558:                                            ; preds = %B5558.preheader555, %B5558
-  %.91301090510907 = phi i64 [ %.9137.3, %B5558 ], [ %.91301090510907.unr, %B5558.preheader555 ]
-  %sunkaddr627 = mul i64 %.91301090510907, 8
-  %sunkaddr628 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr627
-  %.9263 = load double, ptr %sunkaddr628, align 8
-  %sunkaddr629 = mul i64 %.91301090510907, 8
-  %sunkaddr630 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr629
-  store double %.9263, ptr %sunkaddr630, align 8
-  %sunkaddr631 = mul i64 %.91301090510907, 8
-  %sunkaddr632 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr631
-  %sunkaddr633 = getelementptr i8, ptr %sunkaddr632, i64 8
-  %.9263.1 = load double, ptr %sunkaddr633, align 8
-  %sunkaddr634 = mul i64 %.91301090510907, 8
-  %sunkaddr635 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr634
-  %sunkaddr636 = getelementptr i8, ptr %sunkaddr635, i64 8
-  store double %.9263.1, ptr %sunkaddr636, align 8
-  %sunkaddr637 = mul i64 %.91301090510907, 8
-  %sunkaddr638 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr637
-  %sunkaddr639 = getelementptr i8, ptr %sunkaddr638, i64 16
-  %.9263.2 = load double, ptr %sunkaddr639, align 8
-  %sunkaddr640 = mul i64 %.91301090510907, 8
-  %sunkaddr641 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr640
-  %sunkaddr642 = getelementptr i8, ptr %sunkaddr641, i64 16
-  store double %.9263.2, ptr %sunkaddr642, align 8
-  %.9137.3 = add nuw nsw i64 %.91301090510907, 4
-  %sunkaddr643 = mul i64 %.91301090510907, 8
-  %sunkaddr644 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr643
-  %sunkaddr645 = getelementptr i8, ptr %sunkaddr644, i64 24
-  %.9263.3 = load double, ptr %sunkaddr645, align 8
-  %sunkaddr646 = mul i64 %.91301090510907, 8
-  %sunkaddr647 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr646
-  %sunkaddr648 = getelementptr i8, ptr %sunkaddr647, i64 24
-  store double %.9263.3, ptr %sunkaddr648, align 8
-  %exitcond11376.not.3 = icmp eq i64 %.979, %.9137.3
-  br i1 %exitcond11376.not.3, label %B9960, label %B5558
-B5668:                                            ; preds = %B5514
+  %or.cond.i454.not = icmp eq i64 %114, 14
+  br i1 %or.cond.i454.not, label %B5718, label %B6384
+B5718:                                            ; preds = %B5686
+  %.9319 = icmp slt i64 %.915, 0
+  br i1 %.9319, label %B5730.endif, label %B5872
+B5762:                                            ; preds = %B5762.preheader569, %B5762
+  %.94211130211304 = phi i64 [ %.9428.3, %B5762 ], [ %.94211130211304.unr, %B5762.preheader569 ]
+  %sunkaddr641 = mul i64 %.94211130211304, 8
+  %sunkaddr642 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr641
+  %.9554 = load double, ptr %sunkaddr642, align 8
+  %sunkaddr643 = mul i64 %.94211130211304, 8
+  %sunkaddr644 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr643
+  store double %.9554, ptr %sunkaddr644, align 8
+  %sunkaddr645 = mul i64 %.94211130211304, 8
+  %sunkaddr646 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr645
+  %sunkaddr647 = getelementptr i8, ptr %sunkaddr646, i64 8
+  %.9554.1 = load double, ptr %sunkaddr647, align 8
+  %sunkaddr648 = mul i64 %.94211130211304, 8
+  %sunkaddr649 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr648
+  %sunkaddr650 = getelementptr i8, ptr %sunkaddr649, i64 8
+  store double %.9554.1, ptr %sunkaddr650, align 8
+  %sunkaddr651 = mul i64 %.94211130211304, 8
+  %sunkaddr652 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr651
+  %sunkaddr653 = getelementptr i8, ptr %sunkaddr652, i64 16
+  %.9554.2 = load double, ptr %sunkaddr653, align 8
+  %sunkaddr654 = mul i64 %.94211130211304, 8
+  %sunkaddr655 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr654
+  %sunkaddr656 = getelementptr i8, ptr %sunkaddr655, i64 16
+  store double %.9554.2, ptr %sunkaddr656, align 8
+  %.9428.3 = add nuw nsw i64 %.94211130211304, 4
+  %sunkaddr657 = mul i64 %.94211130211304, 8
+  %sunkaddr658 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr657
+  %sunkaddr659 = getelementptr i8, ptr %sunkaddr658, i64 24
+  %.9554.3 = load double, ptr %sunkaddr659, align 8
+  %sunkaddr660 = mul i64 %.94211130211304, 8
+  %sunkaddr661 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr660
+  %sunkaddr662 = getelementptr i8, ptr %sunkaddr661, i64 24
+  store double %.9554.3, ptr %sunkaddr662, align 8
+  %exitcond11782.not.3 = icmp eq i64 %.979, %.9428.3
+  br i1 %exitcond11782.not.3, label %B10170, label %B5762
+B5872:                                            ; preds = %B5718
   %115 = ptrtoint ptr %arg.states.4 to i64
   %116 = icmp eq i64 %.805, 15
-  %.9395 = shl i64 %.915, 3
-  %.9396 = add nsw i64 %.9395, %115
-  br i1 %116, label %B5730.endif, label %B5830
-B5830:                                            ; preds = %B5668
+  %.9686 = shl i64 %.915, 3
+  %.9687 = add nsw i64 %.9686, %115
+  br i1 %116, label %B5934.endif, label %B6034
+B6034:                                            ; preds = %B5872
   %117 = getelementptr i64, ptr %arg.states.4, i64 %.915
-  %.9620 = load i64, ptr %117, align 8
-  %.9621.not = icmp eq i64 %.9620, 0
+  %.9911 = load i64, ptr %117, align 8
+  %.9912.not = icmp eq i64 %.9911, 0
   %.pre = mul i64 %.915, %arg.state_calls.5.1
-  br i1 %.9621.not, label %B5830.B5980.endif_crit_edge, label %B5950
-B5830.B5980.endif_crit_edge:                      ; preds = %B5830
-  %.pre708 = mul i64 %.915, %arg.components.5.1
-  %.pre709 = inttoptr i64 %.9396 to ptr
-  br label %B5980.endif
-B5950:                                            ; preds = %B5830
+  br i1 %.9912.not, label %B6034.B6184.endif_crit_edge, label %B6154
+B6034.B6184.endif_crit_edge:                      ; preds = %B6034
+  %.pre723 = mul i64 %.915, %arg.components.5.1
+  %.pre724 = inttoptr i64 %.9687 to ptr
+  br label %B6184.endif
+B6154:                                            ; preds = %B6034
   %118 = getelementptr i64, ptr %arg.state_calls.4, i64 %.pre
-  %.9676 = getelementptr i8, ptr %118, i64 16
-  %.9677 = load i64, ptr %.9676, align 8
-  %.9727 = mul i64 %.915, %arg.components.5.1
-  %119 = getelementptr i64, ptr %arg.components.4, i64 %.9727
-  %.9731 = getelementptr i8, ptr %119, i64 8
-  %.9732 = load i64, ptr %.9731, align 8
-  %.7.i451 = inttoptr i64 %.9677 to ptr
-  %.8.i452 = inttoptr i64 %.9732 to ptr
-  %.9.i453 = inttoptr i64 %.9396 to ptr
-  %.10.i454 = tail call i32 %.7.i451(ptr %.8.i452, ptr %.9.i453)
-  %sunkaddr649 = mul i64 %.915, 8
-  %sunkaddr650 = getelementptr i8, ptr %arg.states.4, i64 %sunkaddr649
-  store i64 0, ptr %sunkaddr650, align 8
-  %.6.i455 = icmp ugt i32 %.10.i454, 1
-  br i1 %.6.i455, label %B6096, label %B5980.endif
-B6066:                                            ; preds = %B5980.endif, %B5730.endif
-  %status.10.4.in = phi i32 [ %.10.i, %B5730.endif ], [ %.10.i460, %B5980.endif ]
-  %.6.i461 = icmp ugt i32 %status.10.4.in, 1
-  br i1 %.6.i461, label %B6096, label %B9960
-B6096:                                            ; preds = %B6066, %B5950
-  %status.10.4.in714 = phi i32 [ %status.10.4.in, %B6066 ], [ %.10.i454, %B5950 ]
-  %status.10.4 = sext i32 %status.10.4.in714 to i64
-  %.10104 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.10104, align 8
-  %.10137 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.10137, align 8
-  %.10170 = getelementptr i8, ptr %arg.control.4, i64 24
-  store i64 %status.10.4, ptr %.10170, align 8
+  %.9967 = getelementptr i8, ptr %118, i64 16
+  %.9968 = load i64, ptr %.9967, align 8
+  %.10018 = mul i64 %.915, %arg.components.5.1
+  %119 = getelementptr i64, ptr %arg.components.4, i64 %.10018
+  %.10022 = getelementptr i8, ptr %119, i64 8
+  %.10023 = load i64, ptr %.10022, align 8
+  %.7.i461 = inttoptr i64 %.9968 to ptr
+  %.8.i462 = inttoptr i64 %.10023 to ptr
+  %.9.i463 = inttoptr i64 %.9687 to ptr
+  %.10.i464 = tail call i32 %.7.i461(ptr %.8.i462, ptr %.9.i463)
+  %sunkaddr663 = mul i64 %.915, 8
+  %sunkaddr664 = getelementptr i8, ptr %arg.states.4, i64 %sunkaddr663
+  store i64 0, ptr %sunkaddr664, align 8
+  %.6.i465 = icmp ugt i32 %.10.i464, 1
+  br i1 %.6.i465, label %B6300, label %B6184.endif
+B6270:                                            ; preds = %B6184.endif, %B5934.endif
+  %status.10.4.in = phi i32 [ %.10.i, %B5934.endif ], [ %.10.i470, %B6184.endif ]
+  %.6.i471 = icmp ugt i32 %status.10.4.in, 1
+  br i1 %.6.i471, label %B6300, label %B10170
+B6300:                                            ; preds = %B6270, %B6154
+  %status.10.4.in729 = phi i32 [ %status.10.4.in, %B6270 ], [ %.10.i464, %B6154 ]
+  %status.10.4 = sext i32 %status.10.4.in729 to i64
+  %.10395 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.10395, align 8
+  %.10428 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.10428, align 8
+  %.10461 = getelementptr i8, ptr %arg.control.4, i64 24
+  store i64 %status.10.4, ptr %.10461, align 8
   store i64 2, ptr %retptr, align 8
   br label %common.ret
-B6180:                                            ; preds = %B5482
-  switch i64 %.805, label %B8450 [
-    i64 16, label %B6202
-    i64 17, label %B6260
-    i64 26, label %B6446.else
-    i64 18, label %B6654
-    i64 19, label %B6690
-    i64 20, label %B6796
-    i64 23, label %B6952.else.if
-    i64 24, label %B7020
-    i64 25, label %B7182
-    i64 29, label %B7622
-    i64 30, label %B8334
+B6384:                                            ; preds = %B5686
+  switch i64 %.805, label %B8654 [
+    i64 16, label %B6406
+    i64 17, label %B6464
+    i64 26, label %B6650.else
+    i64 18, label %B6858
+    i64 19, label %B6894
+    i64 20, label %B7000
+    i64 23, label %B7156.else.if
+    i64 24, label %B7224
+    i64 25, label %B7386
+    i64 29, label %B7826
+    i64 30, label %B8538
   ]
-B6202:                                            ; preds = %B6180
-  %.10230 = icmp slt i64 %.979, 0
-  %.10231 = select i1 %.10230, i64 %arg.rows.5.0, i64 0
+B6406:                                            ; preds = %B6384
+  %.10521 = icmp slt i64 %.979, 0
+  %.10522 = select i1 %.10521, i64 %arg.rows.5.0, i64 0
   %120 = getelementptr i64, ptr %arg.rows.4, i64 %.979
-  %.10245 = getelementptr i64, ptr %120, i64 %.10231
-  %.10246 = load i64, ptr %.10245, align 8
-  %.10248 = sub nsw i64 %.10246, %.1034
-  store i64 %.10248, ptr %.10245, align 8
-  br label %B9960
-B6260:                                            ; preds = %B6180
-  store i64 0, ptr %.10301, align 8
-  %.10311 = call i32 @f73(ptr nonnull %.10301, ptr nonnull %excinfo.22, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1034, i64 %.1089, i64 %.1153, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
-  %cond531 = icmp eq i32 %.10311, 0
-  br i1 %cond531, label %B6260.endif, label %B6260.if.if
-B6324:                                            ; preds = %B6260.endif
-  %.10355 = add nsw i64 %.979, -1
-  br label %B9960
-B6360:                                            ; preds = %B6260.endif
-  %.10457 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.10457, align 8
-  %.10490 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.10490, align 8
+  %.10536 = getelementptr i64, ptr %120, i64 %.10522
+  %.10537 = load i64, ptr %.10536, align 8
+  %.10539 = sub nsw i64 %.10537, %.1034
+  store i64 %.10539, ptr %.10536, align 8
+  br label %B10170
+B6464:                                            ; preds = %B6384
+  store i64 0, ptr %.10592, align 8
+  %.10602 = call i32 @f74(ptr nonnull %.10592, ptr nonnull %excinfo.23, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1034, i64 %.1089, i64 %.1153, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %cond542 = icmp eq i32 %.10602, 0
+  br i1 %cond542, label %B6464.endif, label %B6464.if.if
+B6528:                                            ; preds = %B6464.endif
+  %.10646 = add nsw i64 %.979, -1
+  br label %B10170
+B6564:                                            ; preds = %B6464.endif
+  %.10748 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.10748, align 8
+  %.10781 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.10781, align 8
   store i64 4, ptr %retptr, align 8
   br label %common.ret
-B6526:                                            ; preds = %B6446.endif.endif
-  %.10749 = sub i64 %m.6.1, %.979
-  br label %B9960
-B6568:                                            ; preds = %B6446.endif.endif
-  %.10851 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.10851, align 8
-  %.10884 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.10884, align 8
+B6730:                                            ; preds = %B6650.endif.endif
+  %.11040 = sub i64 %m.6.1, %.979
+  br label %B10170
+B6772:                                            ; preds = %B6650.endif.endif
+  %.11142 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.11142, align 8
+  %.11175 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.11175, align 8
   store i64 4, ptr %retptr, align 8
   br label %common.ret
-B6654:                                            ; preds = %B6180
-  %.10928 = add nsw i64 %.979, -1
-  br label %B9960
-B6690:                                            ; preds = %B6180
-  %sunkaddr651 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.10982 = load i64, ptr %sunkaddr651, align 8
-  %.10984 = mul nsw i64 %.10982, %arg.numerator
-  %.10986 = sitofp i64 %.10984 to double
-  %.10991 = fdiv double %.10986, %.8915
+B6858:                                            ; preds = %B6384
+  %.11219 = add nsw i64 %.979, -1
+  br label %B10170
+B6894:                                            ; preds = %B6384
+  %sunkaddr665 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.11273 = load i64, ptr %sunkaddr665, align 8
+  %.11275 = mul nsw i64 %.11273, %arg.numerator
+  %.11277 = sitofp i64 %.11275 to double
+  %.11282 = fdiv double %.11277, %.9206
   %.49.i = icmp slt i64 %.1034, 0
   %.50.i = select i1 %.49.i, i64 %arg.z.5.0, i64 0
   %121 = getelementptr double, ptr %arg.z.4, i64 %.1034
   %.64.i = getelementptr double, ptr %121, i64 %.50.i
   %.65.i = load double, ptr %.64.i, align 8
-  %.78.i463 = icmp slt i64 %.1089, 0
-  %.79.i464 = select i1 %.78.i463, i64 %arg.z.5.0, i64 0
+  %.78.i473 = icmp slt i64 %.1089, 0
+  %.79.i474 = select i1 %.78.i473, i64 %arg.z.5.0, i64 0
   %122 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.93.i = getelementptr double, ptr %122, i64 %.79.i464
+  %.93.i = getelementptr double, ptr %122, i64 %.79.i474
   %.94.i = load double, ptr %.93.i, align 8
   %.95.i = fmul double %.65.i, %.94.i
-  %.96.i = fmul double %.10991, %.95.i
+  %.96.i = fmul double %.11282, %.95.i
   %.109.i = icmp slt i64 %.1153, 0
   %.110.i = select i1 %.109.i, i64 %arg.z.5.0, i64 0
   %123 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.124.i465 = getelementptr double, ptr %123, i64 %.110.i
-  %.125.i = load double, ptr %.124.i465, align 8
+  %.124.i475 = getelementptr double, ptr %123, i64 %.110.i
+  %.125.i = load double, ptr %.124.i475, align 8
   %.138.i = icmp slt i64 %.979, 0
   %.139.i = select i1 %.138.i, i64 %arg.z.5.0, i64 0
   %124 = getelementptr double, ptr %arg.z.4, i64 %.979
   %.153.i = getelementptr double, ptr %124, i64 %.139.i
   %.154.i = load double, ptr %.153.i, align 8
   %.155.i = fmul double %.125.i, %.154.i
-  %.156.i = fmul double %.10991, %.155.i
+  %.156.i = fmul double %.11282, %.155.i
   %.157.i = tail call double @llvm.fabs.f64(double %.96.i)
   %.158.i = tail call double @llvm.fabs.f64(double %.156.i)
-  %.10.i.i466 = fcmp ogt double %.158.i, %.157.i
-  %.11.i.i467 = select i1 %.10.i.i466, double %.158.i, double %.157.i
+  %.10.i.i476 = fcmp ogt double %.158.i, %.157.i
+  %.11.i.i477 = select i1 %.10.i.i476, double %.158.i, double %.157.i
   %.189.i = fsub double %.96.i, %.156.i
   %.202.i = icmp slt i64 %.1208, 0
   %.203.i = select i1 %.202.i, i64 %arg.coefficients.5.0, i64 0
   %125 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
   %.217.i = getelementptr double, ptr %125, i64 %.203.i
-  %.218.i468 = load double, ptr %.217.i, align 8
+  %.218.i478 = load double, ptr %.217.i, align 8
   %.232.i = icmp slt i64 %.1208, -1
   %.233.i = select i1 %.232.i, i64 %arg.coefficients.5.0, i64 0
   %126 = getelementptr i8, ptr %125, i64 8
   %.247.i = getelementptr double, ptr %126, i64 %.233.i
   %.248.i = load double, ptr %.247.i, align 8
-  %.249.i = fmul double %.248.i, %.11.i.i467
-  %.250.i = fadd double %.218.i468, %.249.i
+  %.249.i = fmul double %.248.i, %.11.i.i477
+  %.250.i = fadd double %.218.i478, %.249.i
   %.254.i = fdiv double %.189.i, %.250.i
   %.283.i = load double, ptr %arg.work.4, align 8
   %.284.i = fmul double %.254.i, %.254.i
   %.285.i = fadd double %.283.i, %.284.i
   store double %.285.i, ptr %arg.work.4, align 8
-  %sunkaddr652 = getelementptr i8, ptr %arg.work.4, i64 8
-  %.343.i = load double, ptr %sunkaddr652, align 8
+  %sunkaddr666 = getelementptr i8, ptr %arg.work.4, i64 8
+  %.343.i = load double, ptr %sunkaddr666, align 8
   %.344.i = fadd double %.343.i, 1.000000e+00
-  store double %.344.i, ptr %sunkaddr652, align 8
-  br label %B9960
-B6796:                                            ; preds = %B6180
-  %sunkaddr653 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.11095 = load i64, ptr %sunkaddr653, align 8
-  %.11097 = mul nsw i64 %.11095, %arg.numerator
-  %.11099 = sitofp i64 %.11097 to double
-  %.11104 = fdiv double %.11099, %.8915
-  %.11120 = icmp slt i64 %.979, -1
-  %.11121 = select i1 %.11120, i64 %arg.z.5.0, i64 0
+  store double %.344.i, ptr %sunkaddr666, align 8
+  br label %B10170
+B7000:                                            ; preds = %B6384
+  %sunkaddr667 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.11386 = load i64, ptr %sunkaddr667, align 8
+  %.11388 = mul nsw i64 %.11386, %arg.numerator
+  %.11390 = sitofp i64 %.11388 to double
+  %.11395 = fdiv double %.11390, %.9206
+  %.11411 = icmp slt i64 %.979, -1
+  %.11412 = select i1 %.11411, i64 %arg.z.5.0, i64 0
   %127 = getelementptr double, ptr %arg.z.4, i64 %.979
   %128 = getelementptr i8, ptr %127, i64 8
-  %.11135 = getelementptr double, ptr %128, i64 %.11121
-  store double %.11104, ptr %.11135, align 8
-  %.11151 = call i32 @f74(ptr nonnull %.11141, ptr nonnull %excinfo.25, ptr %arg.clock.0, ptr %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr nonnull %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
-  %cond533 = icmp eq i32 %.11151, 0
-  br i1 %cond533, label %B6796.endif.endif, label %B6796.endif.if.if
-B7020:                                            ; preds = %B6180
-  %sunkaddr654 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.11455 = load i64, ptr %sunkaddr654, align 8
-  %sunkaddr655 = getelementptr i8, ptr %arg.clock.4, i64 48
-  store i64 %.11455, ptr %sunkaddr655, align 8
-  %sunkaddr656 = getelementptr i8, ptr %arg.control.4, i64 64
-  %.11515 = load i64, ptr %sunkaddr656, align 8
-  %.11549 = load i64, ptr %arg.clock.4, align 8
-  %.11519 = add i64 %.11455, %.641
-  %.11550 = add i64 %.11519, %.11515
-  %.11581 = add i64 %.11550, %.11549
-  br label %B9960
-B7182:                                            ; preds = %B6180
-  %sunkaddr657 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.11623 = load i64, ptr %sunkaddr657, align 8
-  %.11626 = mul i64 %.11624, %.11623
-  %.11628 = sitofp i64 %.11626 to double
-  %.11633 = fdiv double %.11628, %.8915
-  %.11649 = icmp slt i64 %.1034, -1
-  %.11650 = select i1 %.11649, i64 %arg.z.5.0, i64 0
+  %.11426 = getelementptr double, ptr %128, i64 %.11412
+  store double %.11395, ptr %.11426, align 8
+  %.11442 = call i32 @f75(ptr nonnull %.11432, ptr nonnull %excinfo.26, ptr %arg.clock.0, ptr %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr nonnull %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %cond544 = icmp eq i32 %.11442, 0
+  br i1 %cond544, label %B7000.endif.endif, label %B7000.endif.if.if
+B7224:                                            ; preds = %B6384
+  %sunkaddr668 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.11746 = load i64, ptr %sunkaddr668, align 8
+  %sunkaddr669 = getelementptr i8, ptr %arg.clock.4, i64 48
+  store i64 %.11746, ptr %sunkaddr669, align 8
+  %sunkaddr670 = getelementptr i8, ptr %arg.control.4, i64 64
+  %.11806 = load i64, ptr %sunkaddr670, align 8
+  %.11840 = load i64, ptr %arg.clock.4, align 8
+  %.11810 = add i64 %.11746, %.641
+  %.11841 = add i64 %.11810, %.11806
+  %.11872 = add i64 %.11841, %.11840
+  br label %B10170
+B7386:                                            ; preds = %B6384
+  %sunkaddr671 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.11914 = load i64, ptr %sunkaddr671, align 8
+  %.11917 = mul i64 %.11915, %.11914
+  %.11919 = sitofp i64 %.11917 to double
+  %.11924 = fdiv double %.11919, %.9206
+  %.11940 = icmp slt i64 %.1034, -1
+  %.11941 = select i1 %.11940, i64 %arg.z.5.0, i64 0
   %129 = getelementptr double, ptr %arg.z.4, i64 %.1034
   %130 = getelementptr i8, ptr %129, i64 8
-  %.11664 = getelementptr double, ptr %130, i64 %.11650
-  store double %.11633, ptr %.11664, align 8
-  store i64 0, ptr %.11673, align 8
-  %.11685 = call i32 @f75(ptr nonnull %.11673, ptr nonnull %excinfo.26, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1089, i64 %.1153, ptr %arg.clock.0, ptr %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr nonnull %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
-  %cond534 = icmp eq i32 %.11685, 0
-  br i1 %cond534, label %B7182.endif.endif, label %B7182.endif.if.if
-B7302:                                            ; preds = %B7182.endif.endif
-  %.11755 = load i64, ptr %arg.clock.4, align 8
-  %.11785 = load double, ptr %arg.work.4, align 8
-  %sunkaddr658 = getelementptr i8, ptr %arg.work.4, i64 16
-  %.11815 = load double, ptr %sunkaddr658, align 8
-  %.11830 = icmp slt i64 %.1034, 0
-  %.11831 = select i1 %.11830, i64 %arg.z.5.0, i64 0
-  %.11845 = getelementptr double, ptr %129, i64 %.11831
-  %.11846 = sitofp i64 %.11755 to double
-  store double %.11846, ptr %.11845, align 8
-  %.11863 = icmp slt i64 %.1034, -2
-  %.11864 = select i1 %.11863, i64 %arg.z.5.0, i64 0
+  %.11955 = getelementptr double, ptr %130, i64 %.11941
+  store double %.11924, ptr %.11955, align 8
+  store i64 0, ptr %.11964, align 8
+  %.11976 = call i32 @f76(ptr nonnull %.11964, ptr nonnull %excinfo.27, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1089, i64 %.1153, ptr %arg.clock.0, ptr %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr nonnull %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %cond545 = icmp eq i32 %.11976, 0
+  br i1 %cond545, label %B7386.endif.endif, label %B7386.endif.if.if
+B7506:                                            ; preds = %B7386.endif.endif
+  %.12046 = load i64, ptr %arg.clock.4, align 8
+  %.12076 = load double, ptr %arg.work.4, align 8
+  %sunkaddr672 = getelementptr i8, ptr %arg.work.4, i64 16
+  %.12106 = load double, ptr %sunkaddr672, align 8
+  %.12121 = icmp slt i64 %.1034, 0
+  %.12122 = select i1 %.12121, i64 %arg.z.5.0, i64 0
+  %.12136 = getelementptr double, ptr %129, i64 %.12122
+  %.12137 = sitofp i64 %.12046 to double
+  store double %.12137, ptr %.12136, align 8
+  %.12154 = icmp slt i64 %.1034, -2
+  %.12155 = select i1 %.12154, i64 %arg.z.5.0, i64 0
   %131 = getelementptr i8, ptr %129, i64 16
-  %.11878 = getelementptr double, ptr %131, i64 %.11864
-  store double %.11785, ptr %.11878, align 8
-  %.11897 = icmp slt i64 %.1034, -3
-  %.11898 = select i1 %.11897, i64 %arg.z.5.0, i64 0
+  %.12169 = getelementptr double, ptr %131, i64 %.12155
+  store double %.12076, ptr %.12169, align 8
+  %.12188 = icmp slt i64 %.1034, -3
+  %.12189 = select i1 %.12188, i64 %arg.z.5.0, i64 0
   %132 = getelementptr i8, ptr %129, i64 24
-  %.11912 = getelementptr double, ptr %132, i64 %.11898
-  store double %.11815, ptr %.11912, align 8
-  store double 0.000000e+00, ptr %sunkaddr658, align 8
-  %.11945 = add nsw i64 %.979, -1
-  br label %B9960
-B7468:                                            ; preds = %B7182.endif.endif
-  %sunkaddr659 = getelementptr i8, ptr %arg.control.4, i64 64
-  %.11996 = load i64, ptr %sunkaddr659, align 8
-  %.12000 = add nsw i64 %.11996, %.641
-  %.12030 = load i64, ptr %arg.clock.4, align 8
-  %.12031 = add nsw i64 %.12000, %.12030
-  br label %B9960
-B7538:                                            ; preds = %B7182.endif.endif
-  %.12122 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.12122, align 8
-  %.12155 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.12155, align 8
+  %.12203 = getelementptr double, ptr %132, i64 %.12189
+  store double %.12106, ptr %.12203, align 8
+  store double 0.000000e+00, ptr %sunkaddr672, align 8
+  %.12236 = add nsw i64 %.979, -1
+  br label %B10170
+B7672:                                            ; preds = %B7386.endif.endif
+  %sunkaddr673 = getelementptr i8, ptr %arg.control.4, i64 64
+  %.12287 = load i64, ptr %sunkaddr673, align 8
+  %.12291 = add nsw i64 %.12287, %.641
+  %.12321 = load i64, ptr %arg.clock.4, align 8
+  %.12322 = add nsw i64 %.12291, %.12321
+  br label %B10170
+B7742:                                            ; preds = %B7386.endif.endif
+  %.12413 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.12413, align 8
+  %.12446 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.12446, align 8
   store i64 4, ptr %retptr, align 8
   br label %common.ret
-B7622:                                            ; preds = %B6180
-  %sunkaddr660 = getelementptr i8, ptr %arg.control.4, i64 80
-  %.12205 = load i64, ptr %sunkaddr660, align 8
-  %.12210 = add i64 %.915, 1
-  %.12212 = add i64 %.12210, %.12205
-  %.12218 = add nsw i64 %.1034, %base.3.1
-  %.12220 = mul nsw i64 %.12218, %arg.numerator
-  %.12222 = sitofp i64 %.12220 to double
-  %.12227 = fdiv double %.12222, %.8915
-  %.12234 = add nsw i64 %.12218, %.979
-  %.12236 = mul nsw i64 %.12234, %arg.numerator
-  %.12238 = sitofp i64 %.12236 to double
-  %.12243 = fdiv double %.12238, %.8915
-  %.12252 = mul nsw i64 %.979, %arg.numerator
-  %.12256 = sitofp i64 %.12252 to double
-  %.12261 = fdiv double %.12256, %.8915
-  %.12280 = icmp slt i64 %.12205, 0
-  %.12281 = select i1 %.12280, i64 %arg.solver.5.0, i64 0
-  %133 = getelementptr double, ptr %arg.solver.4, i64 %.12205
-  %.12295 = getelementptr double, ptr %133, i64 %.12281
-  %.12296 = load double, ptr %.12295, align 8
-  %.12297 = fcmp ogt double %.12243, %.12296
-  br i1 %.12297, label %B7780, label %B7844
-B7780:                                            ; preds = %B7622
-  %.12.i469 = fsub double %.12296, %.12227
-  %.20.i470 = fadd double %.12227, %.12.i469
-  %.22.i471 = fcmp ogt double %.20.i470, %.12296
-  br i1 %.22.i471, label %B32.i473.preheader, label %B7844
-B32.i473.preheader:                               ; preds = %B7780
-  br label %B32.i473
-B32.i473:                                         ; preds = %B32.i473.preheader, %B32.i473
-  %length.2.0.i474 = phi double [ %.25.i475, %B32.i473 ], [ %.12.i469, %B32.i473.preheader ]
-  %.25.i475 = fmul double %length.2.0.i474, 0x3FEFFFFFFFFFFFFE
-  %.31.i476 = fadd double %.12227, %.25.i475
-  %.33.i477 = fcmp ogt double %.31.i476, %.12296
-  br i1 %.33.i477, label %B32.i473, label %B7844
-B7844:                                            ; preds = %B32.i473, %B7780, %B7622
-  %end.3.4 = phi double [ %.12243, %B7622 ], [ %.12296, %B7780 ], [ %.12296, %B32.i473 ]
-  %length.8.4 = phi double [ %.12261, %B7622 ], [ %.12.i469, %B7780 ], [ %.25.i475, %B32.i473 ]
-  %.12389 = icmp slt i64 %.12212, 0
-  %.12390 = select i1 %.12389, i64 %arg.solver.5.0, i64 0
-  %134 = getelementptr double, ptr %arg.solver.4, i64 %.12212
-  %.12404 = getelementptr double, ptr %134, i64 %.12390
-  %.12405 = load double, ptr %.12404, align 8
-  %.12407 = fcmp ogt double %.12405, %.12227
-  br i1 %.12407, label %B7868, label %B7844.B7916_crit_edge
-B7844.B7916_crit_edge:                            ; preds = %B7844
-  %.pre710 = fadd double %.12227, %length.8.4
-  br label %B7916
-B7868:                                            ; preds = %B7844
-  %.12.i479 = fsub double %end.3.4, %.12405
-  %.20.i480 = fadd double %.12405, %.12.i479
-  %.22.i481 = fcmp ogt double %.20.i480, %end.3.4
-  br i1 %.22.i481, label %B32.i483.preheader, label %B7916
-B32.i483.preheader:                               ; preds = %B7868
+B7826:                                            ; preds = %B6384
+  %sunkaddr674 = getelementptr i8, ptr %arg.control.4, i64 80
+  %.12496 = load i64, ptr %sunkaddr674, align 8
+  %.12501 = add i64 %.915, 1
+  %.12503 = add i64 %.12501, %.12496
+  %.12509 = add nsw i64 %.1034, %base.3.1
+  %.12511 = mul nsw i64 %.12509, %arg.numerator
+  %.12513 = sitofp i64 %.12511 to double
+  %.12518 = fdiv double %.12513, %.9206
+  %.12525 = add nsw i64 %.12509, %.979
+  %.12527 = mul nsw i64 %.12525, %arg.numerator
+  %.12529 = sitofp i64 %.12527 to double
+  %.12534 = fdiv double %.12529, %.9206
+  %.12543 = mul nsw i64 %.979, %arg.numerator
+  %.12547 = sitofp i64 %.12543 to double
+  %.12552 = fdiv double %.12547, %.9206
+  %.12571 = icmp slt i64 %.12496, 0
+  %.12572 = select i1 %.12571, i64 %arg.solver.5.0, i64 0
+  %133 = getelementptr double, ptr %arg.solver.4, i64 %.12496
+  %.12586 = getelementptr double, ptr %133, i64 %.12572
+  %.12587 = load double, ptr %.12586, align 8
+  %.12588 = fcmp ogt double %.12534, %.12587
+  br i1 %.12588, label %B7984, label %B8048
+B7984:                                            ; preds = %B7826
+  %.12.i479 = fsub double %.12587, %.12518
+  %.20.i480 = fadd double %.12518, %.12.i479
+  %.22.i481 = fcmp ogt double %.20.i480, %.12587
+  br i1 %.22.i481, label %B32.i483.preheader, label %B8048
+B32.i483.preheader:                               ; preds = %B7984
   br label %B32.i483
 B32.i483:                                         ; preds = %B32.i483.preheader, %B32.i483
   %length.2.0.i484 = phi double [ %.25.i485, %B32.i483 ], [ %.12.i479, %B32.i483.preheader ]
   %.25.i485 = fmul double %length.2.0.i484, 0x3FEFFFFFFFFFFFFE
-  %.31.i486 = fadd double %.12405, %.25.i485
-  %.33.i487 = fcmp ogt double %.31.i486, %end.3.4
-  br i1 %.33.i487, label %B32.i483, label %B7916
-B7916:                                            ; preds = %B32.i483, %B7868, %B7844.B7916_crit_edge
-  %.12478.pre-phi = phi double [ %.pre710, %B7844.B7916_crit_edge ], [ %.20.i480, %B7868 ], [ %.31.i486, %B32.i483 ]
-  %time.4.4 = phi double [ %.12227, %B7844.B7916_crit_edge ], [ %.12405, %B7868 ], [ %.12405, %B32.i483 ]
-  %length.7.4 = phi double [ %length.8.4, %B7844.B7916_crit_edge ], [ %.12.i479, %B7868 ], [ %.25.i485, %B32.i483 ]
-  %.12482 = fcmp ogt double %.12478.pre-phi, %"$phi116.0.2.0"
-  br i1 %.12482, label %B7934, label %B7966
-B7934:                                            ; preds = %B7916
-  %.12.i489 = fsub double %"$phi116.0.2.0", %time.4.4
-  %.20.i490 = fadd double %time.4.4, %.12.i489
-  %.22.i491 = fcmp ogt double %.20.i490, %"$phi116.0.2.0"
-  br i1 %.22.i491, label %B32.i493.preheader, label %B7966
-B32.i493.preheader:                               ; preds = %B7934
+  %.31.i486 = fadd double %.12518, %.25.i485
+  %.33.i487 = fcmp ogt double %.31.i486, %.12587
+  br i1 %.33.i487, label %B32.i483, label %B8048
+B8048:                                            ; preds = %B32.i483, %B7984, %B7826
+  %end.3.4 = phi double [ %.12534, %B7826 ], [ %.12587, %B7984 ], [ %.12587, %B32.i483 ]
+  %length.8.4 = phi double [ %.12552, %B7826 ], [ %.12.i479, %B7984 ], [ %.25.i485, %B32.i483 ]
+  %.12680 = icmp slt i64 %.12503, 0
+  %.12681 = select i1 %.12680, i64 %arg.solver.5.0, i64 0
+  %134 = getelementptr double, ptr %arg.solver.4, i64 %.12503
+  %.12695 = getelementptr double, ptr %134, i64 %.12681
+  %.12696 = load double, ptr %.12695, align 8
+  %.12698 = fcmp ogt double %.12696, %.12518
+  br i1 %.12698, label %B8072, label %B8048.B8120_crit_edge
+B8048.B8120_crit_edge:                            ; preds = %B8048
+  %.pre725 = fadd double %.12518, %length.8.4
+  br label %B8120
+B8072:                                            ; preds = %B8048
+  %.12.i489 = fsub double %end.3.4, %.12696
+  %.20.i490 = fadd double %.12696, %.12.i489
+  %.22.i491 = fcmp ogt double %.20.i490, %end.3.4
+  br i1 %.22.i491, label %B32.i493.preheader, label %B8120
+B32.i493.preheader:                               ; preds = %B8072
   br label %B32.i493
 B32.i493:                                         ; preds = %B32.i493.preheader, %B32.i493
   %length.2.0.i494 = phi double [ %.25.i495, %B32.i493 ], [ %.12.i489, %B32.i493.preheader ]
   %.25.i495 = fmul double %length.2.0.i494, 0x3FEFFFFFFFFFFFFE
-  %.31.i496 = fadd double %time.4.4, %.25.i495
-  %.33.i497 = fcmp ogt double %.31.i496, %"$phi116.0.2.0"
-  br i1 %.33.i497, label %B32.i493, label %B7966
-B7966:                                            ; preds = %B32.i493, %B7934, %B7916
-  %length.9.4 = phi double [ %length.7.4, %B7916 ], [ %.12.i489, %B7934 ], [ %.25.i495, %B32.i493 ]
-  %.12527 = add nsw i64 %.12212, %arg.components.5.0
-  %.12542 = icmp slt i64 %.12527, 0
-  %.12543 = select i1 %.12542, i64 %arg.solver.5.0, i64 0
-  %135 = getelementptr double, ptr %arg.solver.4, i64 %.12527
-  %.12557 = getelementptr double, ptr %135, i64 %.12543
-  store double %time.4.4, ptr %.12557, align 8
-  %.12561 = fcmp olt double %time.4.4, %end.3.4
-  br i1 %.12561, label %B8016, label %B9960
-B8016:                                            ; preds = %B7966
-  %.12590 = icmp slt i64 %.915, 0
-  %.12591 = select i1 %.12590, i64 %arg.components.5.0, i64 0
-  %.12592 = add i64 %.12591, %.915
-  %.12612 = mul i64 %.12592, %arg.components.5.1
-  %.12616 = getelementptr i64, ptr %arg.components.4, i64 %.12612
-  %.12617 = load i64, ptr %.12616, align 8
-  %.12671 = getelementptr i8, ptr %.12616, i64 16
-  %.12672 = load i64, ptr %.12671, align 8
-  %.12726 = getelementptr i8, ptr %.12616, i64 8
-  %.12727 = load i64, ptr %.12726, align 8
-  %.12781 = getelementptr i8, ptr %.12616, i64 64
-  %.12782 = load i64, ptr %.12781, align 8
-  %.12838 = getelementptr i8, ptr %.12616, i64 24
-  %.12839 = load i64, ptr %.12838, align 8
-  %.12846 = call i32 @f76(ptr nonnull %.12842, ptr nonnull %excinfo.30, i64 %.12617, i64 %.12672, i64 %.12727, double %time.4.4, double %length.9.4, i64 %.12782, i64 %.12839)
-  %cond535 = icmp eq i32 %.12846, 0
-  br i1 %cond535, label %B8016.endif, label %B8016.if.if
-B8218:                                            ; preds = %B8016.endif
-  %.13001 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.13001, align 8
-  %.13034 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.13034, align 8
-  %.13067 = getelementptr i8, ptr %arg.control.4, i64 24
-  store i64 %.12856, ptr %.13067, align 8
+  %.31.i496 = fadd double %.12696, %.25.i495
+  %.33.i497 = fcmp ogt double %.31.i496, %end.3.4
+  br i1 %.33.i497, label %B32.i493, label %B8120
+B8120:                                            ; preds = %B32.i493, %B8072, %B8048.B8120_crit_edge
+  %.12769.pre-phi = phi double [ %.pre725, %B8048.B8120_crit_edge ], [ %.20.i490, %B8072 ], [ %.31.i496, %B32.i493 ]
+  %time.4.4 = phi double [ %.12518, %B8048.B8120_crit_edge ], [ %.12696, %B8072 ], [ %.12696, %B32.i493 ]
+  %length.7.4 = phi double [ %length.8.4, %B8048.B8120_crit_edge ], [ %.12.i489, %B8072 ], [ %.25.i495, %B32.i493 ]
+  %.12773 = fcmp ogt double %.12769.pre-phi, %"$phi116.0.2.0"
+  br i1 %.12773, label %B8138, label %B8170
+B8138:                                            ; preds = %B8120
+  %.12.i499 = fsub double %"$phi116.0.2.0", %time.4.4
+  %.20.i500 = fadd double %time.4.4, %.12.i499
+  %.22.i501 = fcmp ogt double %.20.i500, %"$phi116.0.2.0"
+  br i1 %.22.i501, label %B32.i503.preheader, label %B8170
+B32.i503.preheader:                               ; preds = %B8138
+  br label %B32.i503
+B32.i503:                                         ; preds = %B32.i503.preheader, %B32.i503
+  %length.2.0.i504 = phi double [ %.25.i505, %B32.i503 ], [ %.12.i499, %B32.i503.preheader ]
+  %.25.i505 = fmul double %length.2.0.i504, 0x3FEFFFFFFFFFFFFE
+  %.31.i506 = fadd double %time.4.4, %.25.i505
+  %.33.i507 = fcmp ogt double %.31.i506, %"$phi116.0.2.0"
+  br i1 %.33.i507, label %B32.i503, label %B8170
+B8170:                                            ; preds = %B32.i503, %B8138, %B8120
+  %length.9.4 = phi double [ %length.7.4, %B8120 ], [ %.12.i499, %B8138 ], [ %.25.i505, %B32.i503 ]
+  %.12818 = add nsw i64 %.12503, %arg.components.5.0
+  %.12833 = icmp slt i64 %.12818, 0
+  %.12834 = select i1 %.12833, i64 %arg.solver.5.0, i64 0
+  %135 = getelementptr double, ptr %arg.solver.4, i64 %.12818
+  %.12848 = getelementptr double, ptr %135, i64 %.12834
+  store double %time.4.4, ptr %.12848, align 8
+  %.12852 = fcmp olt double %time.4.4, %end.3.4
+  br i1 %.12852, label %B8220, label %B10170
+B8220:                                            ; preds = %B8170
+  %.12881 = icmp slt i64 %.915, 0
+  %.12882 = select i1 %.12881, i64 %arg.components.5.0, i64 0
+  %.12883 = add i64 %.12882, %.915
+  %.12903 = mul i64 %.12883, %arg.components.5.1
+  %.12907 = getelementptr i64, ptr %arg.components.4, i64 %.12903
+  %.12908 = load i64, ptr %.12907, align 8
+  %.12962 = getelementptr i8, ptr %.12907, i64 16
+  %.12963 = load i64, ptr %.12962, align 8
+  %.13017 = getelementptr i8, ptr %.12907, i64 8
+  %.13018 = load i64, ptr %.13017, align 8
+  %.13072 = getelementptr i8, ptr %.12907, i64 64
+  %.13073 = load i64, ptr %.13072, align 8
+  %.13129 = getelementptr i8, ptr %.12907, i64 24
+  %.13130 = load i64, ptr %.13129, align 8
+  %.13137 = call i32 @f77(ptr nonnull %.13133, ptr nonnull %excinfo.31, i64 %.12908, i64 %.12963, i64 %.13018, double %time.4.4, double %length.9.4, i64 %.13073, i64 %.13130)
+  %cond546 = icmp eq i32 %.13137, 0
+  br i1 %cond546, label %B8220.endif, label %B8220.if.if
+B8422:                                            ; preds = %B8220.endif
+  %.13292 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.13292, align 8
+  %.13325 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.13325, align 8
+  %.13358 = getelementptr i8, ptr %arg.control.4, i64 24
+  store i64 %.13147, ptr %.13358, align 8
   store i64 2, ptr %retptr, align 8
   br label %common.ret
-B8298:                                            ; preds = %B8016.endif
-  %sunkaddr1203 = shl i64 %.12390, 3
-  %sunkaddr1204 = getelementptr inbounds i8, ptr %134, i64 %sunkaddr1203
-  store double %end.3.4, ptr %sunkaddr1204, align 8
-  br label %B9960
-B8334:                                            ; preds = %B6180
-  %.13151.not = icmp eq i64 %.979, 0
-  br i1 %.13151.not, label %B8346, label %B8386
-B8346:                                            ; preds = %B8334
-  %.13157 = add nsw i64 %.860, %base.3.1
-  %sunkaddr661 = getelementptr i8, ptr %arg.control.4, i64 72
-  %.13189 = load i64, ptr %sunkaddr661, align 8
-  %.13190.not = icmp slt i64 %.13157, %.13189
-  br i1 %.13190.not, label %B9960, label %B8386
-B8386:                                            ; preds = %B8346, %B8334
-  %.13283 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.13283, align 8
-  %.13316 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.13316, align 8
+B8502:                                            ; preds = %B8220.endif
+  %sunkaddr1226 = shl i64 %.12681, 3
+  %sunkaddr1227 = getelementptr inbounds i8, ptr %134, i64 %sunkaddr1226
+  store double %end.3.4, ptr %sunkaddr1227, align 8
+  br label %B10170
+B8538:                                            ; preds = %B6384
+  %.13442.not = icmp eq i64 %.979, 0
+  br i1 %.13442.not, label %B8550, label %B8590
+B8550:                                            ; preds = %B8538
+  %.13448 = add nsw i64 %.860, %base.3.1
+  %sunkaddr675 = getelementptr i8, ptr %arg.control.4, i64 72
+  %.13480 = load i64, ptr %sunkaddr675, align 8
+  %.13481.not = icmp slt i64 %.13448, %.13480
+  br i1 %.13481.not, label %B10170, label %B8590
+B8590:                                            ; preds = %B8550, %B8538
+  %.13574 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.13574, align 8
+  %.13607 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.13607, align 8
   store i64 7, ptr %retptr, align 8
   br label %common.ret
-B8450:                                            ; preds = %B6180
+B8654:                                            ; preds = %B6384
   %136 = add i64 %.805, -33
-  %or.cond.i501 = icmp ult i64 %136, -2
-  br i1 %or.cond.i501, label %B8836, label %B8482
-B8482:                                            ; preds = %B8450
-  %.84.i499 = icmp eq i64 %.805, 31
-  %sunkaddr662 = getelementptr i8, ptr %arg.control.4, i64 80
-  %.13409 = load i64, ptr %sunkaddr662, align 8
-  %.13410 = add i64 %.915, 1
-  %.13412 = add i64 %.13410, %.13409
-  %.13428 = icmp slt i64 %.13412, 0
-  %.13429 = select i1 %.13428, i64 %arg.solver.5.0, i64 0
-  %137 = getelementptr double, ptr %arg.solver.4, i64 %.13412
-  %.13443 = getelementptr double, ptr %137, i64 %.13429
-  %.13444 = load double, ptr %.13443, align 8
-  %.13458 = add nsw i64 %.13412, %arg.components.5.0
-  %.13472 = icmp slt i64 %.13458, 0
-  %.13473 = select i1 %.13472, i64 %arg.solver.5.0, i64 0
-  %138 = getelementptr double, ptr %arg.solver.4, i64 %.13458
-  %.13487 = getelementptr double, ptr %138, i64 %.13473
-  %.13488 = load double, ptr %.13487, align 8
-  %.13489 = fsub double %.13444, %.13488
-  %.13524 = icmp slt i64 %.1034, 0
-  %.13525 = select i1 %.13524, i64 %arg.z.5.0, i64 0
+  %or.cond.i511 = icmp ult i64 %136, -2
+  br i1 %or.cond.i511, label %B9040, label %B8686
+B8686:                                            ; preds = %B8654
+  %.84.i509 = icmp eq i64 %.805, 31
+  %sunkaddr676 = getelementptr i8, ptr %arg.control.4, i64 80
+  %.13700 = load i64, ptr %sunkaddr676, align 8
+  %.13701 = add i64 %.915, 1
+  %.13703 = add i64 %.13701, %.13700
+  %.13719 = icmp slt i64 %.13703, 0
+  %.13720 = select i1 %.13719, i64 %arg.solver.5.0, i64 0
+  %137 = getelementptr double, ptr %arg.solver.4, i64 %.13703
+  %.13734 = getelementptr double, ptr %137, i64 %.13720
+  %.13735 = load double, ptr %.13734, align 8
+  %.13749 = add nsw i64 %.13703, %arg.components.5.0
+  %.13763 = icmp slt i64 %.13749, 0
+  %.13764 = select i1 %.13763, i64 %arg.solver.5.0, i64 0
+  %138 = getelementptr double, ptr %arg.solver.4, i64 %.13749
+  %.13778 = getelementptr double, ptr %138, i64 %.13764
+  %.13779 = load double, ptr %.13778, align 8
+  %.13780 = fsub double %.13735, %.13779
+  %.13815 = icmp slt i64 %.1034, 0
+  %.13816 = select i1 %.13815, i64 %arg.z.5.0, i64 0
   %139 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.13539 = getelementptr double, ptr %139, i64 %.13525
-  %.13540 = load double, ptr %.13539, align 8
-  br i1 %.84.i499, label %B8614, label %B8704
-B8614:                                            ; preds = %B8482
-  %.13555 = icmp slt i64 %.1208, 0
-  %.13556 = select i1 %.13555, i64 %arg.coefficients.5.0, i64 0
+  %.13830 = getelementptr double, ptr %139, i64 %.13816
+  %.13831 = load double, ptr %.13830, align 8
+  br i1 %.84.i509, label %B8818, label %B8908
+B8818:                                            ; preds = %B8686
+  %.13846 = icmp slt i64 %.1208, 0
+  %.13847 = select i1 %.13846, i64 %arg.coefficients.5.0, i64 0
   %140 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.13570 = getelementptr double, ptr %140, i64 %.13556
-  %.13571 = load double, ptr %.13570, align 8
-  %.13575 = fmul double %.13489, %.13571
-  %.13592 = icmp slt i64 %.1089, 0
-  %.13593 = select i1 %.13592, i64 %arg.z.5.0, i64 0
+  %.13861 = getelementptr double, ptr %140, i64 %.13847
+  %.13862 = load double, ptr %.13861, align 8
+  %.13866 = fmul double %.13780, %.13862
+  %.13883 = icmp slt i64 %.1089, 0
+  %.13884 = select i1 %.13883, i64 %arg.z.5.0, i64 0
   %141 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.13607 = getelementptr double, ptr %141, i64 %.13593
-  %.13608 = load double, ptr %.13607, align 8
-  %.13625 = icmp slt i64 %.979, 0
-  %.13626 = select i1 %.13625, i64 %arg.z.5.0, i64 0
+  %.13898 = getelementptr double, ptr %141, i64 %.13884
+  %.13899 = load double, ptr %.13898, align 8
+  %.13916 = icmp slt i64 %.979, 0
+  %.13917 = select i1 %.13916, i64 %arg.z.5.0, i64 0
   %142 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.13640 = getelementptr double, ptr %142, i64 %.13626
-  %.13641 = load double, ptr %.13640, align 8
-  %.13644 = fadd double %.13608, %.13641
-  %.13645 = fmul double %.13575, %.13644
-  %.13646 = fadd double %.13540, %.13645
-  %sunkaddr1207 = shl i64 %.13525, 3
-  %sunkaddr1208 = getelementptr inbounds i8, ptr %139, i64 %sunkaddr1207
-  store double %.13646, ptr %sunkaddr1208, align 8
-  br label %B9960
-B8704:                                            ; preds = %B8482
-  %.13736 = icmp slt i64 %.1153, 0
-  %.13737 = select i1 %.13736, i64 %arg.z.5.0, i64 0
+  %.13931 = getelementptr double, ptr %142, i64 %.13917
+  %.13932 = load double, ptr %.13931, align 8
+  %.13935 = fadd double %.13899, %.13932
+  %.13936 = fmul double %.13866, %.13935
+  %.13937 = fadd double %.13831, %.13936
+  %sunkaddr1230 = shl i64 %.13816, 3
+  %sunkaddr1231 = getelementptr inbounds i8, ptr %139, i64 %sunkaddr1230
+  store double %.13937, ptr %sunkaddr1231, align 8
+  br label %B10170
+B8908:                                            ; preds = %B8686
+  %.14027 = icmp slt i64 %.1153, 0
+  %.14028 = select i1 %.14027, i64 %arg.z.5.0, i64 0
   %143 = getelementptr double, ptr %arg.z.4, i64 %.1153
-  %.13751 = getelementptr double, ptr %143, i64 %.13737
-  %.13752 = load double, ptr %.13751, align 8
-  %.13769 = icmp slt i64 %.1208, 0
-  %.13770 = select i1 %.13769, i64 %arg.coefficients.5.0, i64 0
+  %.14042 = getelementptr double, ptr %143, i64 %.14028
+  %.14043 = load double, ptr %.14042, align 8
+  %.14060 = icmp slt i64 %.1208, 0
+  %.14061 = select i1 %.14060, i64 %arg.coefficients.5.0, i64 0
   %144 = getelementptr double, ptr %arg.coefficients.4, i64 %.1208
-  %.13784 = getelementptr double, ptr %144, i64 %.13770
-  %.13785 = load double, ptr %.13784, align 8
-  %.13800 = icmp slt i64 %.1089, 0
-  %.13801 = select i1 %.13800, i64 %arg.z.5.0, i64 0
+  %.14075 = getelementptr double, ptr %144, i64 %.14061
+  %.14076 = load double, ptr %.14075, align 8
+  %.14091 = icmp slt i64 %.1089, 0
+  %.14092 = select i1 %.14091, i64 %arg.z.5.0, i64 0
   %145 = getelementptr double, ptr %arg.z.4, i64 %.1089
-  %.13815 = getelementptr double, ptr %145, i64 %.13801
-  %.13816 = load double, ptr %.13815, align 8
-  %.13819 = fmul double %.13785, %.13816
-  %.13837 = icmp slt i64 %.1208, -1
-  %.13838 = select i1 %.13837, i64 %arg.coefficients.5.0, i64 0
+  %.14106 = getelementptr double, ptr %145, i64 %.14092
+  %.14107 = load double, ptr %.14106, align 8
+  %.14110 = fmul double %.14076, %.14107
+  %.14128 = icmp slt i64 %.1208, -1
+  %.14129 = select i1 %.14128, i64 %arg.coefficients.5.0, i64 0
   %146 = getelementptr i8, ptr %144, i64 8
-  %.13852 = getelementptr double, ptr %146, i64 %.13838
-  %.13853 = load double, ptr %.13852, align 8
-  %.13868 = icmp slt i64 %.979, 0
-  %.13869 = select i1 %.13868, i64 %arg.z.5.0, i64 0
+  %.14143 = getelementptr double, ptr %146, i64 %.14129
+  %.14144 = load double, ptr %.14143, align 8
+  %.14159 = icmp slt i64 %.979, 0
+  %.14160 = select i1 %.14159, i64 %arg.z.5.0, i64 0
   %147 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.13883 = getelementptr double, ptr %147, i64 %.13869
-  %.13884 = load double, ptr %.13883, align 8
-  %.13887 = fmul double %.13853, %.13884
-  %.13888 = fadd double %.13819, %.13887
-  %.13889 = fmul double %.13752, %.13888
-  %.13891 = fmul double %.13489, %.13889
-  %.13894 = fadd double %.13540, %.13891
-  %sunkaddr1209 = shl i64 %.13525, 3
-  %sunkaddr1210 = getelementptr i8, ptr %139, i64 %sunkaddr1209
-  store double %.13894, ptr %sunkaddr1210, align 8
-  br label %B9960
-B8836:                                            ; preds = %B8450
-  switch i64 %.805, label %B9960 [
-    i64 34, label %B8858
-    i64 33, label %B9362
-    i64 36, label %B9736
+  %.14174 = getelementptr double, ptr %147, i64 %.14160
+  %.14175 = load double, ptr %.14174, align 8
+  %.14178 = fmul double %.14144, %.14175
+  %.14179 = fadd double %.14110, %.14178
+  %.14180 = fmul double %.14043, %.14179
+  %.14182 = fmul double %.13780, %.14180
+  %.14185 = fadd double %.13831, %.14182
+  %sunkaddr1232 = shl i64 %.13816, 3
+  %sunkaddr1233 = getelementptr i8, ptr %139, i64 %sunkaddr1232
+  store double %.14185, ptr %sunkaddr1233, align 8
+  br label %B10170
+B9040:                                            ; preds = %B8654
+  switch i64 %.805, label %B10170 [
+    i64 34, label %B9062
+    i64 33, label %B9572
+    i64 36, label %B9946
   ]
-B8858:                                            ; preds = %B8836
-  %.13953 = icmp slt i64 %.979, 0
-  %.13954 = select i1 %.13953, i64 %arg.z.5.0, i64 0
+B9062:                                            ; preds = %B9040
+  %.14244 = icmp slt i64 %.979, 0
+  %.14245 = select i1 %.14244, i64 %arg.z.5.0, i64 0
   %148 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.13968 = getelementptr double, ptr %148, i64 %.13954
-  %.13969 = load double, ptr %.13968, align 8
-  %.13971 = fcmp oeq double %.13969, 2.000000e+00
-  br i1 %.13971, label %B8908, label %B8950
-B8908:                                            ; preds = %B8858
-  %.14004 = icmp slt i64 %.979, -2
-  %.14005 = select i1 %.14004, i64 %arg.whole.5.0, i64 0
+  %.14259 = getelementptr double, ptr %148, i64 %.14245
+  %.14260 = load double, ptr %.14259, align 8
+  %.14262 = fcmp oeq double %.14260, 2.000000e+00
+  br i1 %.14262, label %B9112, label %B9154
+B9112:                                            ; preds = %B9062
+  %.14295 = icmp slt i64 %.979, -2
+  %.14296 = select i1 %.14295, i64 %arg.whole.5.0, i64 0
   %149 = getelementptr i64, ptr %arg.whole.4, i64 %.979
   %150 = getelementptr i8, ptr %149, i64 16
-  %.14019 = getelementptr i64, ptr %150, i64 %.14005
-  %.14020 = load i64, ptr %.14019, align 8
-  %.14035 = icmp slt i64 %.1034, 0
-  %.14036 = select i1 %.14035, i64 %arg.whole.5.0, i64 0
+  %.14310 = getelementptr i64, ptr %150, i64 %.14296
+  %.14311 = load i64, ptr %.14310, align 8
+  %.14326 = icmp slt i64 %.1034, 0
+  %.14327 = select i1 %.14326, i64 %arg.whole.5.0, i64 0
   %151 = getelementptr i64, ptr %arg.whole.4, i64 %.1034
-  %.14050 = getelementptr i64, ptr %151, i64 %.14036
-  store i64 %.14020, ptr %.14050, align 8
-  br label %B9960
-B8950:                                            ; preds = %B8858
-  %.14088 = fcmp oeq double %.13969, 1.000000e+00
-  br i1 %.14088, label %B9000, label %B9960
-B9000:                                            ; preds = %B8950
-  %.14105 = icmp slt i64 %.979, -1
-  %.14106 = select i1 %.14105, i64 %arg.z.5.0, i64 0
+  %.14341 = getelementptr i64, ptr %151, i64 %.14327
+  store i64 %.14311, ptr %.14341, align 8
+  br label %B10170
+B9154:                                            ; preds = %B9062
+  %.14379 = fcmp oeq double %.14260, 1.000000e+00
+  br i1 %.14379, label %B9204, label %B10170
+B9204:                                            ; preds = %B9154
+  %.14396 = icmp slt i64 %.979, -1
+  %.14397 = select i1 %.14396, i64 %arg.z.5.0, i64 0
   %152 = getelementptr i8, ptr %148, i64 8
-  %.14120 = getelementptr double, ptr %152, i64 %.14106
-  %.14121 = load double, ptr %.14120, align 8
-  %.14136 = icmp slt i64 %.1034, 0
-  %.14137 = select i1 %.14136, i64 %arg.z.5.0, i64 0
+  %.14411 = getelementptr double, ptr %152, i64 %.14397
+  %.14412 = load double, ptr %.14411, align 8
+  %.14427 = icmp slt i64 %.1034, 0
+  %.14428 = select i1 %.14427, i64 %arg.z.5.0, i64 0
   %153 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.14151 = getelementptr double, ptr %153, i64 %.14137
-  %.14152 = load double, ptr %.14151, align 8
-  %.14153 = fmul double %.14121, %.14152
-  %.14169 = icmp slt i64 %.979, -2
-  %.14170 = select i1 %.14169, i64 %arg.z.5.0, i64 0
+  %.14442 = getelementptr double, ptr %153, i64 %.14428
+  %.14443 = load double, ptr %.14442, align 8
+  %.14444 = fmul double %.14412, %.14443
+  %.14460 = icmp slt i64 %.979, -2
+  %.14461 = select i1 %.14460, i64 %arg.z.5.0, i64 0
   %154 = getelementptr i8, ptr %148, i64 16
-  %.14184 = getelementptr double, ptr %154, i64 %.14170
-  %.14185 = load double, ptr %.14184, align 8
-  %.14186 = fadd double %.14153, %.14185
-  %.14209 = icmp slt i64 %.979, -3
-  %.14210 = select i1 %.14209, i64 %arg.z.5.0, i64 0
+  %.14475 = getelementptr double, ptr %154, i64 %.14461
+  %.14476 = load double, ptr %.14475, align 8
+  %.14477 = fadd double %.14444, %.14476
+  %.14500 = icmp slt i64 %.979, -3
+  %.14501 = select i1 %.14500, i64 %arg.z.5.0, i64 0
   %155 = getelementptr i8, ptr %148, i64 24
-  %.14224 = getelementptr double, ptr %155, i64 %.14210
-  %.14225 = load double, ptr %.14224, align 8
-  %.14226 = fcmp une double %.14225, 0.000000e+00
-  br i1 %.14226, label %B9124, label %B9326
-B9124:                                            ; preds = %B9000
-  %sunkaddr663 = getelementptr i8, ptr %arg.control.4, i64 64
-  %.14257 = load i64, ptr %sunkaddr663, align 8
-  %.14291 = load i64, ptr %arg.clock.4, align 8
+  %.14515 = getelementptr double, ptr %155, i64 %.14501
+  %.14516 = load double, ptr %.14515, align 8
+  %.14517 = fcmp une double %.14516, 0.000000e+00
+  br i1 %.14517, label %B9328, label %B9534
+B9328:                                            ; preds = %B9204
+  %sunkaddr677 = getelementptr i8, ptr %arg.control.4, i64 64
+  %.14548 = load i64, ptr %sunkaddr677, align 8
+  %.14582 = load i64, ptr %arg.clock.4, align 8
   %sunkaddr = getelementptr i8, ptr %arg.clock.4, i64 48
-  %.14322 = load i64, ptr %sunkaddr, align 8
-  %.14261 = add i64 %.1089, %.641
-  %.14292 = add i64 %.14261, %.14257
-  %.14323 = add i64 %.14292, %.14291
-  %.14325 = add i64 %.14323, %.14322
-  %.14377 = icmp slt i64 %.979, -4
-  %.14378 = select i1 %.14377, i64 %arg.whole.5.0, i64 0
+  %.14613 = load i64, ptr %sunkaddr, align 8
+  %.14552 = add i64 %.1089, %.641
+  %.14583 = add i64 %.14552, %.14548
+  %.14614 = add i64 %.14583, %.14582
+  %.14616 = add i64 %.14614, %.14613
+  %.14668 = icmp slt i64 %.979, -4
+  %.14669 = select i1 %.14668, i64 %arg.whole.5.0, i64 0
   %156 = getelementptr i64, ptr %arg.whole.4, i64 %.979
   %157 = getelementptr i8, ptr %156, i64 32
-  %.14392 = getelementptr i64, ptr %157, i64 %.14378
-  %.14393 = load i64, ptr %.14392, align 8
-  store double 0.000000e+00, ptr %.14395, align 8
-  %.14399 = call i32 @f77(ptr nonnull %.14395, ptr nonnull %excinfo.33, i64 %.14393, i64 %.1153, i64 %.14325)
-  %cond = icmp eq i32 %.14399, 0
-  br i1 %cond, label %B9124.endif, label %B9124.if.if
-B9326:                                            ; preds = %B9124.endif, %B9000
-  %value.6.5 = phi double [ %.14423, %B9124.endif ], [ %.14186, %B9000 ]
-  %sunkaddr1213 = shl i64 %.14137, 3
-  %sunkaddr1214 = getelementptr inbounds i8, ptr %153, i64 %sunkaddr1213
-  store double %value.6.5, ptr %sunkaddr1214, align 8
-  br label %B9960
-B9362:                                            ; preds = %B8836
-  %.14514 = icmp slt i64 %.979, 0
-  %.14515 = select i1 %.14514, i64 %arg.z.5.0, i64 0
+  %.14683 = getelementptr i64, ptr %157, i64 %.14669
+  %.14684 = load i64, ptr %.14683, align 8
+  store double 0.000000e+00, ptr %.14686, align 8
+  %.14690 = call i32 @f78(ptr nonnull %.14686, ptr nonnull %excinfo.34, i64 %.14684, i64 %.1153, i64 %.14616)
+  %cond = icmp eq i32 %.14690, 0
+  br i1 %cond, label %B9328.endif, label %B9328.if.if
+B9534:                                            ; preds = %B9328.endif, %B9204
+  %value.6.5 = phi double [ %.14714, %B9328.endif ], [ %.14477, %B9204 ]
+  %sunkaddr1236 = shl i64 %.14428, 3
+  %sunkaddr1237 = getelementptr inbounds i8, ptr %153, i64 %sunkaddr1236
+  store double %value.6.5, ptr %sunkaddr1237, align 8
+  br label %B10170
+B9572:                                            ; preds = %B9040
+  %.14805 = icmp slt i64 %.979, 0
+  %.14806 = select i1 %.14805, i64 %arg.z.5.0, i64 0
   %158 = getelementptr double, ptr %arg.z.4, i64 %.979
-  %.14529 = getelementptr double, ptr %158, i64 %.14515
-  %.14530 = load double, ptr %.14529, align 8
-  %.14535 = icmp eq i64 %.1089, 1
-  br i1 %.14535, label %B9390, label %B9432
-B9390:                                            ; preds = %B9362
+  %.14820 = getelementptr double, ptr %158, i64 %.14806
+  %.14821 = load double, ptr %.14820, align 8
+  %.14826 = icmp eq i64 %.1089, 1
+  br i1 %.14826, label %B9600, label %B9642
+B9600:                                            ; preds = %B9572
   %159 = icmp slt i64 %.979, 0
-  %.14554 = select i1 %159, i64 %arg.whole.5.0, i64 0
+  %.14845 = select i1 %159, i64 %arg.whole.5.0, i64 0
   %160 = getelementptr i64, ptr %arg.whole.4, i64 %.979
-  %.14568 = getelementptr i64, ptr %160, i64 %.14554
-  %.14569 = load i64, ptr %.14568, align 8
-  %.14572 = sitofp i64 %.14569 to double
-  br label %B9432
-B9432:                                            ; preds = %B9390, %B9362
-  %value.7.4 = phi double [ %.14572, %B9390 ], [ %.14530, %B9362 ]
-  %.14579.not = icmp eq i64 %.1153, 0
-  %.14636 = icmp slt i64 %.1034, -1
-  %.14637 = select i1 %.14636, i64 %arg.z.5.0, i64 0
+  %.14859 = getelementptr i64, ptr %160, i64 %.14845
+  %.14860 = load i64, ptr %.14859, align 8
+  %.14863 = sitofp i64 %.14860 to double
+  br label %B9642
+B9642:                                            ; preds = %B9600, %B9572
+  %value.7.4 = phi double [ %.14863, %B9600 ], [ %.14821, %B9572 ]
+  %.14870.not = icmp eq i64 %.1153, 0
+  %.14927 = icmp slt i64 %.1034, -1
+  %.14928 = select i1 %.14927, i64 %arg.z.5.0, i64 0
   %161 = getelementptr double, ptr %arg.z.4, i64 %.1034
   %162 = getelementptr i8, ptr %161, i64 8
-  %.14651 = getelementptr double, ptr %162, i64 %.14637
-  %.14652 = load double, ptr %.14651, align 8
-  br i1 %.14579.not, label %B9480, label %B9436
-B9436:                                            ; preds = %B9432
-  %.14616 = fcmp ogt double %value.7.4, %.14652
-  br i1 %.14616, label %B9528, label %B9526
-B9480:                                            ; preds = %B9432
-  %.14654 = fcmp olt double %value.7.4, %.14652
-  br i1 %.14654, label %B9528, label %B9526
-B9526:                                            ; preds = %B9480, %B9436
-  br label %B9528
-B9528:                                            ; preds = %B9526, %B9480, %B9436
-  %"$phi9528.1.2.4" = phi double [ -1.000000e+00, %B9526 ], [ 1.000000e+00, %B9436 ], [ 1.000000e+00, %B9480 ]
-  %.14686 = icmp slt i64 %.1034, 0
-  %.14687 = select i1 %.14686, i64 %arg.z.5.0, i64 0
-  %.14701 = getelementptr double, ptr %161, i64 %.14687
-  %.14702 = load double, ptr %.14701, align 8
-  %.14704 = fmul double %"$phi9528.1.2.4", %.14702
-  %.14705 = fcmp olt double %.14704, 0.000000e+00
-  %.14712 = fcmp ogt double %"$phi9528.1.2.4", 0.000000e+00
-  %or.cond = and i1 %.14712, %.14705
-  br i1 %or.cond, label %B9598, label %B9682
-B9598:                                            ; preds = %B9528
-  %.14735 = icmp slt i64 %.1034, -2
-  %.14736 = select i1 %.14735, i64 %arg.z.5.0, i64 0
+  %.14942 = getelementptr double, ptr %162, i64 %.14928
+  %.14943 = load double, ptr %.14942, align 8
+  br i1 %.14870.not, label %B9690, label %B9646
+B9646:                                            ; preds = %B9642
+  %.14907 = fcmp ogt double %value.7.4, %.14943
+  br i1 %.14907, label %B9738, label %B9736
+B9690:                                            ; preds = %B9642
+  %.14945 = fcmp olt double %value.7.4, %.14943
+  br i1 %.14945, label %B9738, label %B9736
+B9736:                                            ; preds = %B9690, %B9646
+  br label %B9738
+B9738:                                            ; preds = %B9736, %B9690, %B9646
+  %"$phi9738.1.2.4" = phi double [ -1.000000e+00, %B9736 ], [ 1.000000e+00, %B9646 ], [ 1.000000e+00, %B9690 ]
+  %.14977 = icmp slt i64 %.1034, 0
+  %.14978 = select i1 %.14977, i64 %arg.z.5.0, i64 0
+  %.14992 = getelementptr double, ptr %161, i64 %.14978
+  %.14993 = load double, ptr %.14992, align 8
+  %.14995 = fmul double %"$phi9738.1.2.4", %.14993
+  %.14996 = fcmp olt double %.14995, 0.000000e+00
+  %.15003 = fcmp ogt double %"$phi9738.1.2.4", 0.000000e+00
+  %or.cond = and i1 %.15003, %.14996
+  br i1 %or.cond, label %B9808, label %B9892
+B9808:                                            ; preds = %B9738
+  %.15026 = icmp slt i64 %.1034, -2
+  %.15027 = select i1 %.15026, i64 %arg.z.5.0, i64 0
   %163 = getelementptr i8, ptr %161, i64 16
-  %.14750 = getelementptr double, ptr %163, i64 %.14736
-  %.14751 = load double, ptr %.14750, align 8
-  %.14752 = fadd double %.14751, 1.000000e+00
-  store double %.14752, ptr %.14750, align 8
-  %sunkaddr664 = getelementptr i8, ptr %arg.control.4, i64 72
-  store i64 -4611686018427387904, ptr %sunkaddr664, align 8
-  br label %B9682
-B9682:                                            ; preds = %B9598, %B9528
-  %sunkaddr1216 = shl i64 %.14687, 3
-  %sunkaddr1217 = getelementptr i8, ptr %161, i64 %sunkaddr1216
-  store double %"$phi9528.1.2.4", ptr %sunkaddr1217, align 8
-  br label %B9960
-B9736:                                            ; preds = %B8836
-  %.14885 = icmp sgt i64 %.915, -1
-  br i1 %.14885, label %B9748, label %B9784
-B9748:                                            ; preds = %B9736
+  %.15041 = getelementptr double, ptr %163, i64 %.15027
+  %.15042 = load double, ptr %.15041, align 8
+  %.15043 = fadd double %.15042, 1.000000e+00
+  store double %.15043, ptr %.15041, align 8
+  %sunkaddr678 = getelementptr i8, ptr %arg.control.4, i64 72
+  store i64 -4611686018427387904, ptr %sunkaddr678, align 8
+  br label %B9892
+B9892:                                            ; preds = %B9808, %B9738
+  %sunkaddr1239 = shl i64 %.14978, 3
+  %sunkaddr1240 = getelementptr i8, ptr %161, i64 %sunkaddr1239
+  store double %"$phi9738.1.2.4", ptr %sunkaddr1240, align 8
+  br label %B10170
+B9946:                                            ; preds = %B9040
+  %.15176 = icmp sgt i64 %.915, -1
+  br i1 %.15176, label %B9958, label %B9994
+B9958:                                            ; preds = %B9946
   %164 = inttoptr i64 %.66.i.i to ptr
-  %sunkaddr665 = getelementptr i8, ptr %arg.control.4, i64 96
-  %.41.i.i = load i64, ptr %sunkaddr665, align 8
+  %sunkaddr679 = getelementptr i8, ptr %arg.control.4, i64 96
+  %.41.i.i = load i64, ptr %sunkaddr679, align 8
   %.6.i.i.i = inttoptr i64 %.41.i.i to ptr
   %.8.i.i.i = tail call i32 %.6.i.i.i(i32 1, ptr %164)
-  %sunkaddr666 = getelementptr i8, ptr %arg.control.4, i64 200
-  %.121.i.i = load i64, ptr %sunkaddr666, align 8
+  %sunkaddr680 = getelementptr i8, ptr %arg.control.4, i64 200
+  %.121.i.i = load i64, ptr %sunkaddr680, align 8
   %.122.i.i = mul nsw i64 %.121.i.i, 1000000000
-  %sunkaddr667 = getelementptr i8, ptr %arg.control.4, i64 208
-  %.151.i.i = load i64, ptr %sunkaddr667, align 8
+  %sunkaddr681 = getelementptr i8, ptr %arg.control.4, i64 208
+  %.151.i.i = load i64, ptr %sunkaddr681, align 8
   %.152.i.i = add nsw i64 %.122.i.i, %.151.i.i
-  %sunkaddr668 = getelementptr i8, ptr %arg.control.4, i64 176
-  %.79.i504 = load i64, ptr %sunkaddr668, align 8
-  %.81.i = sub nsw i64 %.152.i.i, %.79.i504
-  %sunkaddr669 = getelementptr i8, ptr %arg.control.4, i64 192
-  %.111.i = load i64, ptr %sunkaddr669, align 8
+  %sunkaddr682 = getelementptr i8, ptr %arg.control.4, i64 176
+  %.79.i514 = load i64, ptr %sunkaddr682, align 8
+  %.81.i = sub nsw i64 %.152.i.i, %.79.i514
+  %sunkaddr683 = getelementptr i8, ptr %arg.control.4, i64 192
+  %.111.i = load i64, ptr %sunkaddr683, align 8
   %.112.i = icmp sgt i64 %.81.i, %.111.i
-  br i1 %.112.i, label %B96.i, label %_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-B96.i:                                            ; preds = %B9748
-  %sunkaddr670 = getelementptr i8, ptr %arg.control.4, i64 192
-  store i64 %.81.i, ptr %sunkaddr670, align 8
-  %sunkaddr671 = getelementptr i8, ptr %arg.control.4, i64 184
-  store i64 %.915, ptr %sunkaddr671, align 8
-  br label %_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit: ; preds = %B96.i, %B9748
-  %sunkaddr672 = getelementptr i8, ptr %arg.control.4, i64 176
-  store i64 %.152.i.i, ptr %sunkaddr672, align 8
-  br label %B9960
-B9784:                                            ; preds = %B9736
-  %.14972 = load i64, ptr %arg.clock.4, align 8
-  %sunkaddr673 = getelementptr i8, ptr %arg.clock.4, i64 48
-  %.15003 = load i64, ptr %sunkaddr673, align 8
-  %.14973 = add i64 %.979, %.641
-  %.15004 = add i64 %.14973, %.14972
-  %.15006 = add i64 %.15004, %.15003
-  store i64 0, ptr %.15010, align 8
-  %.15016 = call i32 @f78(ptr nonnull %.15010, ptr nonnull %excinfo.35, ptr %arg.control.0, ptr %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %.15006)
-  %cond530 = icmp eq i32 %.15016, 0
-  br i1 %cond530, label %B9784.endif, label %B9784.if.if
-B9910:                                            ; preds = %B9784.endif
-  %.15133 = getelementptr i8, ptr %arg.control.4, i64 8
-  store i64 %.745, ptr %.15133, align 8
-  %.15166 = getelementptr i8, ptr %arg.control.4, i64 16
-  store i64 %.509.0, ptr %.15166, align 8
-  store i64 %.15026, ptr %retptr, align 8
+  br i1 %.112.i, label %B96.i, label %_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+B96.i:                                            ; preds = %B9958
+  %sunkaddr684 = getelementptr i8, ptr %arg.control.4, i64 192
+  store i64 %.81.i, ptr %sunkaddr684, align 8
+  %sunkaddr685 = getelementptr i8, ptr %arg.control.4, i64 184
+  store i64 %.915, ptr %sunkaddr685, align 8
+  br label %_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit: ; preds = %B96.i, %B9958
+  %sunkaddr686 = getelementptr i8, ptr %arg.control.4, i64 176
+  store i64 %.152.i.i, ptr %sunkaddr686, align 8
+  br label %B10170
+B9994:                                            ; preds = %B9946
+  %.15263 = load i64, ptr %arg.clock.4, align 8
+  %sunkaddr687 = getelementptr i8, ptr %arg.clock.4, i64 48
+  %.15294 = load i64, ptr %sunkaddr687, align 8
+  %.15264 = add i64 %.979, %.641
+  %.15295 = add i64 %.15264, %.15263
+  %.15297 = add i64 %.15295, %.15294
+  store i64 0, ptr %.15301, align 8
+  %.15307 = call i32 @f79(ptr nonnull %.15301, ptr nonnull %excinfo.36, ptr %arg.control.0, ptr %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %.15297)
+  %cond541 = icmp eq i32 %.15307, 0
+  br i1 %cond541, label %B9994.endif, label %B9994.if.if
+B10120:                                           ; preds = %B9994.endif
+  %.15424 = getelementptr i8, ptr %arg.control.4, i64 8
+  store i64 %.745, ptr %.15424, align 8
+  %.15457 = getelementptr i8, ptr %arg.control.4, i64 16
+  store i64 %.509.0, ptr %.15457, align 8
+  store i64 %.15317, ptr %retptr, align 8
   br label %common.ret
-B9960:                                            ; preds = %B277.i, %B2578, %B5558, %B5558.us, %B9784.endif, %B6952.else.if, %B6796.endif.endif, %B6446.endif.endif, %B6260.endif, %B5558.us.prol.loopexit, %middle.block, %B5558.prol.loopexit, %middle.block895, %B5526.endif, %B5420.endif.endif, %B5274.endif.endif.endif, %B2608.endif, %B1452.endif, %B884.endif, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit, %B9682, %B9326, %B8950, %B8908, %B8836, %B8704, %B8614, %B8346, %B8298, %B7966, %B7468, %B7302, %B7020, %B6690, %B6654, %B6526, %B6324, %B6202, %B6066, %B5096, %B4850, %B4752, %B4598, %B4468, %B4212, %B3548, %B3500, %B3300, %B3194, %B3088, %B2938, %B2848, %B2784, %B240.endif.i
-  %base.4.3 = phi i64 [ %base.3.1, %B8836 ], [ %base.3.1, %B2784 ], [ %base.3.1, %B1452.endif ], [ %base.3.1, %B8950 ], [ %base.3.1, %B2848 ], [ %base.3.1, %B2938 ], [ %base.3.1, %B3088 ], [ %base.3.1, %B3194 ], [ %base.3.1, %B3300 ], [ %base.3.1, %B3500 ], [ %base.3.1, %B3548 ], [ %base.3.1, %B2608.endif ], [ %base.3.1, %B4468 ], [ %base.3.1, %B4598 ], [ %base.3.1, %B4752 ], [ %base.3.1, %B4850 ], [ %base.3.1, %B5096 ], [ %base.3.1, %B5274.endif.endif.endif ], [ %base.3.1, %B5420.endif.endif ], [ %base.3.1, %B4212 ], [ %base.3.1, %B5526.endif ], [ %base.3.1, %B6202 ], [ %base.3.1, %B6324 ], [ %base.3.1, %B240.endif.i ], [ %base.3.1, %B6526 ], [ %base.3.1, %B6260.endif ], [ %base.3.1, %B6654 ], [ %base.3.1, %middle.block ], [ %base.3.1, %B6796.endif.endif ], [ %base.3.1, %B6952.else.if ], [ %.11581, %B7020 ], [ %base.3.1, %B7302 ], [ %.12031, %B7468 ], [ %base.3.1, %B6446.endif.endif ], [ %base.3.1, %B7966 ], [ %base.3.1, %B8614 ], [ %base.3.1, %B8704 ], [ %base.3.1, %B8908 ], [ %base.3.1, %B8346 ], [ %base.3.1, %B9682 ], [ %base.3.1, %middle.block895 ], [ %base.3.1, %B9784.endif ], [ %base.3.1, %B8298 ], [ %base.3.1, %B9326 ], [ %base.3.1, %B884.endif ], [ %base.3.1, %B6066 ], [ %base.3.1, %B6690 ], [ %base.3.1, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ], [ %base.3.1, %B5558.us.prol.loopexit ], [ %base.3.1, %B5558.prol.loopexit ], [ %base.3.1, %B5558 ], [ %base.3.1, %B2578 ], [ %base.3.1, %B5558.us ], [ %base.3.1, %B277.i ]
-  %m.7.3 = phi i64 [ %.745, %B8836 ], [ %.745, %B2784 ], [ %.745, %B1452.endif ], [ %.745, %B8950 ], [ %.745, %B2848 ], [ %.745, %B2938 ], [ %.745, %B3088 ], [ %.745, %B3194 ], [ %.745, %B3300 ], [ %.745, %B3500 ], [ %.745, %B3548 ], [ %.745, %B2608.endif ], [ %.745, %B4468 ], [ %.745, %B4598 ], [ %.745, %B4752 ], [ %.745, %B4850 ], [ %.745, %B5096 ], [ %.745, %B5274.endif.endif.endif ], [ %.745, %B5420.endif.endif ], [ %.745, %B4212 ], [ %.745, %B5526.endif ], [ %.745, %B6202 ], [ %.10355, %B6324 ], [ %.745, %B240.endif.i ], [ %.10749, %B6526 ], [ %.745, %B6260.endif ], [ %.10928, %B6654 ], [ %.745, %middle.block ], [ %.745, %B6796.endif.endif ], [ %.745, %B6952.else.if ], [ %.745, %B7020 ], [ %.11945, %B7302 ], [ %.745, %B7468 ], [ %.745, %B6446.endif.endif ], [ %.745, %B7966 ], [ %.745, %B8614 ], [ %.745, %B8704 ], [ %.745, %B8908 ], [ %.745, %B8346 ], [ %.745, %B9682 ], [ %.745, %middle.block895 ], [ %.745, %B9784.endif ], [ %.745, %B8298 ], [ %.745, %B9326 ], [ %.745, %B884.endif ], [ %.745, %B6066 ], [ %.745, %B6690 ], [ %.745, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v61B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ], [ %.745, %B5558.us.prol.loopexit ], [ %.745, %B5558.prol.loopexit ], [ %.745, %B5558 ], [ %.745, %B2578 ], [ %.745, %B5558.us ], [ %.745, %B277.i ]
-  %.15199 = add nsw i64 %m.7.3, 1
-  %.15215 = icmp slt i64 %.15199, %arg.operations.5.0
-  br i1 %.15215, label %B362, label %B10002
-B10002:                                           ; preds = %B9960, %B206
+B10170:                                           ; preds = %B277.i, %B2578, %B5762, %B5762.us, %B9994.endif, %B7156.else.if, %B7000.endif.endif, %B6650.endif.endif, %B6464.endif, %B5762.us.prol.loopexit, %middle.block, %B5762.prol.loopexit, %middle.block914, %B5730.endif, %B5624.endif.endif, %B5478.endif.endif.endif, %B2784.endif, %B2608.endif, %B1452.endif, %B884.endif, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit, %B9892, %B9534, %B9154, %B9112, %B9040, %B8908, %B8818, %B8550, %B8502, %B8170, %B7672, %B7506, %B7224, %B6894, %B6858, %B6730, %B6528, %B6406, %B6270, %B5300, %B5054, %B4956, %B4802, %B4672, %B4416, %B3752, %B3704, %B3504, %B3398, %B3292, %B3142, %B3052, %B2988, %B240.endif.i
+  %base.4.3 = phi i64 [ %base.3.1, %B9040 ], [ %base.3.1, %B2988 ], [ %base.3.1, %B1452.endif ], [ %base.3.1, %B2608.endif ], [ %base.3.1, %B9154 ], [ %base.3.1, %B3052 ], [ %base.3.1, %B3142 ], [ %base.3.1, %B3292 ], [ %base.3.1, %B3398 ], [ %base.3.1, %B3504 ], [ %base.3.1, %B3704 ], [ %base.3.1, %B3752 ], [ %base.3.1, %B2784.endif ], [ %base.3.1, %B4672 ], [ %base.3.1, %B4802 ], [ %base.3.1, %B4956 ], [ %base.3.1, %B5054 ], [ %base.3.1, %B5300 ], [ %base.3.1, %B5478.endif.endif.endif ], [ %base.3.1, %B5624.endif.endif ], [ %base.3.1, %B4416 ], [ %base.3.1, %B5730.endif ], [ %base.3.1, %B6406 ], [ %base.3.1, %B6528 ], [ %base.3.1, %B240.endif.i ], [ %base.3.1, %B6730 ], [ %base.3.1, %B6464.endif ], [ %base.3.1, %B6858 ], [ %base.3.1, %middle.block ], [ %base.3.1, %B7000.endif.endif ], [ %base.3.1, %B7156.else.if ], [ %.11872, %B7224 ], [ %base.3.1, %B7506 ], [ %.12322, %B7672 ], [ %base.3.1, %B6650.endif.endif ], [ %base.3.1, %B8170 ], [ %base.3.1, %B8818 ], [ %base.3.1, %B8908 ], [ %base.3.1, %B9112 ], [ %base.3.1, %B8550 ], [ %base.3.1, %B9892 ], [ %base.3.1, %middle.block914 ], [ %base.3.1, %B9994.endif ], [ %base.3.1, %B8502 ], [ %base.3.1, %B9534 ], [ %base.3.1, %B884.endif ], [ %base.3.1, %B6270 ], [ %base.3.1, %B6894 ], [ %base.3.1, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ], [ %base.3.1, %B5762.us.prol.loopexit ], [ %base.3.1, %B5762.prol.loopexit ], [ %base.3.1, %B5762 ], [ %base.3.1, %B2578 ], [ %base.3.1, %B5762.us ], [ %base.3.1, %B277.i ]
+  %m.7.3 = phi i64 [ %.745, %B9040 ], [ %.745, %B2988 ], [ %.745, %B1452.endif ], [ %.745, %B2608.endif ], [ %.745, %B9154 ], [ %.745, %B3052 ], [ %.745, %B3142 ], [ %.745, %B3292 ], [ %.745, %B3398 ], [ %.745, %B3504 ], [ %.745, %B3704 ], [ %.745, %B3752 ], [ %.745, %B2784.endif ], [ %.745, %B4672 ], [ %.745, %B4802 ], [ %.745, %B4956 ], [ %.745, %B5054 ], [ %.745, %B5300 ], [ %.745, %B5478.endif.endif.endif ], [ %.745, %B5624.endif.endif ], [ %.745, %B4416 ], [ %.745, %B5730.endif ], [ %.745, %B6406 ], [ %.10646, %B6528 ], [ %.745, %B240.endif.i ], [ %.11040, %B6730 ], [ %.745, %B6464.endif ], [ %.11219, %B6858 ], [ %.745, %middle.block ], [ %.745, %B7000.endif.endif ], [ %.745, %B7156.else.if ], [ %.745, %B7224 ], [ %.12236, %B7506 ], [ %.745, %B7672 ], [ %.745, %B6650.endif.endif ], [ %.745, %B8170 ], [ %.745, %B8818 ], [ %.745, %B8908 ], [ %.745, %B9112 ], [ %.745, %B8550 ], [ %.745, %B9892 ], [ %.745, %middle.block914 ], [ %.745, %B9994.endif ], [ %.745, %B8502 ], [ %.745, %B9534 ], [ %.745, %B884.endif ], [ %.745, %B6270 ], [ %.745, %B6894 ], [ %.745, %_ZN8rovbrush12orchestrator4loop6pacing4markB3v62B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ], [ %.745, %B5762.us.prol.loopexit ], [ %.745, %B5762.prol.loopexit ], [ %.745, %B5762 ], [ %.745, %B2578 ], [ %.745, %B5762.us ], [ %.745, %B277.i ]
+  %.15490 = add nsw i64 %m.7.3, 1
+  %.15506 = icmp slt i64 %.15490, %arg.operations.5.0
+  br i1 %.15506, label %B362, label %B10212
+B10212:                                           ; preds = %B10170, %B206
   %165 = icmp eq i64 %arg.cycle_ticks, 0
-  br i1 %165, label %B10014.endif, label %B10142
-B10124:                                           ; preds = %B10014.endif
+  br i1 %165, label %B10224.endif, label %B10352
+B10334:                                           ; preds = %B10224.endif
   store i64 0, ptr %retptr, align 8
   br label %common.ret
-B10142:                                           ; preds = %B10014.endif, %B10002
-  %.568 = icmp sgt i64 %.56710940, 1
-  br i1 %.568, label %B206, label %B10146
-B10146:                                           ; preds = %B10142, %B116.endif
+B10352:                                           ; preds = %B10224.endif, %B10212
+  %.568 = icmp sgt i64 %.56711337, 1
+  br i1 %.568, label %B206, label %B10356
+B10356:                                           ; preds = %B10352, %B116.endif
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 B116.endif:                                       ; preds = %B38, %B0
@@ -2029,13 +2040,13 @@ B116.endif:                                       ; preds = %B38, %B0
   %.443 = getelementptr i8, ptr %arg.control.4, i64 40
   %.444 = load i64, ptr %.443, align 8
   store i64 0, ptr %.443, align 8
-  %.56810937.not = icmp slt i64 %arg.cycles, 1
-  br i1 %.56810937.not, label %B10146, label %B206.lr.ph
+  %.56811334.not = icmp slt i64 %arg.cycles, 1
+  br i1 %.56811334.not, label %B10356, label %B206.lr.ph
 B206.lr.ph:                                       ; preds = %B116.endif
   %166 = ptrtoint ptr %arg.saved.4 to i64
   %167 = ptrtoint ptr %arg.z.4 to i64
-  %.8915 = sitofp i64 %arg.denominator to double
-  %.11624 = shl i64 %arg.numerator, 1
+  %.9206 = sitofp i64 %arg.denominator to double
+  %.11915 = shl i64 %arg.numerator, 1
   %.64.i.i = ptrtoint ptr %arg.control.4 to i64
   %.66.i.i = add nsw i64 %.64.i.i, 200
   %168 = sub i64 %166, %167
@@ -2050,16 +2061,16 @@ B884.endif:                                       ; preds = %B884
   %.10.i.i = trunc i64 %.1920 to i32
   %.11.i.i = inttoptr i64 %.1865 to ptr
   %.12.i.i = tail call i32 %174(ptr %.11.i.i, double %.1617, double %length.6.3, i32 %.10.i.i)
-  %.6.i506 = icmp ugt i32 %.12.i.i, 1
-  br i1 %.6.i506, label %B1086.split.loop.exit625, label %B9960
+  %.6.i517 = icmp ugt i32 %.12.i.i, 1
+  br i1 %.6.i517, label %B1086.split.loop.exit638, label %B10170
 B1452.endif:                                      ; preds = %B1392, %B1308, %B1204
   %last.3.4.in = phi ptr [ %.2513, %B1308 ], [ %.2645, %B1392 ], [ %.2385, %B1204 ]
   %first.4.4.in = phi ptr [ %.2458, %B1308 ], [ %.2590, %B1392 ], [ %.2330, %B1204 ]
   %first.4.4 = load i64, ptr %first.4.4.in, align 8
   %last.3.4 = load i64, ptr %last.3.4.in, align 8
   %.2694 = sub i64 %last.3.4, %first.4.4
-  %.273810879.not = icmp slt i64 %.2694, 1
-  br i1 %.273810879.not, label %B9960, label %B1488.preheader
+  %.273811276.not = icmp slt i64 %.2694, 1
+  br i1 %.273811276.not, label %B10170, label %B1488.preheader
 B1488.preheader:                                  ; preds = %B1452.endif
   br label %B1488
 B1560.endif:                                      ; preds = %B1560
@@ -2069,10 +2080,10 @@ B1560.endif:                                      ; preds = %B1560
 B1560.if.if:                                      ; preds = %B1560
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B1698.endif:                                      ; preds = %B122.endif.i, %B66.endif.i, %B16.endif.i433
-  %.14.i8.sink.i = phi i32 [ %.14.i8.i, %B122.endif.i ], [ %.16.i.i432, %B66.endif.i ], [ %.13.i.i437, %B16.endif.i433 ]
-  %.7.i508 = icmp ugt i32 %.14.i8.sink.i, 1
-  br i1 %.7.i508, label %B2172.loopexit, label %B1980
+B1698.endif:                                      ; preds = %B122.endif.i, %B66.endif.i, %B16.endif.i442
+  %.14.i8.sink.i = phi i32 [ %.14.i8.i, %B122.endif.i ], [ %.16.i.i441, %B66.endif.i ], [ %.13.i.i446, %B16.endif.i442 ]
+  %.7.i519 = icmp ugt i32 %.14.i8.sink.i, 1
+  br i1 %.7.i519, label %B2172.loopexit, label %B1980
 B2050.endif:                                      ; preds = %B2050
   %.3627 = load i64, ptr %.3597, align 8
   %.3641 = icmp sgt i64 %.3627, -1
@@ -2084,394 +2095,402 @@ B2050.if.if:                                      ; preds = %B2050
   store ptr %.3626, ptr %excinfo, align 8
   br label %common.ret
 B2326.endif:                                      ; preds = %B2278
-  %sunkaddr674 = mul i64 %.3112, 8
-  %sunkaddr675 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr674
-  %sunkaddr676 = getelementptr i8, ptr %sunkaddr675, i64 40
-  %.4005 = load i64, ptr %sunkaddr676, align 8
-  %sunkaddr677 = mul i64 %.3112, 8
-  %sunkaddr678 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr677
-  %sunkaddr679 = getelementptr i8, ptr %sunkaddr678, i64 32
-  %.4117 = load i64, ptr %sunkaddr679, align 8
+  %sunkaddr688 = mul i64 %.3112, 8
+  %sunkaddr689 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr688
+  %sunkaddr690 = getelementptr i8, ptr %sunkaddr689, i64 40
+  %.4005 = load i64, ptr %sunkaddr690, align 8
+  %sunkaddr691 = mul i64 %.3112, 8
+  %sunkaddr692 = getelementptr i8, ptr %arg.blocks.4, i64 %sunkaddr691
+  %sunkaddr693 = getelementptr i8, ptr %sunkaddr692, i64 32
+  %.4117 = load i64, ptr %sunkaddr693, align 8
   %..4117 = tail call i64 @llvm.smax.i64(i64 %.4117, i64 0)
   br label %B2442
 B2608.endif:                                      ; preds = %B2608
   %.4561 = load i64, ptr %.4529, align 8
   %.4581.not = icmp eq i64 %.4561, 0
-  br i1 %.4581.not, label %B9960, label %B2708
+  br i1 %.4581.not, label %B10170, label %B2708
 B2608.if.if:                                      ; preds = %B2608
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B4046.endif:                                      ; preds = %B3984, %B3964
-  %cell.4.5 = phi i64 [ %.6569, %B3984 ], [ %.6535, %B3964 ]
-  %.6584 = icmp eq i64 %.1153, 0
-  %.667610897.not = icmp slt i64 %.1153, 1
-  br i1 %.667610897.not, label %B4212, label %B4110.lr.ph
-B4110.lr.ph:                                      ; preds = %B4046.endif
-  %.6582 = and i64 %cell.4.5, 4294967295
-  %.6580 = ashr i64 %cell.4.5, 32
-  %.6761 = sitofp i64 %.6580 to double
-  %.6767 = add i64 %.1208, 5
-  %.6804 = uitofp i64 %.6582 to double
-  br label %B4110
-B4302.endif:                                      ; preds = %B742
-  %.7070 = icmp slt i64 %.979, 0
-  %.7071 = select i1 %.7070, i64 %arg.groups.5.0, i64 0
-  %.7072 = add i64 %.7071, %.979
-  %.7092 = mul i64 %.7072, %arg.groups.5.1
-  %.7096 = getelementptr i64, ptr %arg.groups.4, i64 %.7092
-  %.7097 = load i64, ptr %.7096, align 8
-  %.7151 = getelementptr i8, ptr %.7096, i64 8
-  %.7152 = load i64, ptr %.7151, align 8
-  %.7209 = getelementptr i8, ptr %.7096, i64 16
-  %.7210 = load i64, ptr %.7209, align 8
-  %.7226 = select i1 %.7070, i64 %arg.rows.5.0, i64 0
+B2784.endif:                                      ; preds = %B742
+  %sunkaddr694 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.4773 = load i64, ptr %sunkaddr694, align 8
+  %.11.i = inttoptr i64 %.979 to ptr
+  %.12.i447 = inttoptr i64 %.1034 to ptr
+  %.13.i = tail call i64 %.11.i(ptr %.12.i447, i64 %base.3.1, i64 %.4773, i64 %arg.numerator, i64 %arg.denominator, double %"$phi116.0.2.0")
+  %.4812.not = icmp eq i64 %.13.i, 0
+  br i1 %.4812.not, label %B10170, label %B2870
+B4250.endif:                                      ; preds = %B4188, %B4168
+  %cell.4.5 = phi i64 [ %.6860, %B4188 ], [ %.6826, %B4168 ]
+  %.6875 = icmp eq i64 %.1153, 0
+  %.696711294.not = icmp slt i64 %.1153, 1
+  br i1 %.696711294.not, label %B4416, label %B4314.lr.ph
+B4314.lr.ph:                                      ; preds = %B4250.endif
+  %.6873 = and i64 %cell.4.5, 4294967295
+  %.6871 = ashr i64 %cell.4.5, 32
+  %.7052 = sitofp i64 %.6871 to double
+  %.7058 = add i64 %.1208, 5
+  %.7095 = uitofp i64 %.6873 to double
+  br label %B4314
+B4506.endif:                                      ; preds = %B742
+  %.7361 = icmp slt i64 %.979, 0
+  %.7362 = select i1 %.7361, i64 %arg.groups.5.0, i64 0
+  %.7363 = add i64 %.7362, %.979
+  %.7383 = mul i64 %.7363, %arg.groups.5.1
+  %.7387 = getelementptr i64, ptr %arg.groups.4, i64 %.7383
+  %.7388 = load i64, ptr %.7387, align 8
+  %.7442 = getelementptr i8, ptr %.7387, i64 8
+  %.7443 = load i64, ptr %.7442, align 8
+  %.7500 = getelementptr i8, ptr %.7387, i64 16
+  %.7501 = load i64, ptr %.7500, align 8
+  %.7517 = select i1 %.7361, i64 %arg.rows.5.0, i64 0
   %175 = getelementptr i64, ptr %arg.rows.4, i64 %.979
-  %.7240 = getelementptr i64, ptr %175, i64 %.7226
-  %.7241 = load i64, ptr %.7240, align 8
-  %.7242 = mul i64 %.7241, %.7152
-  %.7243 = add i64 %.7242, %.7210
-  %.732610889.not = icmp slt i64 %.7152, 1
-  br i1 %.732610889.not, label %B4302.endif.B4468_crit_edge, label %B4418.preheader
-B4302.endif.B4468_crit_edge:                      ; preds = %B4302.endif
-  %.pre244 = shl i64 %.7226, 3
-  br label %B4468
-B4418.preheader:                                  ; preds = %B4302.endif
-  %176 = icmp eq i64 %.7152, 1
-  br i1 %176, label %B4418.epil.preheader, label %B4418.preheader.new
-B4418.preheader.new:                              ; preds = %B4418.preheader
-  %const612 = bitcast i64 9223372036854775804 to i64
-  %const_mat613 = add i64 %const612, 2
-  %unroll_iter = and i64 %.7152, %const_mat613
-  %177 = shl i64 %.7097, 3
+  %.7531 = getelementptr i64, ptr %175, i64 %.7517
+  %.7532 = load i64, ptr %.7531, align 8
+  %.7533 = mul i64 %.7532, %.7443
+  %.7534 = add i64 %.7533, %.7501
+  %.761711286.not = icmp slt i64 %.7443, 1
+  br i1 %.761711286.not, label %B4506.endif.B4672_crit_edge, label %B4622.preheader
+B4506.endif.B4672_crit_edge:                      ; preds = %B4506.endif
+  %.pre250 = shl i64 %.7517, 3
+  br label %B4672
+B4622.preheader:                                  ; preds = %B4506.endif
+  %176 = icmp eq i64 %.7443, 1
+  br i1 %176, label %B4622.epil.preheader, label %B4622.preheader.new
+B4622.preheader.new:                              ; preds = %B4622.preheader
+  %const626 = bitcast i64 9223372036854775804 to i64
+  %const_mat627 = add i64 %const626, 2
+  %unroll_iter = and i64 %.7443, %const_mat627
+  %177 = shl i64 %.7388, 3
   %scevgep = getelementptr i8, ptr %arg.slots.4, i64 %177
-  %178 = shl i64 %.7243, 3
-  %scevgep1071 = getelementptr i8, ptr %arg.buffer.4, i64 %178
-  br label %B4418
-B5274.endif.endif.endif:                          ; preds = %B5274
-  %.8837 = load double, ptr %.8821, align 8
-  %.8863 = icmp slt i64 %.1034, 0
-  %.8864 = select i1 %.8863, i64 %arg.z.5.0, i64 0
+  %178 = shl i64 %.7534, 3
+  %scevgep1094 = getelementptr i8, ptr %arg.buffer.4, i64 %178
+  br label %B4622
+B5478.endif.endif.endif:                          ; preds = %B5478
+  %.9128 = load double, ptr %.9112, align 8
+  %.9154 = icmp slt i64 %.1034, 0
+  %.9155 = select i1 %.9154, i64 %arg.z.5.0, i64 0
   %179 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.8878 = getelementptr double, ptr %179, i64 %.8864
-  store double %.8837, ptr %.8878, align 8
-  br label %B9960
-B5274.endif.endif.if.if:                          ; preds = %B5274
+  %.9169 = getelementptr double, ptr %179, i64 %.9155
+  store double %.9128, ptr %.9169, align 8
+  br label %B10170
+B5478.endif.endif.if.if:                          ; preds = %B5478
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B5420.endif.endif:                                ; preds = %B68.else.if.i.i, %B0.endif.common.ret_crit_edge.i
+B5624.endif.endif:                                ; preds = %B68.else.if.i.i, %B0.endif.common.ret_crit_edge.i
   %.15.pre-phi.i = phi i64 [ %.pre.i, %B0.endif.common.ret_crit_edge.i ], [ %.143.i.i, %B68.else.if.i.i ]
   %low.4.1.i.i = phi i64 [ 0, %B0.endif.common.ret_crit_edge.i ], [ %low.3.1.i.i, %B68.else.if.i.i ]
-  %.71.i79 = add nsw i64 %.15.pre-phi.i, %.5.i.i
-  %.98.i = add nsw i64 %.71.i79, %low.4.1.i.i
-  %.111.i80 = icmp slt i64 %.98.i, 0
-  %.112.i81 = select i1 %.111.i80, i64 %arg.coefficients.5.0, i64 0
+  %.71.i81 = add nsw i64 %.15.pre-phi.i, %.5.i.i
+  %.98.i = add nsw i64 %.71.i81, %low.4.1.i.i
+  %.111.i82 = icmp slt i64 %.98.i, 0
+  %.112.i83 = select i1 %.111.i82, i64 %arg.coefficients.5.0, i64 0
   %180 = getelementptr double, ptr %arg.coefficients.4, i64 %.98.i
-  %.126.i = getelementptr double, ptr %180, i64 %.112.i81
+  %.126.i = getelementptr double, ptr %180, i64 %.112.i83
   %.127.i = load double, ptr %.126.i, align 8
-  %.8964 = icmp slt i64 %.1034, 0
-  %.8965 = select i1 %.8964, i64 %arg.z.5.0, i64 0
+  %.9255 = icmp slt i64 %.1034, 0
+  %.9256 = select i1 %.9255, i64 %arg.z.5.0, i64 0
   %181 = getelementptr double, ptr %arg.z.4, i64 %.1034
-  %.8979 = getelementptr double, ptr %181, i64 %.8965
-  store double %.127.i, ptr %.8979, align 8
-  br label %B9960
-B5526.endif:                                      ; preds = %B5514
-  %.912410906.not = icmp slt i64 %.979, 1
-  br i1 %.912410906.not, label %B9960, label %B5558.lr.ph
-B5558.lr.ph:                                      ; preds = %B5526.endif
+  %.9270 = getelementptr double, ptr %181, i64 %.9256
+  store double %.127.i, ptr %.9270, align 8
+  br label %B10170
+B5730.endif:                                      ; preds = %B5718
+  %.941511303.not = icmp slt i64 %.979, 1
+  br i1 %.941511303.not, label %B10170, label %B5762.lr.ph
+B5762.lr.ph:                                      ; preds = %B5730.endif
   %182 = icmp eq i64 %.805, 14
-  br i1 %182, label %B5558.us.preheader, label %B5558.preheader
-B5558.preheader:                                  ; preds = %B5558.lr.ph
+  br i1 %182, label %B5762.us.preheader, label %B5762.preheader
+B5762.preheader:                                  ; preds = %B5762.lr.ph
   %183 = icmp ult i64 %.979, 4
   %184 = icmp ult i64 %169, 32
-  %or.cond898 = select i1 %183, i1 true, i1 %184
-  br i1 %or.cond898, label %B5558.preheader901, label %vector.ph887
-vector.ph887:                                     ; preds = %B5558.preheader
-  %const614 = bitcast i64 9223372036854775804 to i64
-  %n.vec889 = and i64 %.979, %const614
-  br label %vector.body890
-vector.body890:                                   ; preds = %vector.body890, %vector.ph887
-  %index891 = phi i64 [ 0, %vector.ph887 ], [ %index.next894, %vector.body890 ]
-  %sunkaddr680 = mul i64 %index891, 8
-  %sunkaddr681 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr680
-  %wide.load892 = load <2 x double>, ptr %sunkaddr681, align 8
-  %sunkaddr682 = mul i64 %index891, 8
-  %sunkaddr683 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr682
-  %sunkaddr684 = getelementptr i8, ptr %sunkaddr683, i64 16
-  %wide.load893 = load <2 x double>, ptr %sunkaddr684, align 8
-  %sunkaddr685 = mul i64 %index891, 8
-  %sunkaddr686 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr685
-  store <2 x double> %wide.load892, ptr %sunkaddr686, align 8
-  %sunkaddr687 = mul i64 %index891, 8
-  %sunkaddr688 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr687
-  %sunkaddr689 = getelementptr i8, ptr %sunkaddr688, i64 16
-  store <2 x double> %wide.load893, ptr %sunkaddr689, align 8
-  %index.next894 = add nuw nsw i64 %index891, 4
-  %185 = icmp eq i64 %n.vec889, %index.next894
-  br i1 %185, label %middle.block895, label %vector.body890
-middle.block895:                                  ; preds = %vector.body890
-  %cmp.n896 = icmp eq i64 %.979, %n.vec889
-  br i1 %cmp.n896, label %B9960, label %B5558.preheader901
-B5558.preheader901:                               ; preds = %middle.block895, %B5558.preheader
-  %.91301090510907.ph = phi i64 [ 0, %B5558.preheader ], [ %n.vec889, %middle.block895 ]
-  %xtraiter982 = and i64 %.979, 3
-  %lcmp.mod983.not = icmp eq i64 %xtraiter982, 0
-  br i1 %lcmp.mod983.not, label %B5558.prol.loopexit, label %B5558.prol.preheader
-B5558.prol.preheader:                             ; preds = %B5558.preheader901
-  br label %B5558.prol
-B5558.prol:                                       ; preds = %B5558.prol.preheader, %B5558.prol
-  %lsr.iv1098 = phi i64 [ %lsr.iv.next1099, %B5558.prol ], [ %xtraiter982, %B5558.prol.preheader ]
-  %.91301090510907.prol = phi i64 [ %.9137.prol, %B5558.prol ], [ %.91301090510907.ph, %B5558.prol.preheader ]
-  %.9137.prol = add nuw nsw i64 %.91301090510907.prol, 1
-  %186 = shl i64 %.91301090510907.prol, 3
-  %scevgep1097 = getelementptr i8, ptr %arg.saved.4, i64 %186
-  %.9263.prol = load double, ptr %scevgep1097, align 8
-  %scevgep1096 = getelementptr i8, ptr %arg.z.4, i64 %186
-  store double %.9263.prol, ptr %scevgep1096, align 8
-  %lsr.iv.next1099 = add nsw i64 %lsr.iv1098, -1
-  %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next1099, 0
-  br i1 %prol.iter.cmp.not, label %B5558.prol.loopexit, label %B5558.prol
-B5558.prol.loopexit:                              ; preds = %B5558.prol, %B5558.preheader901
-  %.91301090510907.unr = phi i64 [ %.91301090510907.ph, %B5558.preheader901 ], [ %.9137.prol, %B5558.prol ]
-  %187 = sub nsw i64 %.91301090510907.ph, %.979
+  %or.cond917 = select i1 %183, i1 true, i1 %184
+  br i1 %or.cond917, label %B5762.preheader920, label %vector.ph906
+vector.ph906:                                     ; preds = %B5762.preheader
+  %const628 = bitcast i64 9223372036854775804 to i64
+  %n.vec908 = and i64 %.979, %const628
+  br label %vector.body909
+vector.body909:                                   ; preds = %vector.body909, %vector.ph906
+  %index910 = phi i64 [ 0, %vector.ph906 ], [ %index.next913, %vector.body909 ]
+  %sunkaddr695 = mul i64 %index910, 8
+  %sunkaddr696 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr695
+  %wide.load911 = load <2 x double>, ptr %sunkaddr696, align 8
+  %sunkaddr697 = mul i64 %index910, 8
+  %sunkaddr698 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr697
+  %sunkaddr699 = getelementptr i8, ptr %sunkaddr698, i64 16
+  %wide.load912 = load <2 x double>, ptr %sunkaddr699, align 8
+  %sunkaddr700 = mul i64 %index910, 8
+  %sunkaddr701 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr700
+  store <2 x double> %wide.load911, ptr %sunkaddr701, align 8
+  %sunkaddr702 = mul i64 %index910, 8
+  %sunkaddr703 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr702
+  %sunkaddr704 = getelementptr i8, ptr %sunkaddr703, i64 16
+  store <2 x double> %wide.load912, ptr %sunkaddr704, align 8
+  %index.next913 = add nuw nsw i64 %index910, 4
+  %185 = icmp eq i64 %n.vec908, %index.next913
+  br i1 %185, label %middle.block914, label %vector.body909
+middle.block914:                                  ; preds = %vector.body909
+  %cmp.n915 = icmp eq i64 %.979, %n.vec908
+  br i1 %cmp.n915, label %B10170, label %B5762.preheader920
+B5762.preheader920:                               ; preds = %middle.block914, %B5762.preheader
+  %.94211130211304.ph = phi i64 [ 0, %B5762.preheader ], [ %n.vec908, %middle.block914 ]
+  %xtraiter1003 = and i64 %.979, 3
+  %lcmp.mod1004.not = icmp eq i64 %xtraiter1003, 0
+  br i1 %lcmp.mod1004.not, label %B5762.prol.loopexit, label %B5762.prol.preheader
+B5762.prol.preheader:                             ; preds = %B5762.preheader920
+  br label %B5762.prol
+B5762.prol:                                       ; preds = %B5762.prol.preheader, %B5762.prol
+  %lsr.iv1121 = phi i64 [ %lsr.iv.next1122, %B5762.prol ], [ %xtraiter1003, %B5762.prol.preheader ]
+  %.94211130211304.prol = phi i64 [ %.9428.prol, %B5762.prol ], [ %.94211130211304.ph, %B5762.prol.preheader ]
+  %.9428.prol = add nuw nsw i64 %.94211130211304.prol, 1
+  %186 = shl i64 %.94211130211304.prol, 3
+  %scevgep1120 = getelementptr i8, ptr %arg.saved.4, i64 %186
+  %.9554.prol = load double, ptr %scevgep1120, align 8
+  %scevgep1119 = getelementptr i8, ptr %arg.z.4, i64 %186
+  store double %.9554.prol, ptr %scevgep1119, align 8
+  %lsr.iv.next1122 = add nsw i64 %lsr.iv1121, -1
+  %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next1122, 0
+  br i1 %prol.iter.cmp.not, label %B5762.prol.loopexit, label %B5762.prol
+B5762.prol.loopexit:                              ; preds = %B5762.prol, %B5762.preheader920
+  %.94211130211304.unr = phi i64 [ %.94211130211304.ph, %B5762.preheader920 ], [ %.9428.prol, %B5762.prol ]
+  %187 = sub nsw i64 %.94211130211304.ph, %.979
   %188 = icmp ugt i64 %187, -4
-  br i1 %188, label %B9960, label %B5558.preheader555
-B5558.preheader555:                               ; preds = %B5558.prol.loopexit
-  br label %B5558
-B5558.us.preheader:                               ; preds = %B5558.lr.ph
+  br i1 %188, label %B10170, label %B5762.preheader569
+B5762.preheader569:                               ; preds = %B5762.prol.loopexit
+  br label %B5762
+B5762.us.preheader:                               ; preds = %B5762.lr.ph
   %189 = icmp ult i64 %.979, 4
   %190 = icmp ult i64 %168, 32
-  %or.cond899 = select i1 %189, i1 true, i1 %190
-  br i1 %or.cond899, label %B5558.us.preheader900, label %vector.ph
-vector.ph:                                        ; preds = %B5558.us.preheader
-  %const615 = bitcast i64 9223372036854775804 to i64
-  %n.vec = and i64 %.979, %const615
+  %or.cond918 = select i1 %189, i1 true, i1 %190
+  br i1 %or.cond918, label %B5762.us.preheader919, label %vector.ph
+vector.ph:                                        ; preds = %B5762.us.preheader
+  %const629 = bitcast i64 9223372036854775804 to i64
+  %n.vec = and i64 %.979, %const629
   br label %vector.body
 vector.body:                                      ; preds = %vector.body, %vector.ph
   %index = phi i64 [ 0, %vector.ph ], [ %index.next, %vector.body ]
-  %sunkaddr690 = mul i64 %index, 8
-  %sunkaddr691 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr690
-  %wide.load = load <2 x double>, ptr %sunkaddr691, align 8
-  %sunkaddr692 = mul i64 %index, 8
-  %sunkaddr693 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr692
-  %sunkaddr694 = getelementptr i8, ptr %sunkaddr693, i64 16
-  %wide.load881 = load <2 x double>, ptr %sunkaddr694, align 8
-  %sunkaddr695 = mul i64 %index, 8
-  %sunkaddr696 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr695
-  store <2 x double> %wide.load, ptr %sunkaddr696, align 8
-  %sunkaddr697 = mul i64 %index, 8
-  %sunkaddr698 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr697
-  %sunkaddr699 = getelementptr i8, ptr %sunkaddr698, i64 16
-  store <2 x double> %wide.load881, ptr %sunkaddr699, align 8
+  %sunkaddr705 = mul i64 %index, 8
+  %sunkaddr706 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr705
+  %wide.load = load <2 x double>, ptr %sunkaddr706, align 8
+  %sunkaddr707 = mul i64 %index, 8
+  %sunkaddr708 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr707
+  %sunkaddr709 = getelementptr i8, ptr %sunkaddr708, i64 16
+  %wide.load900 = load <2 x double>, ptr %sunkaddr709, align 8
+  %sunkaddr710 = mul i64 %index, 8
+  %sunkaddr711 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr710
+  store <2 x double> %wide.load, ptr %sunkaddr711, align 8
+  %sunkaddr712 = mul i64 %index, 8
+  %sunkaddr713 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr712
+  %sunkaddr714 = getelementptr i8, ptr %sunkaddr713, i64 16
+  store <2 x double> %wide.load900, ptr %sunkaddr714, align 8
   %index.next = add nuw nsw i64 %index, 4
   %191 = icmp eq i64 %n.vec, %index.next
   br i1 %191, label %middle.block, label %vector.body
 middle.block:                                     ; preds = %vector.body
   %cmp.n = icmp eq i64 %.979, %n.vec
-  br i1 %cmp.n, label %B9960, label %B5558.us.preheader900
-B5558.us.preheader900:                            ; preds = %middle.block, %B5558.us.preheader
-  %.91301090510907.us.ph = phi i64 [ 0, %B5558.us.preheader ], [ %n.vec, %middle.block ]
-  %xtraiter984 = and i64 %.979, 3
-  %lcmp.mod985.not = icmp eq i64 %xtraiter984, 0
-  br i1 %lcmp.mod985.not, label %B5558.us.prol.loopexit, label %B5558.us.prol.preheader
-B5558.us.prol.preheader:                          ; preds = %B5558.us.preheader900
-  br label %B5558.us.prol
-B5558.us.prol:                                    ; preds = %B5558.us.prol.preheader, %B5558.us.prol
-  %lsr.iv1124 = phi i64 [ %lsr.iv.next1125, %B5558.us.prol ], [ %xtraiter984, %B5558.us.prol.preheader ]
-  %.91301090510907.us.prol = phi i64 [ %.9137.us.prol, %B5558.us.prol ], [ %.91301090510907.us.ph, %B5558.us.prol.preheader ]
-  %.9137.us.prol = add nuw nsw i64 %.91301090510907.us.prol, 1
-  %192 = shl i64 %.91301090510907.us.prol, 3
-  %scevgep1123 = getelementptr i8, ptr %arg.z.4, i64 %192
-  %.9198.us.prol = load double, ptr %scevgep1123, align 8
-  %scevgep1122 = getelementptr i8, ptr %arg.saved.4, i64 %192
-  store double %.9198.us.prol, ptr %scevgep1122, align 8
-  %lsr.iv.next1125 = add nsw i64 %lsr.iv1124, -1
-  %prol.iter986.cmp.not = icmp eq i64 %lsr.iv.next1125, 0
-  br i1 %prol.iter986.cmp.not, label %B5558.us.prol.loopexit, label %B5558.us.prol
-B5558.us.prol.loopexit:                           ; preds = %B5558.us.prol, %B5558.us.preheader900
-  %.91301090510907.us.unr = phi i64 [ %.91301090510907.us.ph, %B5558.us.preheader900 ], [ %.9137.us.prol, %B5558.us.prol ]
-  %193 = sub nsw i64 %.91301090510907.us.ph, %.979
+  br i1 %cmp.n, label %B10170, label %B5762.us.preheader919
+B5762.us.preheader919:                            ; preds = %middle.block, %B5762.us.preheader
+  %.94211130211304.us.ph = phi i64 [ 0, %B5762.us.preheader ], [ %n.vec, %middle.block ]
+  %xtraiter1005 = and i64 %.979, 3
+  %lcmp.mod1006.not = icmp eq i64 %xtraiter1005, 0
+  br i1 %lcmp.mod1006.not, label %B5762.us.prol.loopexit, label %B5762.us.prol.preheader
+B5762.us.prol.preheader:                          ; preds = %B5762.us.preheader919
+  br label %B5762.us.prol
+B5762.us.prol:                                    ; preds = %B5762.us.prol.preheader, %B5762.us.prol
+  %lsr.iv1147 = phi i64 [ %lsr.iv.next1148, %B5762.us.prol ], [ %xtraiter1005, %B5762.us.prol.preheader ]
+  %.94211130211304.us.prol = phi i64 [ %.9428.us.prol, %B5762.us.prol ], [ %.94211130211304.us.ph, %B5762.us.prol.preheader ]
+  %.9428.us.prol = add nuw nsw i64 %.94211130211304.us.prol, 1
+  %192 = shl i64 %.94211130211304.us.prol, 3
+  %scevgep1146 = getelementptr i8, ptr %arg.z.4, i64 %192
+  %.9489.us.prol = load double, ptr %scevgep1146, align 8
+  %scevgep1145 = getelementptr i8, ptr %arg.saved.4, i64 %192
+  store double %.9489.us.prol, ptr %scevgep1145, align 8
+  %lsr.iv.next1148 = add nsw i64 %lsr.iv1147, -1
+  %prol.iter1007.cmp.not = icmp eq i64 %lsr.iv.next1148, 0
+  br i1 %prol.iter1007.cmp.not, label %B5762.us.prol.loopexit, label %B5762.us.prol
+B5762.us.prol.loopexit:                           ; preds = %B5762.us.prol, %B5762.us.preheader919
+  %.94211130211304.us.unr = phi i64 [ %.94211130211304.us.ph, %B5762.us.preheader919 ], [ %.9428.us.prol, %B5762.us.prol ]
+  %193 = sub nsw i64 %.94211130211304.us.ph, %.979
   %194 = icmp ugt i64 %193, -4
-  br i1 %194, label %B9960, label %B5558.us.preheader554
-B5558.us.preheader554:                            ; preds = %B5558.us.prol.loopexit
-  br label %B5558.us
-B5558.us:                                         ; preds = %B5558.us.preheader554, %B5558.us
-  %.91301090510907.us = phi i64 [ %.9137.us.3, %B5558.us ], [ %.91301090510907.us.unr, %B5558.us.preheader554 ]
-  %sunkaddr700 = mul i64 %.91301090510907.us, 8
-  %sunkaddr701 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr700
-  %.9198.us = load double, ptr %sunkaddr701, align 8
-  %sunkaddr702 = mul i64 %.91301090510907.us, 8
-  %sunkaddr703 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr702
-  store double %.9198.us, ptr %sunkaddr703, align 8
-  %sunkaddr704 = mul i64 %.91301090510907.us, 8
-  %sunkaddr705 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr704
-  %sunkaddr706 = getelementptr i8, ptr %sunkaddr705, i64 8
-  %.9198.us.1 = load double, ptr %sunkaddr706, align 8
-  %sunkaddr707 = mul i64 %.91301090510907.us, 8
-  %sunkaddr708 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr707
-  %sunkaddr709 = getelementptr i8, ptr %sunkaddr708, i64 8
-  store double %.9198.us.1, ptr %sunkaddr709, align 8
-  %sunkaddr710 = mul i64 %.91301090510907.us, 8
-  %sunkaddr711 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr710
-  %sunkaddr712 = getelementptr i8, ptr %sunkaddr711, i64 16
-  %.9198.us.2 = load double, ptr %sunkaddr712, align 8
-  %sunkaddr713 = mul i64 %.91301090510907.us, 8
-  %sunkaddr714 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr713
-  %sunkaddr715 = getelementptr i8, ptr %sunkaddr714, i64 16
-  store double %.9198.us.2, ptr %sunkaddr715, align 8
-  %.9137.us.3 = add nuw nsw i64 %.91301090510907.us, 4
-  %sunkaddr716 = mul i64 %.91301090510907.us, 8
-  %sunkaddr717 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr716
-  %sunkaddr718 = getelementptr i8, ptr %sunkaddr717, i64 24
-  %.9198.us.3 = load double, ptr %sunkaddr718, align 8
-  %sunkaddr719 = mul i64 %.91301090510907.us, 8
-  %sunkaddr720 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr719
-  %sunkaddr721 = getelementptr i8, ptr %sunkaddr720, i64 24
-  store double %.9198.us.3, ptr %sunkaddr721, align 8
-  %exitcond11377.not.3 = icmp eq i64 %.979, %.9137.us.3
-  br i1 %exitcond11377.not.3, label %B9960, label %B5558.us
-B5730.endif:                                      ; preds = %B5668
-  %.9461 = mul i64 %.915, %arg.state_calls.5.1
-  %195 = getelementptr i64, ptr %arg.state_calls.4, i64 %.9461
-  %.9465 = getelementptr i8, ptr %195, i64 8
-  %.9466 = load i64, ptr %.9465, align 8
-  %.9516 = mul i64 %.915, %arg.components.5.1
-  %196 = getelementptr i64, ptr %arg.components.4, i64 %.9516
-  %.9520 = getelementptr i8, ptr %196, i64 8
-  %.9521 = load i64, ptr %.9520, align 8
+  br i1 %194, label %B10170, label %B5762.us.preheader568
+B5762.us.preheader568:                            ; preds = %B5762.us.prol.loopexit
+  br label %B5762.us
+B5762.us:                                         ; preds = %B5762.us.preheader568, %B5762.us
+  %.94211130211304.us = phi i64 [ %.9428.us.3, %B5762.us ], [ %.94211130211304.us.unr, %B5762.us.preheader568 ]
+  %sunkaddr715 = mul i64 %.94211130211304.us, 8
+  %sunkaddr716 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr715
+  %.9489.us = load double, ptr %sunkaddr716, align 8
+  %sunkaddr717 = mul i64 %.94211130211304.us, 8
+  %sunkaddr718 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr717
+  store double %.9489.us, ptr %sunkaddr718, align 8
+  %sunkaddr719 = mul i64 %.94211130211304.us, 8
+  %sunkaddr720 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr719
+  %sunkaddr721 = getelementptr i8, ptr %sunkaddr720, i64 8
+  %.9489.us.1 = load double, ptr %sunkaddr721, align 8
+  %sunkaddr722 = mul i64 %.94211130211304.us, 8
+  %sunkaddr723 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr722
+  %sunkaddr724 = getelementptr i8, ptr %sunkaddr723, i64 8
+  store double %.9489.us.1, ptr %sunkaddr724, align 8
+  %sunkaddr725 = mul i64 %.94211130211304.us, 8
+  %sunkaddr726 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr725
+  %sunkaddr727 = getelementptr i8, ptr %sunkaddr726, i64 16
+  %.9489.us.2 = load double, ptr %sunkaddr727, align 8
+  %sunkaddr728 = mul i64 %.94211130211304.us, 8
+  %sunkaddr729 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr728
+  %sunkaddr730 = getelementptr i8, ptr %sunkaddr729, i64 16
+  store double %.9489.us.2, ptr %sunkaddr730, align 8
+  %.9428.us.3 = add nuw nsw i64 %.94211130211304.us, 4
+  %sunkaddr731 = mul i64 %.94211130211304.us, 8
+  %sunkaddr732 = getelementptr i8, ptr %arg.z.4, i64 %sunkaddr731
+  %sunkaddr733 = getelementptr i8, ptr %sunkaddr732, i64 24
+  %.9489.us.3 = load double, ptr %sunkaddr733, align 8
+  %sunkaddr734 = mul i64 %.94211130211304.us, 8
+  %sunkaddr735 = getelementptr i8, ptr %arg.saved.4, i64 %sunkaddr734
+  %sunkaddr736 = getelementptr i8, ptr %sunkaddr735, i64 24
+  store double %.9489.us.3, ptr %sunkaddr736, align 8
+  %exitcond11783.not.3 = icmp eq i64 %.979, %.9428.us.3
+  br i1 %exitcond11783.not.3, label %B10170, label %B5762.us
+B5934.endif:                                      ; preds = %B5872
+  %.9752 = mul i64 %.915, %arg.state_calls.5.1
+  %195 = getelementptr i64, ptr %arg.state_calls.4, i64 %.9752
+  %.9756 = getelementptr i8, ptr %195, i64 8
+  %.9757 = load i64, ptr %.9756, align 8
+  %.9807 = mul i64 %.915, %arg.components.5.1
+  %196 = getelementptr i64, ptr %arg.components.4, i64 %.9807
+  %.9811 = getelementptr i8, ptr %196, i64 8
+  %.9812 = load i64, ptr %.9811, align 8
   %197 = getelementptr i64, ptr %arg.states.4, i64 %.915
-  %.9552 = load i64, ptr %197, align 8
-  %.7.i450 = inttoptr i64 %.9466 to ptr
-  %.8.i = inttoptr i64 %.9521 to ptr
-  %.9.i = inttoptr i64 %.9552 to ptr
-  %.10.i = tail call i32 %.7.i450(ptr %.8.i, ptr %.9.i)
-  br label %B6066
-B5980.endif:                                      ; preds = %B5950, %B5830.B5980.endif_crit_edge
-  %.9.i459.pre-phi = phi ptr [ %.pre709, %B5830.B5980.endif_crit_edge ], [ %.9.i453, %B5950 ]
-  %.9939.pre-phi = phi i64 [ %.pre708, %B5830.B5980.endif_crit_edge ], [ %.9727, %B5950 ]
-  %.9886 = getelementptr i64, ptr %arg.state_calls.4, i64 %.pre
-  %.9887 = load i64, ptr %.9886, align 8
-  %198 = getelementptr i64, ptr %arg.components.4, i64 %.9939.pre-phi
-  %.9943 = getelementptr i8, ptr %198, i64 8
-  %.9944 = load i64, ptr %.9943, align 8
-  %.7.i457 = inttoptr i64 %.9887 to ptr
-  %.8.i458 = inttoptr i64 %.9944 to ptr
-  %.10.i460 = tail call i32 %.7.i457(ptr %.8.i458, ptr %.9.i459.pre-phi)
-  br label %B6066
-B6260.endif:                                      ; preds = %B6260
-  %.10321 = load i64, ptr %.10301, align 8
-  switch i64 %.10321, label %B6360 [
-    i64 0, label %B6324
-    i64 1, label %B9960
+  %.9843 = load i64, ptr %197, align 8
+  %.7.i460 = inttoptr i64 %.9757 to ptr
+  %.8.i = inttoptr i64 %.9812 to ptr
+  %.9.i = inttoptr i64 %.9843 to ptr
+  %.10.i = tail call i32 %.7.i460(ptr %.8.i, ptr %.9.i)
+  br label %B6270
+B6184.endif:                                      ; preds = %B6154, %B6034.B6184.endif_crit_edge
+  %.9.i469.pre-phi = phi ptr [ %.pre724, %B6034.B6184.endif_crit_edge ], [ %.9.i463, %B6154 ]
+  %.10230.pre-phi = phi i64 [ %.pre723, %B6034.B6184.endif_crit_edge ], [ %.10018, %B6154 ]
+  %.10177 = getelementptr i64, ptr %arg.state_calls.4, i64 %.pre
+  %.10178 = load i64, ptr %.10177, align 8
+  %198 = getelementptr i64, ptr %arg.components.4, i64 %.10230.pre-phi
+  %.10234 = getelementptr i8, ptr %198, i64 8
+  %.10235 = load i64, ptr %.10234, align 8
+  %.7.i467 = inttoptr i64 %.10178 to ptr
+  %.8.i468 = inttoptr i64 %.10235 to ptr
+  %.10.i470 = tail call i32 %.7.i467(ptr %.8.i468, ptr %.9.i469.pre-phi)
+  br label %B6270
+B6464.endif:                                      ; preds = %B6464
+  %.10612 = load i64, ptr %.10592, align 8
+  switch i64 %.10612, label %B6564 [
+    i64 0, label %B6528
+    i64 1, label %B10170
   ]
-B6260.if.if:                                      ; preds = %B6260
-  %.10319 = icmp sgt i32 %.10311, 0
-  %.10312 = load ptr, ptr %excinfo.22, align 8
-  %.10320 = select i1 %.10319, ptr %.10312, ptr undef
-  store ptr %.10320, ptr %excinfo, align 8
+B6464.if.if:                                      ; preds = %B6464
+  %.10610 = icmp sgt i32 %.10602, 0
+  %.10603 = load ptr, ptr %excinfo.23, align 8
+  %.10611 = select i1 %.10610, ptr %.10603, ptr undef
+  store ptr %.10611, ptr %excinfo, align 8
   br label %common.ret
-B6446.else:                                       ; preds = %B6180
-  %.10555 = icmp slt i64 %.915, 0
-  %.10556 = select i1 %.10555, i64 %arg.solver.5.0, i64 0
-  %.10557 = add i64 %.10556, %.915
-  %.10560 = icmp slt i64 %.10557, 0
-  br i1 %.10560, label %B6446.else.if, label %B6446.else.endif
-B6446.endif:                                      ; preds = %B6446.else.endif.if, %B6446.else.endif
-  %.10545.sroa.0.3 = phi i64 [ %arg.solver.5.0, %B6446.else.endif.if ], [ %.10545.sroa.0.1, %B6446.else.endif ]
-  %.10633 = sub i64 %arg.solver.5.0, %.10545.sroa.0.3
-  %.10642 = tail call i64 @llvm.smax.i64(i64 %.10633, i64 0)
-  %.10658 = getelementptr double, ptr %arg.solver.4, i64 %.10545.sroa.0.3
-  store i64 0, ptr %.10693, align 8
-  %.10703 = call i32 @f73(ptr nonnull %.10693, ptr nonnull %excinfo.23, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1034, i64 %.1089, i64 %.1153, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.solver.0, ptr %arg.solver.1, i64 %.10642, i64 %arg.solver.3, ptr %.10658, i64 %.10642, i64 %arg.solver.6.0)
-  %cond532 = icmp eq i32 %.10703, 0
-  br i1 %cond532, label %B6446.endif.endif, label %B6446.endif.if.if
-B6446.else.if:                                    ; preds = %B6446.else
-  br label %B6446.else.endif
-B6446.else.endif:                                 ; preds = %B6446.else.if, %B6446.else
-  %.10545.sroa.0.1 = phi i64 [ 0, %B6446.else.if ], [ %.10557, %B6446.else ]
-  %.10565.not = icmp slt i64 %.10557, %arg.solver.5.0
-  br i1 %.10565.not, label %B6446.endif, label %B6446.else.endif.if
-B6446.else.endif.if:                              ; preds = %B6446.else.endif
-  br label %B6446.endif
-B6446.endif.endif:                                ; preds = %B6446.endif
-  %.10713 = load i64, ptr %.10693, align 8
-  switch i64 %.10713, label %B6568 [
-    i64 1, label %B6526
-    i64 0, label %B9960
+B6650.else:                                       ; preds = %B6384
+  %.10846 = icmp slt i64 %.915, 0
+  %.10847 = select i1 %.10846, i64 %arg.solver.5.0, i64 0
+  %.10848 = add i64 %.10847, %.915
+  %.10851 = icmp slt i64 %.10848, 0
+  br i1 %.10851, label %B6650.else.if, label %B6650.else.endif
+B6650.endif:                                      ; preds = %B6650.else.endif.if, %B6650.else.endif
+  %.10836.sroa.0.3 = phi i64 [ %arg.solver.5.0, %B6650.else.endif.if ], [ %.10836.sroa.0.1, %B6650.else.endif ]
+  %.10924 = sub i64 %arg.solver.5.0, %.10836.sroa.0.3
+  %.10933 = tail call i64 @llvm.smax.i64(i64 %.10924, i64 0)
+  %.10949 = getelementptr double, ptr %arg.solver.4, i64 %.10836.sroa.0.3
+  store i64 0, ptr %.10984, align 8
+  %.10994 = call i32 @f74(ptr nonnull %.10984, ptr nonnull %excinfo.24, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %.1034, i64 %.1089, i64 %.1153, ptr %arg.coefficients.0, ptr %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, i64 %.1208, ptr %arg.solver.0, ptr %arg.solver.1, i64 %.10933, i64 %arg.solver.3, ptr %.10949, i64 %.10933, i64 %arg.solver.6.0)
+  %cond543 = icmp eq i32 %.10994, 0
+  br i1 %cond543, label %B6650.endif.endif, label %B6650.endif.if.if
+B6650.else.if:                                    ; preds = %B6650.else
+  br label %B6650.else.endif
+B6650.else.endif:                                 ; preds = %B6650.else.if, %B6650.else
+  %.10836.sroa.0.1 = phi i64 [ 0, %B6650.else.if ], [ %.10848, %B6650.else ]
+  %.10856.not = icmp slt i64 %.10848, %arg.solver.5.0
+  br i1 %.10856.not, label %B6650.endif, label %B6650.else.endif.if
+B6650.else.endif.if:                              ; preds = %B6650.else.endif
+  br label %B6650.endif
+B6650.endif.endif:                                ; preds = %B6650.endif
+  %.11004 = load i64, ptr %.10984, align 8
+  switch i64 %.11004, label %B6772 [
+    i64 1, label %B6730
+    i64 0, label %B10170
   ]
-B6446.endif.if.if:                                ; preds = %B6446.endif
-  %.10711 = icmp sgt i32 %.10703, 0
-  %.10704 = load ptr, ptr %excinfo.23, align 8
-  %.10712 = select i1 %.10711, ptr %.10704, ptr undef
-  store ptr %.10712, ptr %excinfo, align 8
+B6650.endif.if.if:                                ; preds = %B6650.endif
+  %.11002 = icmp sgt i32 %.10994, 0
+  %.10995 = load ptr, ptr %excinfo.24, align 8
+  %.11003 = select i1 %.11002, ptr %.10995, ptr undef
+  store ptr %.11003, ptr %excinfo, align 8
   br label %common.ret
-B6796.endif.endif:                                ; preds = %B6796
-  %.11161 = load double, ptr %.11141, align 8
-  %.11188 = icmp slt i64 %.979, -2
-  %.11189 = select i1 %.11188, i64 %arg.z.5.0, i64 0
+B7000.endif.endif:                                ; preds = %B7000
+  %.11452 = load double, ptr %.11432, align 8
+  %.11479 = icmp slt i64 %.979, -2
+  %.11480 = select i1 %.11479, i64 %arg.z.5.0, i64 0
   %199 = getelementptr i8, ptr %127, i64 16
-  %.11203 = getelementptr double, ptr %199, i64 %.11189
-  store double %.11161, ptr %.11203, align 8
-  %.11234 = load i64, ptr %arg.clock.4, align 8
-  %.11249 = icmp slt i64 %.979, 0
-  %.11250 = select i1 %.11249, i64 %arg.z.5.0, i64 0
-  %.11264 = getelementptr double, ptr %127, i64 %.11250
-  %.11265 = sitofp i64 %.11234 to double
-  store double %.11265, ptr %.11264, align 8
-  br label %B9960
-B6796.endif.if.if:                                ; preds = %B6796
+  %.11494 = getelementptr double, ptr %199, i64 %.11480
+  store double %.11452, ptr %.11494, align 8
+  %.11525 = load i64, ptr %arg.clock.4, align 8
+  %.11540 = icmp slt i64 %.979, 0
+  %.11541 = select i1 %.11540, i64 %arg.z.5.0, i64 0
+  %.11555 = getelementptr double, ptr %127, i64 %.11541
+  %.11556 = sitofp i64 %.11525 to double
+  store double %.11556, ptr %.11555, align 8
+  br label %B10170
+B7000.endif.if.if:                                ; preds = %B7000
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B6952.else.if:                                    ; preds = %B6180
-  %sunkaddr722 = getelementptr i8, ptr %arg.clock.4, i64 8
-  %.11328 = load i64, ptr %sunkaddr722, align 8
-  %.11336.1 = ashr i64 %.11328, 1
-  store i64 %.11336.1, ptr %sunkaddr722, align 8
-  br label %B9960
-B7182.endif.endif:                                ; preds = %B7182
-  %.11695 = load i64, ptr %.11673, align 8
-  switch i64 %.11695, label %B7538 [
-    i64 0, label %B7302
-    i64 1, label %B7468
+B7156.else.if:                                    ; preds = %B6384
+  %sunkaddr737 = getelementptr i8, ptr %arg.clock.4, i64 8
+  %.11619 = load i64, ptr %sunkaddr737, align 8
+  %.11627.1 = ashr i64 %.11619, 1
+  store i64 %.11627.1, ptr %sunkaddr737, align 8
+  br label %B10170
+B7386.endif.endif:                                ; preds = %B7386
+  %.11986 = load i64, ptr %.11964, align 8
+  switch i64 %.11986, label %B7742 [
+    i64 0, label %B7506
+    i64 1, label %B7672
   ]
-B7182.endif.if.if:                                ; preds = %B7182
+B7386.endif.if.if:                                ; preds = %B7386
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B8016.endif:                                      ; preds = %B8016
-  %.12856 = load i64, ptr %.12842, align 8
-  %.6.i510 = icmp ugt i64 %.12856, 1
-  br i1 %.6.i510, label %B8218, label %B8298
-B8016.if.if:                                      ; preds = %B8016
+B8220.endif:                                      ; preds = %B8220
+  %.13147 = load i64, ptr %.13133, align 8
+  %.6.i521 = icmp ugt i64 %.13147, 1
+  br i1 %.6.i521, label %B8422, label %B8502
+B8220.if.if:                                      ; preds = %B8220
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B9124.endif:                                      ; preds = %B9124
-  %.14409 = load double, ptr %.14395, align 8
-  %.14421 = fmul double %.14225, %.14409
-  %.14423 = fadd double %.14186, %.14421
-  br label %B9326
-B9124.if.if:                                      ; preds = %B9124
-  %.14407 = icmp sgt i32 %.14399, 0
-  %.14400 = load ptr, ptr %excinfo.33, align 8
-  %.14408 = select i1 %.14407, ptr %.14400, ptr undef
-  store ptr %.14408, ptr %excinfo, align 8
+B9328.endif:                                      ; preds = %B9328
+  %.14700 = load double, ptr %.14686, align 8
+  %.14712 = fmul double %.14516, %.14700
+  %.14714 = fadd double %.14477, %.14712
+  br label %B9534
+B9328.if.if:                                      ; preds = %B9328
+  %.14698 = icmp sgt i32 %.14690, 0
+  %.14691 = load ptr, ptr %excinfo.34, align 8
+  %.14699 = select i1 %.14698, ptr %.14691, ptr undef
+  store ptr %.14699, ptr %excinfo, align 8
   br label %common.ret
-B9784.endif:                                      ; preds = %B9784
-  %.15026 = load i64, ptr %.15010, align 8
-  %.15040.not = icmp eq i64 %.15026, 0
-  br i1 %.15040.not, label %B9960, label %B9910
-B9784.if.if:                                      ; preds = %B9784
+B9994.endif:                                      ; preds = %B9994
+  %.15317 = load i64, ptr %.15301, align 8
+  %.15331.not = icmp eq i64 %.15317, 0
+  br i1 %.15331.not, label %B10170, label %B10120
+B9994.if.if:                                      ; preds = %B9994
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
-B10014.endif:                                     ; preds = %B10002
-  %.15262 = load i64, ptr %arg.clock.4, align 8
-  %sunkaddr723 = getelementptr i8, ptr %arg.clock.4, i64 40
-  %.15292 = load i64, ptr %sunkaddr723, align 8
-  %sunkaddr724 = getelementptr i8, ptr %arg.control.4, i64 56
-  %.15322 = load i64, ptr %sunkaddr724, align 8
-  %.11.i = tail call i64 @llvm.smin.i64(i64 %.15322, i64 %.15292)
-  %.15351.not = icmp slt i64 %.15262, %.11.i
-  br i1 %.15351.not, label %B10142, label %B10124
+B10224.endif:                                     ; preds = %B10212
+  %.15553 = load i64, ptr %arg.clock.4, align 8
+  %sunkaddr738 = getelementptr i8, ptr %arg.clock.4, i64 40
+  %.15583 = load i64, ptr %sunkaddr738, align 8
+  %sunkaddr739 = getelementptr i8, ptr %arg.control.4, i64 56
+  %.15613 = load i64, ptr %sunkaddr739, align 8
+  %.11.i516 = tail call i64 @llvm.smin.i64(i64 %.15613, i64 %.15583)
+  %.15642.not = icmp slt i64 %.15553, %.11.i516
+  br i1 %.15642.not, label %B10352, label %B10334
 }
-define linkonce_odr noundef i32 @f69(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %arg.m, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr readonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr readonly %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr writeonly %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr writeonly %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr readonly %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
+define linkonce_odr noundef i32 @f70(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %arg.m, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr readonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr readonly %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr writeonly %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr writeonly %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr readonly %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
 B0.endif:
   %.104 = icmp slt i64 %arg.m, 0
   %.105 = select i1 %.104, i64 %arg.blocks.5.0, i64 0
@@ -3007,7 +3026,7 @@ B1065:                                            ; preds = %B36.epil.preheader.
   %exitcond655.not = icmp eq i64 %.371, %.467
   br i1 %exitcond655.not, label %common.ret, label %B190
 }
-define linkonce_odr i32 @f70(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %arg.m, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr writeonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr writeonly %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr readonly %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr readonly %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
+define linkonce_odr i32 @f71(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.blocks.0, ptr readnone %arg.blocks.1, i64 %arg.blocks.2, i64 %arg.blocks.3, ptr readonly %arg.blocks.4, i64 %arg.blocks.5.0, i64 %arg.blocks.5.1, i64 %arg.blocks.6.0, i64 %arg.blocks.6.1, i64 %arg.m, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr writeonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.whole.0, ptr readnone %arg.whole.1, i64 %arg.whole.2, i64 %arg.whole.3, ptr writeonly %arg.whole.4, i64 %arg.whole.5.0, i64 %arg.whole.6.0, ptr readnone %arg.raw.0, ptr readnone %arg.raw.1, i64 %arg.raw.2, i64 %arg.raw.3, ptr readonly %arg.raw.4, i64 %arg.raw.5.0, i64 %arg.raw.6.0, ptr readnone %arg.raw32.0, ptr readnone %arg.raw32.1, i64 %arg.raw32.2, i64 %arg.raw32.3, ptr readonly %arg.raw32.4, i64 %arg.raw32.5.0, i64 %arg.raw32.6.0, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
 B0.endif:
   %.70.i = alloca i64, align 8
   %excinfo.2.i = alloca ptr, align 8
@@ -3382,7 +3401,7 @@ B52.endif.preheader.i.i:                          ; preds = %B20.i
 B20.endif.i:                                      ; preds = %B52.endif.preheader.i.i, %B20.i
   %length.3.1.i.i = phi i64 [ 0, %B20.i ], [ %99, %B52.endif.preheader.i.i ]
   store i64 0, ptr %.70.i, align 8
-  %.78.i = call i32 @f79(ptr nonnull %.70.i, ptr nonnull %excinfo.2.i, i64 %value.3.0.lcssa.i, i64 %length.3.1.i.i, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
+  %.78.i = call i32 @f80(ptr nonnull %.70.i, ptr nonnull %excinfo.2.i, i64 %value.3.0.lcssa.i, i64 %length.3.1.i.i, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
   %cond.i = icmp eq i32 %.78.i, 0
   br i1 %cond.i, label %B390.endif.endif.us, label %_ZN8rovbrush12orchestrator4loop5texts9number_ofB3v31B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dEx5ArrayIhLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit
 _ZN8rovbrush12orchestrator4loop5texts9number_ofB3v31B52c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAw4hWsFpNAA_3d_3dEx5ArrayIhLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B20.endif.i
@@ -3686,7 +3705,7 @@ B740.endif.endif.us:                              ; preds = %B76.epil.preheader.
   %value.3.0.lcssa.i191345 = phi i64 [ %value.3.0.lcssa.i191.ph351, %B76.epil.preheader.i236 ], [ %value.3.0.lcssa.i191.ph350, %B192.loopexit.unr-lcssa.i234 ], [ 0, %B190.us751 ]
   %value.3.0.lcssa.i249 = phi i64 [ %.183.epil.i247, %B76.epil.preheader.i236 ], [ %.183.1.i228, %B192.loopexit.unr-lcssa.i234 ], [ 0, %B190.us751 ]
   store i64 0, ptr %.1140, align 8
-  %.1148.us = call i32 @f79(ptr nonnull %.1140, ptr nonnull %excinfo.9, i64 %value.3.0.lcssa.i249, i64 %value.3.0.lcssa.i191345, ptr %arg.pool.0, ptr %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
+  %.1148.us = call i32 @f80(ptr nonnull %.1140, ptr nonnull %excinfo.9, i64 %value.3.0.lcssa.i249, i64 %value.3.0.lcssa.i191345, ptr %arg.pool.0, ptr %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr %arg.index.0, ptr %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0)
   %.1158.us = load i64, ptr %.1140, align 8
   %cond354 = icmp eq i32 %.1148.us, 0
   br i1 %cond354, label %B740.endif.endif.endif.us, label %B740.endif.endif.if.if
@@ -3850,7 +3869,7 @@ B972.endif:                                       ; preds = %B208.i310, %B192.i3
   %exitcond814.not = icmp eq i64 %.382, %.478
   br i1 %exitcond814.not, label %B1062, label %B190
 }
-define linkonce_odr noundef i32 @f71(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.turns.0, ptr readnone %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr readonly %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %arg.first, i64 %arg.last, ptr readnone %arg.moves.0, ptr readnone %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr readonly %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, i64 %arg.moved, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.coefficients.0, ptr readnone %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr readonly %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr readnone %arg.components.0, ptr readnone %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr readonly %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr writeonly %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %arg.base, i64 %arg.varying, i64 %arg.numerator, i64 %arg.denominator, double %arg.stop) {
+define linkonce_odr noundef i32 @f72(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.turns.0, ptr readnone %arg.turns.1, i64 %arg.turns.2, i64 %arg.turns.3, ptr readonly %arg.turns.4, i64 %arg.turns.5.0, i64 %arg.turns.5.1, i64 %arg.turns.6.0, i64 %arg.turns.6.1, i64 %arg.first, i64 %arg.last, ptr readnone %arg.moves.0, ptr readnone %arg.moves.1, i64 %arg.moves.2, i64 %arg.moves.3, ptr readonly %arg.moves.4, i64 %arg.moves.5.0, i64 %arg.moves.5.1, i64 %arg.moves.6.0, i64 %arg.moves.6.1, i64 %arg.moved, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, ptr readnone %arg.coefficients.0, ptr readnone %arg.coefficients.1, i64 %arg.coefficients.2, i64 %arg.coefficients.3, ptr readonly %arg.coefficients.4, i64 %arg.coefficients.5.0, i64 %arg.coefficients.6.0, ptr readnone %arg.components.0, ptr readnone %arg.components.1, i64 %arg.components.2, i64 %arg.components.3, ptr readonly %arg.components.4, i64 %arg.components.5.0, i64 %arg.components.5.1, i64 %arg.components.6.0, i64 %arg.components.6.1, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr writeonly %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %arg.base, i64 %arg.varying, i64 %arg.numerator, i64 %arg.denominator, double %arg.stop) {
 B0.endif:
   %.159 = sub i64 %arg.last, %arg.first
   %.2051565.not = icmp slt i64 %.159, 1
@@ -4264,7 +4283,7 @@ B1620.endif:                                      ; preds = %B1326.endif
   br label %B1736
 }
 declare double @llvm.rint.f64(double)
-define linkonce_odr noundef i32 @f72(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.table.0, ptr readnone %arg.table.1, i64 %arg.table.2, i64 %arg.table.3, ptr readonly %arg.table.4, i64 %arg.table.5.0, i64 %arg.table.6.0, i64 %arg.k, double %arg.begin, double %arg.end) {
+define linkonce_odr noundef i32 @f73(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.table.0, ptr readnone %arg.table.1, i64 %arg.table.2, i64 %arg.table.3, ptr readonly %arg.table.4, i64 %arg.table.5.0, i64 %arg.table.6.0, i64 %arg.k, double %arg.begin, double %arg.end) {
 B0.endif:
   %.38 = icmp slt i64 %arg.k, 0
   %.39 = select i1 %.38, i64 %arg.table.5.0, i64 0
@@ -4512,7 +4531,7 @@ B468.endif:                                       ; preds = %B118.i48, %B468, %B
   %.654 = fdiv double %.641, %.646
   br label %common.ret
 }
-define linkonce_odr i32 @f73(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
+define linkonce_odr i32 @f74(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
 B0:
   %.88 = alloca i64, align 8
   %excinfo.1 = alloca ptr, align 8
@@ -4525,7 +4544,7 @@ B0:
   br i1 %.79, label %B80.endif, label %B38
 B38:                                              ; preds = %B0
   store i64 0, ptr %.88, align 8
-  %.98 = call i32 @f80(ptr nonnull %.88, ptr nonnull %excinfo.1, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr %arg.settings.0, ptr %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %.98 = call i32 @f81(ptr nonnull %.88, ptr nonnull %excinfo.1, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr %arg.settings.0, ptr %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
   %cond = icmp eq i32 %.98, 0
   br i1 %cond, label %B38.endif, label %B38.if.if
 B554:                                             ; preds = %B446.endif.endif, %B80.endif
@@ -4753,7 +4772,7 @@ B1146:                                            ; preds = %B1076.endif, %B1146
   br i1 %or.cond826, label %B1198.endif, label %B1252
 B1252:                                            ; preds = %B1146
   store i64 0, ptr %.1769, align 8
-  %.1777 = call i32 @f81(ptr nonnull %.1769, ptr nonnull %excinfo.4, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %.1777 = call i32 @f82(ptr nonnull %.1769, ptr nonnull %excinfo.4, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
   switch i32 %.1777, label %B1252.if.if [
     i32 -2, label %B1252.endif
     i32 0, label %B1252.endif
@@ -4930,7 +4949,7 @@ B1252.if.if:                                      ; preds = %B1252
   br label %common.ret
 }
 declare double @llvm.fabs.f64(double)
-define linkonce_odr noundef i32 @f74(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
+define linkonce_odr noundef i32 @f75(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
 B184.endif.endif.endif:
   %.69 = load double, ptr %arg.work.4, align 8
   %.98 = getelementptr i8, ptr %arg.work.4, i64 8
@@ -5028,7 +5047,7 @@ B294.else.if.i:                                   ; preds = %B244.i
   %spec.select120.i = add nsw i64 %.390.i, %14
   br label %common.ret
 }
-define linkonce_odr noundef i32 @f75(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr readonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.p, i64 %arg.n, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
+define linkonce_odr noundef i32 @f76(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr readonly %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.p, i64 %arg.n, ptr readnone %arg.clock.0, ptr readnone %arg.clock.1, i64 %arg.clock.2, i64 %arg.clock.3, ptr %arg.clock.4, i64 %arg.clock.5.0, i64 %arg.clock.6.0, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
 B0.endif:
   %.142463.not = icmp slt i64 %arg.n, 1
   %0 = getelementptr double, ptr %arg.settings.4, i64 %arg.k
@@ -5250,7 +5269,7 @@ B852.endif.endif.endif:                           ; preds = %B804
   store i64 %.11.i7, ptr %sunkaddr9, align 8
   br label %common.ret
 }
-define linkonce_odr noundef i32 @f76(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.fmi, i64 %arg.function, i64 %arg.instance, double %arg.time, double %arg.length, i64 %arg.final, i64 %arg.flags) {
+define linkonce_odr noundef i32 @f77(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.fmi, i64 %arg.function, i64 %arg.instance, double %arg.time, double %arg.length, i64 %arg.final, i64 %arg.flags) {
 B0:
   %.23 = icmp eq i64 %arg.fmi, 2
   br i1 %.23, label %B16.endif, label %B54.endif
@@ -5304,7 +5323,7 @@ B240.endif:                                       ; preds = %B182.endif
   %.244.not = icmp eq i8 %.6.i7, 0
   br i1 %.244.not, label %B292, label %common.ret
 }
-define linkonce_odr noundef i32 @f77(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, i64 %arg.seed, i64 %arg.stream, i64 %arg.counter) {
+define linkonce_odr noundef i32 @f78(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, i64 %arg.seed, i64 %arg.stream, i64 %arg.counter) {
 B0:
   %.16 = alloca [4 x i64], align 8
   %excinfo.1 = alloca ptr, align 8
@@ -5314,7 +5333,7 @@ B0:
   %.11 = lshr i64 %arg.stream, 32
   %.13 = and i64 %arg.seed, 4294967295
   %.14 = lshr i64 %arg.seed, 32
-  %.20 = call i32 @f82(ptr nonnull %.16, ptr nonnull %excinfo.1, i64 %.7, i64 %.8, i64 %.10, i64 %.11, i64 %.13, i64 %.14)
+  %.20 = call i32 @f83(ptr nonnull %.16, ptr nonnull %excinfo.1, i64 %.7, i64 %.8, i64 %.10, i64 %.11, i64 %.13, i64 %.14)
   %cond = icmp eq i32 %.20, 0
   br i1 %cond, label %B0.endif, label %B0.if.if
 common.ret:                                       ; preds = %B0.if.if, %B0.endif
@@ -5350,7 +5369,7 @@ B0.if.if:                                         ; preds = %B0
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
 }
-define linkonce_odr noundef i32 @f78(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %arg.tick) {
+define linkonce_odr noundef i32 @f79(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.control.0, ptr readnone %arg.control.1, i64 %arg.control.2, i64 %arg.control.3, ptr %arg.control.4, i64 %arg.control.5.0, i64 %arg.control.6.0, i64 %arg.tick) {
 B0:
   %.41.i = getelementptr i8, ptr %arg.control.4, i64 120
   %.42.i = load i64, ptr %.41.i, align 8
@@ -5570,7 +5589,7 @@ B518.endif:                                       ; preds = %B518.endif.preheade
 }
 declare i64 @llvm.smax.i64(i64, i64)
 declare i64 @llvm.smin.i64(i64, i64)
-define linkonce_odr noundef i32 @f82(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.c0, i64 %arg.c1, i64 %arg.c2, i64 %arg.c3, i64 %arg.k0, i64 %arg.k1) {
+define linkonce_odr noundef i32 @f83(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.c0, i64 %arg.c1, i64 %arg.c2, i64 %arg.c3, i64 %arg.k0, i64 %arg.k1) {
 B0.endif.endif:
   %const = bitcast i64 3449683968 to i64
   %.7.i = mul nsw i64 %arg.c0, 53841
@@ -5884,7 +5903,7 @@ declare double @llvm.log.f64(double)
 declare double @sqrt(double)
 declare double @llvm.cos.f64(double)
 declare double @llvm.pow.f64(double, double)
-define linkonce_odr i32 @f80(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
+define linkonce_odr i32 @f81(ptr noalias writeonly %retptr, ptr noalias writeonly %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.g, i64 %arg.n, ptr readnone %arg.settings.0, ptr readnone %arg.settings.1, i64 %arg.settings.2, i64 %arg.settings.3, ptr readonly %arg.settings.4, i64 %arg.settings.5.0, i64 %arg.settings.6.0, i64 %arg.k, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
 B0.endif.endif:
   %.585 = alloca i64, align 8
   %excinfo.3 = alloca ptr, align 8
@@ -5950,7 +5969,7 @@ B390:                                             ; preds = %B278
   %sunkaddr14 = getelementptr i8, ptr %arg.work.4, i64 8
   store double -1.000000e+00, ptr %sunkaddr14, align 8
   store i64 0, ptr %.585, align 8
-  %.593 = call i32 @f81(ptr nonnull %.585, ptr nonnull %excinfo.3, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr nonnull %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
+  %.593 = call i32 @f82(ptr nonnull %.585, ptr nonnull %excinfo.3, ptr %arg.z.0, ptr %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr nonnull %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr %arg.work.0, ptr %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr nonnull %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0)
   switch i32 %.593, label %B390.if.if [
     i32 -2, label %B390.endif
     i32 0, label %B390.endif
@@ -6005,7 +6024,7 @@ B390.if.if:                                       ; preds = %B390
   store ptr null, ptr %excinfo, align 8
   br label %common.ret
 }
-define linkonce_odr noundef i32 @f81(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
+define linkonce_odr noundef i32 @f82(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.z.0, ptr readnone %arg.z.1, i64 %arg.z.2, i64 %arg.z.3, ptr %arg.z.4, i64 %arg.z.5.0, i64 %arg.z.6.0, i64 %arg.u, i64 %arg.n, ptr readnone %arg.work.0, ptr readnone %arg.work.1, i64 %arg.work.2, i64 %arg.work.3, ptr %arg.work.4, i64 %arg.work.5.0, i64 %arg.work.6.0) {
 B0.endif:
   %.35 = shl i64 %arg.n, 1
   %.36 = add nsw i64 %.35, 6
@@ -6562,7 +6581,7 @@ B1310.preheader.new:                              ; preds = %B1310.preheader
 }
 declare void @llvm.lifetime.start.p0(ptr)
 declare i64 @strlen(ptr)
-define linkonce_odr noundef i32 @f79(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.address, i64 %arg.length, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
+define linkonce_odr noundef i32 @f80(ptr noalias writeonly %retptr, ptr noalias readnone %excinfo, i64 %arg.address, i64 %arg.length, ptr readnone %arg.pool.0, ptr readnone %arg.pool.1, i64 %arg.pool.2, i64 %arg.pool.3, ptr %arg.pool.4, i64 %arg.pool.5.0, i64 %arg.pool.6.0, ptr readnone %arg.index.0, ptr readnone %arg.index.1, i64 %arg.index.2, i64 %arg.index.3, ptr %arg.index.4, i64 %arg.index.5.0, i64 %arg.index.6.0) {
 B0.else.if:
   %.42 = add nsw i64 %arg.index.5.0, -3
   %.61 = sdiv i64 %.42, 3
@@ -6925,7 +6944,7 @@ define i64 @rovbrush_loop(i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f) {
   %result = alloca i64
   %raised = alloca ptr
   store i64 -1, ptr %result
-  %status = call i32 @f67(ptr %result, ptr %raised, i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f)
+  %status = call i32 @f68(ptr %result, ptr %raised, i64 %a, i64 %b, i64 %c, i64 %d, i64 %e, i64 %f)
   %value = load i64, ptr %result
   %good = icmp eq i32 %status, 0
   %answer = select i1 %good, i64 %value, i64 -1
