@@ -9,8 +9,8 @@ import zipfile
 from pathlib import Path
 
 import numpy as np
+from compiled_once import kept_folder
 from fmpy import read_model_description
-from native_build import COMPILED
 from rovbrush.orchestrator.fmu.files.windows import wine
 from rovbrush.orchestrator.studies.bench.native_fmu import HEADERS
 
@@ -22,8 +22,9 @@ ENDINGS = {"linux": ".so", "windows": ".dll"}
 
 def recorder(version: str, platform: str) -> Path:
     """The host's program."""
-    COMPILED.mkdir(parents=True, exist_ok=True)
-    made = COMPILED / f"recorder{version[0]}_{platform}_{os.getpid()}.exe"
+    folder = kept_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    made = folder / f"recorder{version[0]}_{platform}_{os.getpid()}.exe"
     if not made.is_file():
         compiler = shutil.which(COMPILERS[platform])
         assert compiler is not None

@@ -27,13 +27,15 @@ LACKING += [
 ]
 
 
-def _made_folder() -> None:
+def made_folder() -> None:
     """Let wine make its folder once, before several processes would at the same time."""
     folder = Path(os.environ.get("WINEPREFIX") or Path.home() / ".wine")
     folder.parent.mkdir(parents=True, exist_ok=True)
     with FileLock(f"{folder}.lock"):
         if not (folder / "system.reg").is_file():
-            subprocess.run([str(wine("win64")), "wineboot", "-i"], capture_output=True, check=False, timeout=300)
+            environment = os.environ | {"WINEDLLOVERRIDES": "mscoree,mshtml=", "WINEDEBUG": "-all", "DISPLAY": ""}
+            command = [str(wine("win64")), "wineboot", "-i"]
+            subprocess.run(command, env=environment, capture_output=True, check=False, timeout=300)
             for _ in range(300):  # it is written when the server of wine ends
                 if (folder / "system.reg").is_file():
                     break
@@ -41,7 +43,7 @@ def _made_folder() -> None:
 
 
 if not LACKING:
-    _made_folder()
+    made_folder()
 needs_wine = pytest.mark.skipif(bool(LACKING), reason=f"FMUs for Windows need {' and '.join(LACKING)}")
 SOURCES = {"feedthrough2": ["feedthrough2.c"], "feedthrough3": ["feedthrough3.c", "unused3.c"], "first": ["first.c"],
            "moody": ["moody.c"]}  # fmt: skip

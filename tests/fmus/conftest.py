@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from rovbrush.components.native.compile import PLATFORMS
+from windows_build import made_folder
 
 Wine = Callable[..., "subprocess.CompletedProcess[str]"]
 
@@ -22,7 +23,8 @@ def wine(tmp_path_factory: pytest.TempPathFactory) -> Wine:
     if not any(map(shutil.which, PLATFORMS["win64"].compilers)):
         pytest.skip("mingw-w64 is not installed: there are no win64 binaries")
     folder = tmp_path_factory.mktemp("wine")
-    environment = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": str(folder / "prefix"), "DISPLAY": ""}
+    made_folder()  # wine's own, which all tests share: to make one takes ten seconds
+    environment = {**os.environ, "WINEDEBUG": "-all", "DISPLAY": ""}
 
     def run(program: Path, *words: str) -> subprocess.CompletedProcess[str]:
         # Into files: wine's own processes keep a pipe open for seconds after the program has ended.
