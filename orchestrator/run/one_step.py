@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from ..loop.cells import DONE, ENDS_AT, NEVER, STOP_REQUEST
 from ..participant.surroundings import exact
 from .blocks import BLOCK
+from .ends.behind import behind_block
 
 if TYPE_CHECKING:
     from .stepping import Stepping
@@ -67,7 +68,7 @@ def one_step(session: Stepping) -> Callable[[], bool]:
             left = stands_for = SAMPLE if spent < QUICK else 1
         if code != DONE or (looks and not exact()):
             blocks.ended(code)
-            session.behind_block(code, False, 1)
+            behind_block(session, code, False, 1)
             return at.cycle > cycle or session.over  # or there is more of the cycle to be done
         at.cycle = cycle + 1
         at.time = ((start + at.cycle * ticks) * numerator) / denominator

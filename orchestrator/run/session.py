@@ -19,8 +19,7 @@ from ..plan.plan import Plan
 from ..results.tables import Run
 from .blocks import Blocks
 from .by_hand import act
-from .ends.asked import asked_to_end
-from .ends.failure import failure_of
+from .ends.behind import behind_block
 from .ends.interrupt import StopRequests
 from .events.events import Events
 from .exchange.apart import alone
@@ -85,7 +84,7 @@ class Session:
         self._adaptive, self._cycle_ticks, self._whole = plan.adaptive, plan.cycle_ticks, plan.clock.cycles
         self._counted: list[str] = []  # notes that change while the run goes: what came from outside
         self.ended_badly = ""  # how components fell down while they were terminated and freed
-        self._interrupted = False
+        self.interrupted = False
         self.closed = False  # whether its FMUs are given back
         function = run if interpreted else compiled_run(waits=pace is not None)
         with self.stop_requests.heard():
@@ -192,50 +191,7 @@ class Session:
             self.failure = f"t = {self.at.time:.9g} s: {error}"
             return
         code, due = self._blocks.run(self.at, size, self.recorder)
-        self.behind_block(code, due, size)
-
-    def behind_block(self, code: int, due: bool, size: int) -> None:
-        """What follows from the end of the loop, with a code, in a block of `size` cycles; `due`: it is time to look
-        around."""
-        plan, clock, adaptive = self.plan, self.plan.clock, self._adaptive
-        begin = self.at.cycle
-        while code != cells.DONE and (self._waited(code) or self._handled(code)):
-            if self.over:
-                return
-            size -= self.at.cycle - begin
-            begin = self.at.cycle
-            code, due = self._blocks.run(self.at, size, self.recorder) if size else (cells.DONE, due)
-        if due or self.participants.disturbed:
-            reached = clock.time(min(self.tick + size * plan.cycle_ticks, clock.stop))
-            self.participants.look_around(f"before t = {reached:.9g} s", due)
-        if due:
-            self.participants.look()
-        self.at.operation = 0
-        if code == cells.BAD_STATUS and self._asked_to_end():
-            return
-        self.is_over = code == cells.ENDED
-        if code != cells.DONE:
-            self.at.cycle = int(self.control[cells.AT_CYCLE])
-            self._interrupted = code == cells.INTERRUPTED
-            if self._interrupted:
-                self.at.operation = int(self.control[cells.AT_OPERATION])
-            self.at.time, failure = failure_of(plan, self.instances, code, self.control, self.memory.z, self.space)
-            self.failure = "" if self.is_over else failure
-            if self._interrupted:
-                self.failure = f"{self.stop_requests.reason} at t = {self.at.time:.9g} s"
-        else:
-            self.at.cycle = self._rows[0] - 1 if adaptive else self.at.cycle + size
-            tick = self.tick
-            self.at.time = clock.time(tick)
-            self.is_over = clock.start + tick >= self.events.ends_at
-
-    def _waited(self, code: int) -> bool:
-        """Whether the loop stopped to wait for a deadline that is not so near; it is near now."""
-        if code != cells.WAITING or self.pacer is None:
-            return False
-        self.at.cycle, self.at.operation = int(self.control[cells.AT_CYCLE]), int(self.control[cells.AT_OPERATION])
-        self.at.wall += self.pacer.wait(self._blocks.tick_at(self.at))
-        return True
+        behind_block(self, code, due, size)
 
     def one_block(self) -> None:
         """Go on within a cycle to its end."""
@@ -244,48 +200,6 @@ class Session:
     def end_early(self, why: str) -> None:
         """A component has asked to end the run."""
         self.ended, self.is_over = "\n".join(filter(None, [self.ended, why])), True
-
-    def _handled(self, code: int) -> bool:
-        """Whether the loop stopped for an event, which is handled then; the session is over if that went wrong."""
-        try:
-            return self.events.handled(code, self.at)
-        except AskedToEndError as error:
-            self.ended = "\n".join(filter(None, [self.ended, str(error)]))
-            self.is_over = code != cells.PAUSED or not self._last_rows()
-        except RovbrushError as error:
-            self.failure = str(error)
-        return True
-
-    def _last_rows(self) -> bool:
-        """Let the loop go on to the rows of the planned instant at which it pauses, and no further; False where there
-        are none behind the pause."""
-        plan = self.plan
-        operations = plan.operations(self.at.cycle)
-        tick = self.at.cycle * plan.cycle_ticks + int(operations[self.at.operation, 1])
-        self.events.end_at(min(plan.clock.start + tick, self.events.ends_at))
-        self.at.operation += 1
-        return self.at.operation < len(operations)
-
-    def _asked_to_end(self) -> bool:
-        """Whether the component that stopped the loop asks to end: everybody comes to the end of its step then, or
-        the run is over at once where that was not done to its end, or may be taken back."""
-        plan, control = self.plan, self.control
-        asked = asked_to_end(plan, self.instances, control, self.space, self._blocks.components)
-        if asked is None:
-            return False
-        self.ended = "\n".join(filter(None, [self.ended, asked.text]))
-        self._blocks.no_more_inputs(asked.component)
-        self.at.cycle, self.at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
-        if asked.whole and not plan.algorithm.saves_states:
-            self.events.end_at(min(plan.clock.start + asked.tick, self.events.ends_at))
-            if self.at.operation == len(plan.operations(self.at.cycle)):
-                self.at.cycle, self.at.operation = self.at.cycle + 1, 0
-                self.is_over = not plan.adaptive or plan.clock.start + self.tick >= self.events.ends_at
-        else:
-            self.is_over = True
-        if self.is_over:
-            self.at.time, _ = failure_of(plan, self.instances, cells.INTERRUPTED, control, self.memory.z, self.space)
-        return True
 
     @property
     def tables_of_components(self) -> np.ndarray:
@@ -305,7 +219,7 @@ class Session:
         """It is where it was once, and goes on whatever has ended it since."""
         if self._blocks.workers:
             self._blocks.workers.forget()
-        self.is_over = self._interrupted = False
+        self.is_over = self.interrupted = False
 
     @property
     def over(self) -> bool:
@@ -316,7 +230,7 @@ class Session:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
         if not self.failure:
             stop = self.plan.clock.stop
-            ends = [min((n - 1) * g.period, stop) for n, g in zip(self._rows, self.plan.groups, strict=True)]
+            ends = [min((n - 1) * g.period, stop) for n, g in zip(self.counts, self.plan.groups, strict=True)]
             if ends and not self.plan.adaptive and not self.plan.algorithm.repeats_rows:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
@@ -334,7 +248,7 @@ class Session:
     @property
     def resumable(self) -> bool:
         """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
-        return not self.closed and not self.ended and (not self.failure or self._interrupted)
+        return not self.closed and not self.ended and (not self.failure or self.interrupted)
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
@@ -364,14 +278,14 @@ class Session:
         self.set_by_hand[name] = plain(value.tolist() if hasattr(value, "tolist") else value)
 
     @property
-    def _rows(self) -> list[int]:
+    def counts(self) -> list[int]:
         """Rows of every table, counted from the start."""
         return [int(a) + b for a, b in zip(self.recorder.rows, self.recorder.before, strict=False)]
 
     def run(self) -> Run:
         """What was recorded so far."""
         self.participants.look_around(f"before t = {self.at.time:.9g} s")
-        rows = self._rows
+        rows = self.counts
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
         notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
