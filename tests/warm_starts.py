@@ -1,6 +1,6 @@
 """Python processes of tests start at once: each is a fork of one that has imported what they would import.
 
-`python -m rovbrush...` and `python -c ...`, started by `subprocess`, are what they are otherwise: children of this
+`python -m rovbrush...`, `python -c ...` and what `multiprocessing` spawns are what they are otherwise: children of this
 process, with their own environment, folder, session, streams and end. Only their imports, which take most of a short
 command's time, were made before. Started in earnest is whatever may see a difference: with other settings of Python, of
 its libraries or of the project in its environment, with a terminal, or with code that looks at how modules come.
@@ -24,13 +24,14 @@ import time
 import traceback
 import types
 from contextlib import suppress
+from multiprocessing import util
 from typing import Any
 
 IMPORTED = (
     "rovbrush.orchestrator.participant.isolated.child", "rovbrush.orchestrator.participant.elsewhere.served",
     "rovbrush.orchestrator.exchange.checks.child", "rovbrush.orchestrator.cli.main",
-    "rovbrush.orchestrator.cli.run_system", "rovbrush.orchestrator.cli.console", "xarray", "h5netcdf.legacyapi", "pint",
-    "fmpy.validation",
+    "rovbrush.orchestrator.cli.run_system", "rovbrush.orchestrator.studies.sweep.point", "xarray", "h5netcdf.legacyapi",
+    "pint", "fmpy.validation",
 )  # fmt: skip
 SETTINGS = ("PYTHON", "LD_", "NUMBA", "OMP_", "OPENBLAS", "ROVBRUSH_", "HOME", "XDG_", "MPL", "PATH", "LANG", "LC_")
 TELLING = ("sys.modules", "meta_path", "__import__", "sys.path", "importlib", "ru_maxrss", "peak_memory", "VmHWM")
@@ -42,6 +43,7 @@ def start_warm() -> None:
     if sys.platform == "linux" and not issubclass(subprocess.Popen, WarmPopen):
         WarmPopen.usual = dict(os.environ)
         subprocess.Popen = WarmPopen  # type: ignore[misc]
+        util.spawnv_passfds = _spawned  # of `multiprocessing`
 
 
 class WarmPopen(subprocess.Popen):  # type: ignore[type-arg]
@@ -70,14 +72,19 @@ class WarmPopen(subprocess.Popen):  # type: ignore[type-arg]
             "words": [os.fsdecode(word) for word in args[1:]], "folder": os.fspath(cwd or os.getcwd()),
             "environment": dict(os.environ if env is None else env), "session": session, "passed": list(pass_fds),
         }  # fmt: skip
-        with self._lock:
-            if WarmPopen._starter is None or WarmPopen._starter.master != os.getpid():
-                WarmPopen._starter = _Starter(self.usual)
-            self.pid = WarmPopen._starter.start(asked, [*streams, *pass_fds])
+        self.pid = self._started(asked, [*streams, *pass_fds])
         self._child_created = True
         self._close_pipe_fds(p2cread, p2cwrite, c2pread, c2pwrite, errread, errwrite)
 
-    def _can(self, args: Any, env: Any, streams: list[int]) -> bool:
+    @classmethod
+    def _started(cls, asked: dict[str, Any], files: list[int]) -> int:
+        with cls._lock:
+            if WarmPopen._starter is None or WarmPopen._starter.master != os.getpid():
+                WarmPopen._starter = _Starter(cls.usual)
+            return WarmPopen._starter.start(asked, files)
+
+    @classmethod
+    def _can(cls, args: Any, env: Any, streams: list[int]) -> bool:
         if not isinstance(args, (list, tuple)) or len(args) < 3 or os.fspath(args[0]) != sys.executable:
             return False
         kind, what = args[1], args[2]
@@ -85,9 +92,23 @@ class WarmPopen(subprocess.Popen):  # type: ignore[type-arg]
             return False
         if any(word in str(what) for word in TELLING) or any(map(os.isatty, streams)):
             return False
-        now, usual = (os.environ if env is None else env), self.usual
+        now, usual = (os.environ if env is None else env), cls.usual
         names = {name for name in {*now, *usual} if name.startswith(SETTINGS)}
         return all(now.get(name) == usual.get(name) for name in names)
+
+
+_spawn = util.spawnv_passfds
+
+
+def _spawned(path: Any, args: Any, passed: Any) -> int:
+    """A process of `multiprocessing` that is spawned: it, too, has its own beginning and imports that were made."""
+    words = [word for word in map(os.fsdecode, args) if word != "-B"]
+    passed = sorted(passed)
+    if words[3:] != ["--multiprocessing-fork"] or not WarmPopen._can(words, None, [0, 1, 2]):
+        return _spawn(path, args, passed)
+    asked = {"words": words[1:], "folder": os.getcwd(), "environment": dict(os.environ), "session": False,
+             "passed": passed}  # fmt: skip
+    return WarmPopen._started(asked, [0, 1, 2, *passed])
 
 
 class _Starter:
@@ -104,6 +125,7 @@ class _Starter:
 
     def start(self, asked: dict[str, Any], files: list[int]) -> int:
         """The number of a process, which is a child of this one."""
+        asked["blocked"] = [int(number) for number in signal.pthread_sigmask(signal.SIG_BLOCK, [])]
         text = json.dumps(asked).encode()
         prctl = ctypes.CDLL(None).prctl
         prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)  # whose parent ends is ours then
@@ -185,8 +207,9 @@ def _end(code: int) -> None:
 
 
 def _become(
-    files: list[int], words: list[str], folder: str, environment: dict[str, str], session: bool, passed: list[int]
-) -> None:
+    files: list[int], words: list[str], folder: str, environment: dict[str, str], session: bool, passed: list[int],
+    blocked: list[int],
+) -> None:  # fmt: skip
     """The program that was asked for; its end is that of this process."""
     high = [_moved(file) for file in files]
     for target, file in zip((0, 1, 2, *passed), high, strict=True):
@@ -196,6 +219,7 @@ def _become(
     if session:
         os.setsid()
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
     os.chdir(folder)
     os.environ.clear()
     os.environ.update(environment)
