@@ -1,4 +1,4 @@
-"""A component's kernel as a unit under test: plain functions under Numba, without FMI."""
+"""A component's kernel as a unit under test: its functions as FMUs run them, without FMI."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.declare.interface import parameter_variables
-from rovbrush.components.python.kernels import compiled
 
 
 class RunningKernel(Instance):
@@ -71,7 +71,7 @@ class KernelUnit:
 
     def new(self, inputs: Mapping[str, Any] | None = None, **parameters: Any) -> RunningKernel:
         chosen = {k: tuple(np.asarray(v).tolist()) if np.ndim(v) else v for k, v in parameters.items()}
-        running = RunningKernel(self.declared, compiled(self.declared.kernel), **chosen)
+        running = RunningKernel(self.declared, machine(self.declared.kernel), **chosen)
         running.set(**(inputs or {}))
         running.start()
         return running

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from machine_life import Machine
+from machine_life import machine
 from pyccel import epyccel
 from rovbrush.components.declare.interface import Variable, parameter_variables
 from rovbrush.components.declare.layout import cells_name, over
@@ -60,7 +60,7 @@ def lives(name: str) -> dict[str, Any]:
     folder = tempfile.mkdtemp(prefix=f"{Path(name).name}_")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     in_c = epyccel(joined_source(kernel), language="c", folder=folder, **flags)
-    return {"python": kernel, "machine": Machine(kernel), "numba": compiled(kernel), "c": in_c}
+    return {"python": kernel, "machine": machine(kernel), "numba": compiled(kernel), "c": in_c}
 
 
 class Instance:

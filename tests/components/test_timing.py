@@ -16,4 +16,4 @@ def test_a_name_that_is_no_variable_is_refused() -> None:
 
 
 def test_array_elements_are_named_as_fmi_2_names_them() -> None:
-    assert seconds_per_step("rov_vehicle", {"u_thruster[8]": 0.5}, 1e-3, 10) > 0.0
+    assert seconds_per_step("tool_frame", {"x_tool[3]": 0.5}, 1e-3, 10) > 0.0

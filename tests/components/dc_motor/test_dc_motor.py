@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 
 DECLARED = component("dc_motor")
 
 
 def motor(V_in: float, T_brush: float, duration: float, h: float = 1e-3, **parameters: Any) -> Instance:
-    instance = Instance(DECLARED, compiled(DECLARED.kernel), **parameters)
+    instance = Instance(DECLARED, machine(DECLARED.kernel), **parameters)
     instance.set(V_in=V_in, T_brush=T_brush)
     instance.start()
     for _ in range(round(duration / h)):

@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 P = DECLARED.parameters()
 FORCES = ("F_x", "F_z", "T_brush")
 IMPULSES = ("J_x", "J_z", "J_T")
@@ -123,18 +123,31 @@ def kernel_means(delta: float) -> np.ndarray:
     return np.asarray(P.n * (np.array([brush[name] for name in IMPULSES]) - before) / (400 * h))
 
 
-def test_moving_rod_has_the_frequencies_of_a_cantilever_and_enough_terms(measured: Measured) -> None:
+def test_moving_rod_has_the_frequencies_of_a_cantilever() -> None:
     omega = dynamic_rod.Matrices(MOVING, 5).omega[:3]
     assert omega == pytest.approx((162.71, 1019.7, 2855.2), rel=0.03) and omega[0] == pytest.approx(162.71, rel=1e-4)
+
+
+@pytest.mark.evidence
+def test_moving_rod_has_enough_terms(measured: Measured) -> None:
     change = float(np.max(np.abs(moving_means(5e-3, 6) / moving_means(5e-3) - 1.0)))
     measured("moving rod: a sixth polynomial changes the means by", change, "1e-5")
     assert change < 1e-5
 
 
+def difference(delta: float, measured: Measured) -> float:
+    """The largest of the kernel's means to those of the moving rod, relative, told."""
+    error = kernel_means(delta) / moving_means(delta) - 1.0
+    seen = ", ".join(f"{name} {100 * e:+.2f} %" for name, e in zip(FORCES, error, strict=True))
+    measured(f"moving rod: kernel at {1e3 * delta:g} mm, 15.7 rad/s", seen, "4e-3 at 5 mm")
+    return float(np.max(np.abs(error)))
+
+
 def test_mean_forces_and_torque_of_the_paper_s_case_are_those_of_the_moving_rod(measured: Measured) -> None:
-    for delta in (3e-3, 4e-3, 5e-3, 6e-3):
-        error = kernel_means(delta) / moving_means(delta) - 1.0
-        seen = ", ".join(f"{name} {100 * e:+.2f} %" for name, e in zip(FORCES, error, strict=True))
-        measured(f"moving rod: kernel at {1e3 * delta:g} mm, 15.7 rad/s", seen, "4e-3 at 5 mm")
-        if delta == 5e-3:
-            assert np.max(np.abs(error)) < 4e-3
+    assert difference(5e-3, measured) < 4e-3
+
+
+@pytest.mark.evidence
+def test_mean_forces_and_torque_are_told_at_other_penetrations(measured: Measured) -> None:
+    for delta in (3e-3, 4e-3, 6e-3):
+        assert np.isfinite(difference(delta, measured))

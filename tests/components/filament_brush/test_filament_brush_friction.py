@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.filament_brush.contact import growth_of_contact
 from rovbrush.components.library.friction import lugre, stribeck, stribeck_with_peak
-from rovbrush.components.python.kernels import compiled
 from scipy.integrate import solve_ivp
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 SIGMA_0, SIGMA_1 = 1e4, 1.0
 
 

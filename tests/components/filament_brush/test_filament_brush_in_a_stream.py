@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 from rovbrush.orchestrator.paper.blade import Blade, blade, published_length
 
 DECLARED = component("filament_brush")
@@ -30,7 +30,7 @@ def bent(Ca: float) -> Instance:
     """The kernel's bristle at rest in the stream of that Cauchy number."""
     U = float(np.sqrt(2.0 * Ca * EI / (RHO_W * D_BRISTLE * L**3)))
     seen = Instance(
-        DECLARED, compiled(DECLARED.kernel), n=1, bristles_per_filament=1.0, alpha=0.0, centrifugal=False, N_m=4,
+        DECLARED, machine(DECLARED.kernel), n=1, bristles_per_filament=1.0, alpha=0.0, centrifugal=False, N_m=4,
         zeta=(0.2,) * 6, C_d=1.0, co_rotation=0.0,
     )  # fmt: skip
     seen.set(v_rov=U, delta=-0.1)

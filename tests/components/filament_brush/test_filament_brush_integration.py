@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.filament_brush.micro_steps import advance_touching, evaluate
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
 from rovbrush.components.filament_brush.records import Inputs, Placement, Scratch, State
-from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("filament_brush")
 P = DECLARED.parameters()
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 NOMINAL = {"omega_b": 15.7, "delta": 5e-3, "v_rov": 0.05}
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from helpers import ROOT, Measured
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.declare.layout import cells_shape, over
 from rovbrush.components.declare.record import fields_of
 from rovbrush.components.filament_brush.modes import stiffness
@@ -25,7 +26,7 @@ LAMBDA = (1.875104068711961, 4.694091132974175, 7.854757438237613,
 
 
 def brush(**parameters: Any) -> Instance:
-    instance = Instance(DECLARED, compiled(DECLARED.kernel), **parameters)
+    instance = Instance(DECLARED, machine(DECLARED.kernel), **parameters)
     instance.start()
     return instance
 
@@ -148,7 +149,7 @@ def test_a_pressed_filament_at_rest_obeys_beam_statics(measured: Measured) -> No
     # Linear beam, no friction, no rotation: the tip is loaded across by -F_n sin(psi) alone. After 0.6 s with half of
     # critical damping, exp(-0.5 * 163 * 0.6) is left of the transient.
     instance = Instance(
-        DECLARED, compiled(DECLARED.kernel), n=1, alpha=0.0, theta_b_0=0.2, zeta=(0.5,) * 6, foreshortening=False
+        DECLARED, machine(DECLARED.kernel), n=1, alpha=0.0, theta_b_0=0.2, zeta=(0.5,) * 6, foreshortening=False
     )
     instance.set(delta=6e-3, friction_scale=0.0)
     instance.values["k_v"] = 0.0

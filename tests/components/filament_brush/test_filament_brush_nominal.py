@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.filament_brush.parameters import STEEP_RAKE
-from rovbrush.components.python.kernels import compiled
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 OMEGA_B = 15.7
 STEPS = 400  # per revolution, 1.0005 ms each
 FORCES = ("F_x", "F_z", "T_brush")

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.library.quadrature import gauss_points
 from rovbrush.components.library.rotating import cylinder_friction, disc_friction
-from rovbrush.components.python.kernels import compiled
 from scipy.optimize import brentq
 
 OMEGA_B, R, WIDTH, RHO_W, NU_W = 15.7, 0.15, 0.3, 1025.0, 1.2e-6
@@ -20,7 +20,7 @@ GAP = 2.0 * np.pi * R / 50
 
 def torque(name: str = "filament_brush", omega_b: float = OMEGA_B, **parameters: Any) -> float:
     declared = component(name)
-    seen = Instance(declared, compiled(declared.kernel), **parameters)
+    seen = Instance(declared, machine(declared.kernel), **parameters)
     seen.set(omega_b=omega_b, delta=-0.1)
     seen.start()
     assert seen["T_brush"] == seen["T_water"]

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 P = DECLARED.parameters()
 
 

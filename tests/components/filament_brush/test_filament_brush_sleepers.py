@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from kernel_unit import RunningKernel
 from lives import component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 
 DECLARED = component("filament_brush")
 SEEN = (
@@ -21,7 +21,7 @@ FINE = {"tolerance": 1e-11, "h_min": 1e-7}  # far below what is compared
 
 
 def brush(**parameters: Any) -> RunningKernel:
-    running = RunningKernel(DECLARED, compiled(DECLARED.kernel), **parameters)
+    running = RunningKernel(DECLARED, machine(DECLARED.kernel), **parameters)
     running.start()
     return running
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 from scipy.integrate import solve_ivp
 
 DECLARED = component("filament_brush")
-KERNEL = compiled(DECLARED.kernel)
+KERNEL = machine(DECLARED.kernel)
 LAMBDA = np.array([1.875104068711961, 4.694091132974175, 7.854757438237613])
 L, D_BRISTLE, RHO, RHO_W, E = 0.08, 0.8e-3, 1140.0, 1025.0, 2.5e9
 AREA = 0.25 * np.pi * D_BRISTLE**2

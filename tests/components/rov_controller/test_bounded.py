@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from helpers import Measured
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 from scipy.optimize import lsq_linear
 
 DECLARED = component("rov_controller")
@@ -18,7 +18,7 @@ REGULAR = 1e-6  # weight of the thrusts themselves, which makes the minimum uniq
 
 def asked_and_given(tau: np.ndarray, **parameters: Any) -> tuple[np.ndarray, Instance]:
     """The thrusts for a wrench that is fed forward."""
-    seen = Instance(DECLARED, compiled(DECLARED.kernel), mode=1, T_filter=0.0, **parameters)
+    seen = Instance(DECLARED, machine(DECLARED.kernel), mode=1, T_filter=0.0, **parameters)
     seen.set(F_tool=-tau[:3], M_tool=-tau[3:])
     seen.start()
     seen.step(0.02)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from lives import Instance, component
-from rovbrush.components.python.kernels import compiled
+from machine_life import machine
 
 DECLARED = component("rov_controller")
 VEHICLE = component("rov_vehicle")
@@ -16,7 +16,7 @@ T_S = 0.02
 
 
 def controller(**parameters: Any) -> Instance:
-    instance = Instance(DECLARED, compiled(DECLARED.kernel), **parameters)
+    instance = Instance(DECLARED, machine(DECLARED.kernel), **parameters)
     instance.start()
     return instance
 
@@ -26,7 +26,7 @@ class Loop:
 
     def __init__(self, vehicle: dict[str, Any] | None = None, **parameters: Any) -> None:
         self.controller = controller(**parameters)
-        self.vehicle = Instance(VEHICLE, compiled(VEHICLE.kernel), **(vehicle or {}))
+        self.vehicle = Instance(VEHICLE, machine(VEHICLE.kernel), **(vehicle or {}))
         self.vehicle.start()
 
     def run(self, duration: float) -> np.ndarray:

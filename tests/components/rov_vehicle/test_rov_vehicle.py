@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from helpers import ROOT, Measured
 from lives import Instance, component
+from machine_life import machine
 from rovbrush.components.library.thrusters import K_T
-from rovbrush.components.python.kernels import compiled
 from rovbrush.components.rov_vehicle.parameters import NOMINAL, Parameters, about_origin
 
 DECLARED = component("rov_vehicle")
@@ -20,7 +20,7 @@ REFERENCE = ROOT / "tests" / "reference"
 
 def vehicle(chosen: Parameters = NOMINAL, inputs: dict[str, Any] | None = None, **changes: Any) -> Instance:
     parameters = {f.name: getattr(chosen, f.name) for f in dataclasses.fields(chosen)} | changes
-    instance = Instance(DECLARED, compiled(DECLARED.kernel), **parameters)
+    instance = Instance(DECLARED, machine(DECLARED.kernel), **parameters)
     instance.set(**(inputs or {}))
     instance.start()
     return instance

@@ -12,8 +12,8 @@ from driven import DrivenFmu, DrivenKernel, component, input_layout
 from helpers import Measured
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from machine_life import machine
 from rovbrush.components.declare.interface import Variable, parameter_variables
-from rovbrush.components.python.kernels import compiled
 
 STEPS = 10_000
 # Communication step [s] and ranges of the inputs; what is not named here stays at its start value.
@@ -88,7 +88,7 @@ def test_kernel_python_fmu_and_native_fmus_give_the_same_bits(
 ) -> None:
     h, ranges = CASES[name]
     layout = input_layout(name)
-    functions = compiled(component(name).kernel)
+    functions = machine(component(name).kernel)
     files = {
         "python": fmus / f"{name}.fmu",
         "fmi2": native / "fmi2" / f"{name}.fmu",
