@@ -144,6 +144,17 @@ def native(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
+def shipped(request: pytest.FixtureRequest) -> Path:
+    """A folder with the components' FMUs, for tests of whole systems: native ones, which take a fifth of the time and
+    give the same bits (tests/fmus/native/test_native_equality.py), or Python FMUs where nothing compiles C."""
+    if any(map(shutil.which, PLATFORMS["linux64"].compilers)):
+        folder: Path = request.getfixturevalue("native")
+        return folder / "fmi2"
+    folder = request.getfixturevalue("fmus")
+    return folder
+
+
+@pytest.fixture(scope="session")
 def measured(request: pytest.FixtureRequest) -> Measured:
     """`measured(claim, value, bound)` puts a number into the report; of several for one claim the largest stays."""
     rows = request.config.stash.setdefault(MEASURED, {})
@@ -176,9 +187,9 @@ def pytest_testnodedown(node: Any) -> None:
 
 
 @pytest.fixture(scope="session")
-def nominal_plan(fmus: Path) -> Plan:
+def nominal_plan(shipped: Path) -> Plan:
     """The nominal system, planned and run once for all tests of the whole system."""
-    return planned(assemble("nominal", {}, fmus=fmus))
+    return planned(assemble("nominal", {}, fmus=shipped))
 
 
 @pytest.fixture(scope="session")

@@ -40,9 +40,9 @@ def test_a_notebook_is_kept_without_outputs(name: str) -> None:
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_a_notebook_runs_from_top_to_bottom(
-    name: str, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, shipped: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for key, value in {"ROVBRUSH_FMUS": fmus, "TMPDIR": tmp_path, "IPYTHONDIR": tmp_path / "ipython"}.items():
+    for key, value in {"ROVBRUSH_FMUS": shipped, "TMPDIR": tmp_path, "IPYTHONDIR": tmp_path / "ipython"}.items():
         monkeypatch.setenv(key, str(value))
     notebook = nbformat.read(FOLDER / f"{name}.ipynb", as_version=4)
     client = NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": tmp_path}})

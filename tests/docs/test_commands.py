@@ -29,6 +29,7 @@ def theirs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_what_a_page_says_can_be_done(
     path: Path,
     fmus: Path,
+    shipped: Path,
     theirs: Path,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -36,7 +37,7 @@ def test_what_a_page_says_can_be_done(
 ) -> None:
     """All blocks of a page, in their order, in a folder of its own that has FMUs, `their.fmu` and a mapping for it."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("ROVBRUSH_FMUS", str(fmus))
+    monkeypatch.setenv("ROVBRUSH_FMUS", str(shipped))
     (tmp_path / "fmus").symlink_to(fmus)
     (tmp_path / "their.fmu").symlink_to(theirs)
     (tmp_path / "map.toml").symlink_to(FIXTURES / "foreign_motor.toml")

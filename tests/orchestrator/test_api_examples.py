@@ -16,12 +16,12 @@ BLOCKS = [token for token in MarkdownIt().parse(TEXT) if token.type == "fence" a
 
 
 @pytest.fixture(scope="module")
-def names(fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def names(shipped: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """The names that all blocks leave, run in their order in one folder."""
     found: dict[str, Any] = {"folder": tmp_path_factory.mktemp("examples")}
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(found["folder"])
-        patch.setenv("ROVBRUSH_FMUS", str(fmus))
+        patch.setenv("ROVBRUSH_FMUS", str(shipped))
         for block in BLOCKS:
             assert block.map is not None
             code = "\n" * (block.map[0] + 1) + block.content  # the line numbers of the file
