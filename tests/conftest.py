@@ -61,6 +61,7 @@ def pytest_configure(config: pytest.Config) -> None:
         "XDG_STATE_HOME": str(home / "state"),
         "MPLCONFIGDIR": str(home / "matplotlib"),
         "ROVBRUSH_CACHE": str(cache),
+        "OPENBLAS_NUM_THREADS": "1",  # of each worker and each program: they share the cores anyway
     }
     for name in ("ROVBRUSH_FMUS", "NUMBA_CACHE_DIR"):
         os.environ.pop(name, None)

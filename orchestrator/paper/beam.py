@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 
@@ -25,6 +27,7 @@ def slope(lam: float, xi: np.ndarray) -> np.ndarray:
     return result
 
 
+@cache
 def quadrature() -> tuple[np.ndarray, np.ndarray]:
     """Gauss-Legendre points and weights on 0 .. 1."""
     x, w = np.polynomial.legendre.leggauss(64)
