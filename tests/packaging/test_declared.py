@@ -7,6 +7,7 @@ import re
 import sys
 import tomllib
 from collections.abc import Mapping
+from functools import cache
 from importlib.metadata import packages_distributions
 from pathlib import Path
 
@@ -38,6 +39,7 @@ DECLARED = named(PROJECT["dependencies"]).union(*(named(texts) for extra, texts 
 DECLARED -= {"rovbrush"}  # of the extra that gathers others
 
 
+@cache
 def imports(path: Path) -> set[str]:
     """Top-level modules that a file imports, wherever in the file; none of the standard library."""
     nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
@@ -46,6 +48,7 @@ def imports(path: Path) -> set[str]:
     return {name.split(".")[0] for name in names} - set(sys.stdlib_module_names) - {"rovbrush"}
 
 
+@cache
 def imported() -> dict[str, set[str]]:
     """Distributions that the package imports, with the files."""
     known = packages_distributions()

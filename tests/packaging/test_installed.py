@@ -177,6 +177,14 @@ def test_it_builds_fmus_of_its_own(installed: Path, tmp_path: Path) -> None:
     assert ended_well(installed / "python", "-c", code, tmp_path / "made", cwd=tmp_path) == "dc_motor.fmu\n"
 
 
+ONE = pytest.mark.parametrize(
+    "installed",
+    ["wheel", pytest.param("folder", marks=pytest.mark.evidence), pytest.param("editable", marks=pytest.mark.evidence)],
+    indirect=True,
+)
+
+
+@ONE
 def test_it_writes_a_component_that_it_builds_and_tests(installed: Path, tmp_path: Path) -> None:
     ended_well(installed / "rovbrush", "new-component", "body", cwd=tmp_path)
     ended_well(installed / "rovbrush", "build", "./body", "--fmus", "fmus", cwd=tmp_path)
@@ -184,6 +192,7 @@ def test_it_writes_a_component_that_it_builds_and_tests(installed: Path, tmp_pat
     assert "9 passed, 0 failed" in said
 
 
+@ONE
 def test_components_outside_are_typed(installed: Path, tmp_path: Path) -> None:
     if not list(installed.parent.rglob("site-packages/rovbrush/py.typed")):
         pytest.skip("mypy does not look into editable installs")
