@@ -11,7 +11,8 @@ from ...plan.plan import Plan
 WORDS = (
     "auto break case char const continue default do double else enum extern float for goto if inline int long register "
     "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while main s z w at "
-    "and or not xor class new delete this template t h v x n tail total found sent again seconds status_ k k_"
+    "and or not xor class new delete this template t h v x n tail total found sent again slope curvature value seconds "
+    "status_ k k_"
 )
 KEYWORDS = frozenset(re.findall(r"\w+", WORDS))
 # What a system must not be called in C: headers, files that Windows does not have, functions and types of libraries.

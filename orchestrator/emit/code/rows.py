@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, log2
 
+from ...loop.formulas import FORMULAS, arithmetic
 from ...loop.operations import (
-    ACCUMULATE,
     ACCUMULATE_ON,
     ADVANCE,
     AT_AN_INSTANT,
     CONTROL,
-    COPY,
     ESTIMATE,
     FAULT,
     FIT,
@@ -20,20 +19,14 @@ from ...loop.operations import (
     GET,
     HALVE,
     ITERATE,
-    LEDGER,
-    LINEAR,
-    MEAN,
-    MIX,
     MOVE,
     NUMBER,
     PAUSE,
     PUSH,
-    QUADRATIC,
     RECORD,
     REPEAT,
     RESTORE,
     REWIND,
-    RISE,
     SAMPLE,
     SAVE,
     SERIES,
@@ -46,6 +39,7 @@ from ...loop.operations import (
     WORK_ON,
 )
 from .exchange import Names, indented
+from .formulas import in_c
 from .names import number, whole
 
 Row = tuple[int, ...]
@@ -63,14 +57,10 @@ HOW = {
     GET: "_get",
     STEP: "_step",
     RECORD: "_record",
-    NUMBER: "_number",
     FIT: "_fit",
     SERIES: "_series",
     SAMPLE: "_sample",
-    MEAN: "_mean",
-    LEDGER: "_ledger",
-    **dict.fromkeys((COPY, LINEAR, QUADRATIC, MIX, ACCUMULATE, RISE, WORK), "_sum"),
-    **dict.fromkeys((MOVE, PUSH), "_move"),
+    **dict.fromkeys(FORMULAS, "_sum"),
     STEP_ON: "_step_on",
     **dict.fromkeys((ACCUMULATE_ON, WORK_ON), "_on"),
     WATCH: "_watch",
@@ -137,10 +127,9 @@ class Rows:
         if code in (SERIES, SAMPLE):
             rows = int(self.plan.coefficients[k])
             return Cost(2 * ceil(log2(rows + 1)) + (8 * rows + 16) * (code == SERIES), 0, 1)
-        arithmetic = {COPY: 2, LINEAR: 5, ACCUMULATE: 3, RISE: 3, MEAN: 7, NUMBER: 3, FIT: 5 + 2 * q, WORK: 6}
-        arithmetic |= {LEDGER: 2, QUADRATIC: 10, MIX: 6, MOVE: 0, PUSH: 0, ACCUMULATE_ON: 5, WORK_ON: 6, WATCH: 2}
-        arithmetic |= {FAULT: 40}
-        return Cost(arithmetic[code], 0, 1)
+        if code in FORMULAS:
+            return Cost(arithmetic(code) + (code == NUMBER), 0, 1)
+        return Cost({FIT: 5 + 2 * q, ACCUMULATE_ON: 5, WORK_ON: 6, WATCH: 2, FAULT: 40}[code], 0, 1)
 
     # --- FMUs ---
 
@@ -282,50 +271,16 @@ class Rows:
 
     # --- cells ---
 
-    def _move(self, row: Row, _tick: int) -> list[str]:
-        return [f"{self.names.cell(row[4])} = {self.names.cell(row[3])};"]
-
     def _sum(self, row: Row, _tick: int) -> list[str]:
+        """Arithmetic on cells, by its formula."""
         code, _, _, a, b, p, q, k = row
-        c = [number(value) for value in self.plan.coefficients[k : k + 4].tolist()]
-        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
-        if code == COPY:
-            return [f"{zb} = {c[0]} * {za} + {c[1]};"]
-        if code == LINEAR:
-            return [f"{zb} = {c[0]} * ({za} + {c[2]} * ({za} - {zp})) + {c[1]};"]
-        if code == ACCUMULATE:
-            return [f"{zb} += {c[0]} * ({zp} + {za});"]
-        if code == RISE:
-            return [f"{zb} += {c[0]} * ({za} - {zp});"]
-        if code == WORK:
-            h = "seconds(s->now.clock[STEP_TICKS])" if self.vary and self.plan.coefficients[k + 2] == 0.0 else c[2]
-            return [f"{zb} += {zq} * ({c[0]} * {zp} + {c[1]} * {za}) * {h};"]
-        if code == QUADRATIC:
-            value = f"{za} + {c[2]} * ({za} - {zp}) + {c[3]} * ({za} - 2.0 * {zp} + {zq})"
-            return [f"{zb} = {c[0]} * ({value}) + {c[1]};"]
-        return [f"{zb} = {c[0]} * {zb} + {c[1]} * {za} + {c[2]} * {zp} + {c[3]};"]  # MIX
-
-    def _mean(self, row: Row, _tick: int) -> list[str]:
-        _, _, _, a, b, p, q, k = row
-        gain, offset, own, before = (number(value) for value in self.plan.coefficients[k : k + 4].tolist())
-        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
-        lines = [
-            f"const double tail = {own} * {za} + {before} * {zp};",
-            f"{zb} = {gain} * ({zq} + tail) + {offset};",
-            f"{zq} = -tail;",
-        ]
-        return ["{", *indented(lines), "}"]
-
-    def _ledger(self, row: Row, _tick: int) -> list[str]:
-        _, _, _, a, b, p, q, _ = row
-        za, zb, zp, zq = (f"z[{self.names.cells[slot]}]" for slot in (a, b, p, q))
-        return ["{", *indented([f"const double total = {za} - {zp};", f"{zb} = total - {zq};", f"{zq} = total;"]), "}"]
-
-    def _number(self, row: Row, _tick: int) -> list[str]:
-        _, _, _, a, b, p, _, k = row
-        gain, offset = (number(value) for value in self.plan.coefficients[k : k + 2].tolist())
-        source = f"(double){'(uint64_t)' if p else ''}w[{self.names.cells[a]}]"
-        return [f"z[{self.names.cells[b]}] = {gain} * {source} + {offset};"]
+        slots = {"a": a, "b": b, "p": p, "q": q}
+        c = {j: number(value) for j, value in enumerate(self.plan.coefficients[k : k + 4].tolist())}
+        if code == WORK and self.vary and self.plan.coefficients[k + 2] == 0.0:
+            c[2] = "seconds(s->now.clock[STEP_TICKS])"
+        n = f"(double){'(uint64_t)' if p else ''}w[{self.names.cells[a]}]"
+        cell = self.names.cell if code in (MOVE, PUSH) else lambda slot: f"z[{self.names.cells[slot]}]"
+        return in_c(code, lambda column: cell(slots[column]), c, n)
 
     def _fit(self, row: Row, _tick: int) -> list[str]:
         _, _, _, a, b, p, q, k = row

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from .. import cells
+from ..formulas import FORMULAS
 from ..operations import GET, RECORD, SET, STEP
 from .calls import HELPERS, write_exchange, write_step
-from .formulas import FORMULAS, write_formula
+from .formulas import write_formula
 from .functions import segment, whole_cycles
 from .writer import Writer
 
