@@ -29,9 +29,10 @@ from ...loop.operations import (
 )
 from ...plan.schedule.operation_text import OperationText
 from .beginning import CELLS
+from .cost import Cost, Row, cost_of
 from .exchange import Names, indented
 from .names import comment, number
-from .rows import Cost, Row, Rows
+from .rows import Rows
 
 JUMPS = (ITERATE, REPEAT, ESTIMATE)  # lead to the row of their column a
 
@@ -176,7 +177,7 @@ class Instants:
                 lines.append("")
             if made:
                 lines += [f"/* {comment(said.strip())} */", *made]
-            cost, k = cost + self.rows.cost(rows[k]), k + 1
+            cost, k = cost + cost_of(self.names, rows[k]), k + 1
         return lines, cost
 
     def _solve(self, row: Row) -> tuple[list[str], int]:

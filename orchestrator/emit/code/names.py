@@ -84,6 +84,11 @@ def whole(value: int) -> str:
     return "INT64_MIN" if value == -(2**63) else f"INT64_C({value})"
 
 
+def at(ticks: int) -> str:
+    """An instant, from the one of the function that it is in."""
+    return "at" if ticks == 0 else f"at {'+' if ticks > 0 else '-'} {abs(ticks)}"
+
+
 def text(value: str) -> str:
     """A text in quotes."""
     escaped = "".join(
