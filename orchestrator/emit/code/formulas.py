@@ -50,8 +50,10 @@ def in_c(code: int, cell: Callable[[str], str], coefficients: Mapping[int, str],
             lines.append(f"const double {target.id} = {value(found)};")
             continue
         to = place(target)
-        adds = isinstance(found, ast.BinOp) and isinstance(found.op, ast.Add) and ast.dump(found.left) == _read(target)
-        lines.append(f"{to} += {value(found.right)};" if adds else f"{to} = {value(found)};")
+        if isinstance(found, ast.BinOp) and isinstance(found.op, ast.Add) and ast.dump(found.left) == _read(target):
+            lines.append(f"{to} += {value(found.right)};")
+        else:
+            lines.append(f"{to} = {value(found)};")
     return ["{", *indented(lines), "}"] if named else lines
 
 
