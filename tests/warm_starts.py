@@ -31,7 +31,7 @@ IMPORTED = (
     "rovbrush.orchestrator.participant.isolated.child", "rovbrush.orchestrator.participant.elsewhere.served",
     "rovbrush.orchestrator.exchange.checks.child", "rovbrush.orchestrator.cli.main",
     "rovbrush.orchestrator.cli.run_system", "rovbrush.orchestrator.studies.sweep.point", "xarray", "h5netcdf.legacyapi",
-    "pint", "fmpy.validation",
+    "pint", "fmpy.validation", "numba",
 )  # fmt: skip
 SETTINGS = ("PYTHON", "LD_", "NUMBA", "OMP_", "OPENBLAS", "ROVBRUSH_", "HOME", "XDG_", "MPL", "PATH", "LANG", "LC_")
 TELLING = ("sys.modules", "meta_path", "__import__", "sys.path", "importlib", "ru_maxrss", "peak_memory", "VmHWM")
@@ -137,6 +137,9 @@ class _Starter:
             prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0)
 
 
+_loaded: set[str] = set()
+
+
 def _serve(asking: socket.socket) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for who waits
     for name in IMPORTED:
@@ -152,6 +155,7 @@ def _serve(asking: socket.socket) -> None:
         size, text = int.from_bytes(head, "big"), b""
         while len(text) < size:
             text += asking.recv(size - len(text))
+        _load_what_is_compiled()
         reader, writer = os.pipe()
         between = os.fork()
         if between == 0:
@@ -172,6 +176,16 @@ def _serve(asking: socket.socket) -> None:
             asking.sendall(f"{answer.read()}\n".encode())
         for file in files:
             os.close(file)
+
+
+def _load_what_is_compiled() -> None:
+    """Functions for Model Exchange that this machine has by now: to load them takes each process a second."""
+    from rovbrush.orchestrator.integration import compiled
+
+    for name, (function, _) in compiled.FUNCTIONS.items():
+        if name not in _loaded and compiled.Kept(function, compiled._hash(function.__module__)).is_there:
+            compiled.address_of(name)
+            _loaded.add(name)
 
 
 def _code_of(files: list[int], asked: dict[str, Any]) -> int:
