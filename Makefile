@@ -57,13 +57,11 @@ lowest:
 	  studies/sweep/test_sweep_dask.py)
 
 $(VENV)/run.stamp: pyproject.toml
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[compile]"
+	$(PYTHON) -m release.environment $(VENV) compile
 	touch $@
 
 $(VENV)/test.stamp: pyproject.toml
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[test]"
+	$(PYTHON) -m release.environment $(VENV) test
 	touch $@
 
 clean:

@@ -53,11 +53,28 @@ def _write(run: Run, path: Path, chosen: Sequence[int]) -> None:
                 begin, end = np.searchsorted(own, [some[0], some[-1] + 1]).tolist()
                 rows = np.searchsorted(some, own[begin:end]).tolist()
                 for signal in group:
-                    column = [""] * len(some)
-                    for row, value in zip(rows, signal.values[begin:end].tolist(), strict=True):
-                        column[row] = csv_text(value)
-                    columns.append(column)
+                    texts = csv_texts(signal.values[begin:end])
+                    if len(texts) < len(some):
+                        column = [""] * len(some)
+                        for row, text in zip(rows, texts, strict=True):
+                            column[row] = text
+                        texts = column
+                    columns.append(texts)
             file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+
+
+def csv_texts(values: np.ndarray) -> list[str]:
+    """The cells of a column, (instants,). A number that is held is made text once."""
+    if values.dtype != np.float64 or not len(values):
+        return [csv_text(value) for value in values.tolist()]
+    bits = np.ascontiguousarray(values).view(np.int64)  # 0 and -0 differ, nan is itself
+    begins = np.flatnonzero(np.concatenate([[True], bits[1:] != bits[:-1]]))
+    texts = [f"{value:.10g}" for value in values[begins].tolist()]
+    if len(texts) == len(values):
+        return texts
+    often = np.diff(begins, append=len(values))
+    found: list[str] = np.repeat(np.array(texts, dtype=object), often).tolist()
+    return found
 
 
 def csv_text(value: float | int | bool | str | bytes) -> str:
