@@ -25,10 +25,11 @@ SAME = {
     "proxy": ("ALL_PROXY", ""),
 }  # fmt: skip
 FOR_PIP_ALONE = {  # how it shows and keeps things
-    "break-system-packages", "cache-dir", "config-file", "default-timeout", "disable-pip-version-check", "format", "log",
-    "no-cache-dir", "no-color", "no-input", "no-python-version-warning", "no-warn-script-location", "prefer-binary",
-    "progress-bar", "quiet", "require-virtualenv", "resume-retries", "retries", "root-user-action", "timeout", "upgrade",
-    "use-feature", "user", "verbose",
+    "break-system-packages", "cache-dir", "config-file", "default-timeout", "disable-pip-version-check", "format",
+    "log", "no-cache-dir", "no-color", "no-input", "no-python-version-warning", "no-warn-script-location",
+    "prefer-binary",
+    "progress-bar", "quiet", "require-virtualenv", "resume-retries", "retries", "root-user-action", "timeout",
+    "upgrade", "use-feature", "user", "verbose",
 }  # fmt: skip
 
 
