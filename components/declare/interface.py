@@ -85,8 +85,9 @@ def tunable(*declared: Any, **named: Any) -> Any:
 
 
 def usual(*declared: Any, **named: Any) -> Any:
-    """As `parameter`, of one that is mostly left as it is: what it decides is decided in a second copy of `step`, which
-    an instance takes in which all such parameters have their start values. The bits are the same."""
+    """As `parameter`, of one that is mostly left as it is: what it decides is decided when `step` is compiled, for an
+    instance in which all such parameters have their start values. The bits are the same; where one has another value,
+    `step` is compiled for all values when such an instance is first met."""
     field = parameter(*declared, **named)
     return dataclasses.field(default=field.default, metadata={**field.metadata, "usual": True})
 

@@ -9,8 +9,8 @@ from .interface import Array, Variable
 
 
 def usual_values(variables: Iterable[Variable]) -> dict[str, float]:
-    """The scalar parameters that are mostly left as they are, by name, with these values."""
-    return {v.name: v.start[0] for v in variables if v.usual and not v.size}
+    """The scalar parameters that are mostly left as they are, by name, with these values; none that can be tuned."""
+    return {v.name: v.start[0] for v in variables if v.usual and not v.size and not v.tunable}
 
 
 def usual_sizes(variables: Sequence[Variable], arrays: Iterable[Array]) -> dict[str, tuple[int | None, int | None]]:

@@ -82,7 +82,7 @@ def _machine_code(
     except ImportError:
         return None
     dimensions = {name: array.ndim for name, array in arrays.items()}
-    usual = usual_values(memory.variables.values())
+    usual = _usual(memory)
     made_of = "\0".join([source.text, repr(entries), repr(dimensions), repr(usual), compiler(), here()])
     name = f"{kernel.__name__.split('.')[-2]}_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
     if name not in _loaded:
@@ -101,19 +101,26 @@ def _machine_code(
     return _loaded[name]
 
 
+def _usual(memory: Memory) -> dict[str, float]:
+    """The parameters that are usual, where all of them have their start values; else none.
+
+    They keep them: none of them is tunable, and for others the stages are bound anew.
+    """
+    usual = usual_values(memory.variables.values())
+    return usual if all(memory.values[memory.index[name]] == value for name, value in usual.items()) else {}
+
+
 def _known(source: Lowered, entries: Mapping[str, list[str]], memory: Memory) -> Any:
     """What is known of the step where parameters are what they usually are."""
     from .machine.module import Usual
 
     variables = list(memory.variables.values())
-    usual = usual_values(variables)
     literals = {
         name: repr({"Integer": int, "Boolean": bool, "Real": float}[memory.variables[name].kind](value))
-        for name, value in usual.items()
+        for name, value in usual_values(variables).items()
     }
     given = [literals.get(name, text) for name, text in zip(source.arguments["step"], entries["step"], strict=True)]
-    places = {memory.index[name]: value for name, value in usual.items()}
-    return Usual("step", places, given, usual_sizes(variables, memory.arrays))
+    return Usual("step", given, usual_sizes(variables, memory.arrays))
 
 
 def _unknown() -> tuple[type[Exception], ...]:

@@ -111,3 +111,33 @@ def test_a_statement_does_what_python_says(body: str, expected: list[float]) -> 
     table = np.array([[y.ctypes.data, 2, 0]], dtype=np.int64)
     ctypes.PYFUNCTYPE(ctypes.c_int64, ctypes.c_int64)(code.address("step"))(table.ctypes.data)
     assert y.tolist() == by_python.tolist() == expected
+
+
+USUAL = """
+import sys
+from rovbrush.components.python.component import component_class
+brush = component_class("filament_brush")(instance_name="brush")
+for name, value in (("n", 4.0), ("N_m", float(sys.argv[1]))):
+    brush.set_real([brush.memory.index[name]], [value])
+brush.enter_initialization_mode()
+brush.exit_initialization_mode()
+brush.set_real([brush.memory.index[name] for name in ("omega_b", "delta")], [15.7, 5e-3])
+assert all(brush.do_step(k * 1e-4, 1e-4) for k in range(40))
+print([value.hex() for value in brush.memory.y.tolist()])
+"""
+
+
+def test_a_step_for_unusual_parameters_is_compiled_when_it_is_needed_with_the_bits_of_python(tmp_path: Path) -> None:
+    def kernels() -> int:
+        return len(list((tmp_path / "kernels").rglob("kernel.o")))
+
+    def outputs(modes: str, **environment: str) -> str:
+        done = python(USUAL, modes, timeout=300.0, ROVBRUSH_CACHE=str(tmp_path), **environment)
+        assert not done.returncode, done.stderr
+        return done.stdout
+
+    usual = outputs("3")
+    assert kernels() == 1 and outputs("3") == usual and kernels() == 1
+    other = outputs("4")
+    assert kernels() == 2 and other != usual
+    assert [outputs(modes, NUMBA_DISABLE_JIT="1") for modes in ("3", "4")] == [usual, other]

@@ -13,7 +13,7 @@ from typing import Any
 
 from .expressions import Expressions
 from .functions import Function
-from .kinds import Array, UnknownError, constant
+from .kinds import Array, UnknownError
 
 WORDS = 3  # of an array in the table
 REPEAT = """define i64 @{name}.repeat(ptr %table, i64 %count) nounwind {{
@@ -35,10 +35,9 @@ end:
 
 @dataclass(frozen=True)
 class Usual:
-    """What is known where `values` holds these values at these places: arguments of `function`, and sizes of arrays."""
+    """What is known of `function` where parameters are what they usually are: its arguments, and sizes of arrays."""
 
     function: str
-    values: Mapping[int, float]
     given: Sequence[str]
     sizes: Mapping[str, tuple[int | None, ...]]
 
@@ -49,8 +48,8 @@ def machine_text(
     """LLVM's text of a lowered kernel.
 
     `entries`: for each function that is called from outside, its arguments as expressions over the `arrays`, which have
-    so many dimensions. `usual`: a second copy is made of that function and all that it calls. Raises UnknownError for
-    what only Numba compiles.
+    so many dimensions. `usual`: that function, and all that it calls, is compiled for what is known there. Raises
+    UnknownError for what only Numba compiles.
     """
     nodes = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
     functions = {node.name: node for node in nodes}
@@ -59,18 +58,16 @@ def machine_text(
     namespace: dict[str, Any] = {}
     exec(compile(text, "<kernel>", "exec"), namespace)  # definitions and constants
     externals: set[str] = set()
-    needed = _needed(functions, entries)
+    needed = _needed(functions, [name for name in entries if not usual or name != usual.function])
     made = [Function(functions[name], functions, namespace, externals).text() for name in functions if name in needed]
     if usual:
         copied = _needed(functions, [usual.function])
         made += [Function(functions[n], functions, namespace, externals, "u").text() for n in functions if n in copied]
-        known = _Entry(functions, namespace, externals, arrays, usual.sizes)
-        known.prefix = "u"
-        made.append(known.text(f"{usual.function}.usual", usual.function, usual.given))
     for name, given in entries.items():
         entry = _Entry(functions, namespace, externals, arrays)
         if usual and name == usual.function:
-            entry.branch(usual)
+            entry = _Entry(functions, namespace, externals, arrays, usual.sizes)
+            entry.prefix, given = "u", usual.given
         made += [entry.text(name, name, given), REPEAT.format(name=name)]
     return "\n".join([*sorted(externals), *made])
 
@@ -106,22 +103,6 @@ class _Entry(Expressions):
             known = (sizes or {}).get(name, (None, None))
             found = (word if size is None else str(size) for word, size in zip(words[1:], known, strict=False))
             self.arrays[name] = Array(words[0], tuple(found))
-
-    def branch(self, usual: Usual) -> None:
-        """Leave it to the copy for usual values where they are."""
-        tests = []
-        for place, value in usual.values.items():
-            cell = self.new(f"getelementptr double, ptr {self.arrays['values'].pointer}, i64 {place}")
-            tests.append(self.new(f"fcmp oeq double {self.new(f'load double, ptr {cell}')}, {constant(value).text}"))
-        condition = tests[0]
-        for test in tests[1:]:
-            condition = self.new(f"and i1 {condition}, {test}")
-        yes, no = self.label(), self.label()
-        self.do(f"br i1 {condition}, label %{yes}, label %{no}")
-        self.begin(yes)
-        self.new(f"call i64 @{usual.function}.usual(ptr %table)")
-        self.do("ret i64 0")
-        self.begin(no)
 
     def text(self, name: str, function: str, given: Sequence[str]) -> str:
         """Its definition: a call of a function."""
