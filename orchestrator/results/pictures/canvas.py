@@ -100,10 +100,18 @@ def _empty(
 @cache
 def _figure_class() -> type[Figure]:
     """A figure that notebooks show without `%matplotlib inline`."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     class Picture(Figure):
-        """A figure that is shown as PNG."""
+        """A figure that is shown as PNG, and drawn once for it: matplotlib draws one first to lay it out."""
+
+        def savefig(self, fname: Any, **options: Any) -> None:
+            as_png = options == {"format": "png"} or (not options and str(fname).endswith(".png"))
+            if as_png and isinstance(self.canvas, FigureCanvasAgg):
+                self.canvas.print_png(fname)  # type: ignore[no-untyped-call, unused-ignore]
+            else:
+                super().savefig(fname, **options)
 
         def _repr_png_(self) -> bytes:
             buffer = io.BytesIO()
