@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+import importlib.util
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[2]))
+SCRIPT = Path(__file__).parents[2] / "release" / "environment.py"
 
-from release import environment
-from release.environment import NoUvError, read, settings
+
+def loaded() -> Any:
+    """The script, which is no part of the package."""
+    spec = importlib.util.spec_from_file_location("environment_of_make", SCRIPT)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+environment = loaded()
+read, settings, NoUvError = environment.read, environment.settings, environment.NoUvError
 
 
 def test_the_sections_of_pips_configuration_count_in_its_order() -> None:
