@@ -35,12 +35,13 @@ IMPORTED = (
 )  # fmt: skip
 SETTINGS = ("PYTHON", "LD_", "NUMBA", "OMP_", "OPENBLAS", "ROVBRUSH_", "HOME", "XDG_", "MPL", "PATH", "LANG", "LC_")
 TELLING = ("sys.modules", "meta_path", "__import__", "sys.path", "importlib", "ru_maxrss", "peak_memory", "VmHWM")
+COLD = "ROVBRUSH_TESTS_COLD"  # set: every process is started in earnest, as in `make evidence`
 PR_SET_CHILD_SUBREAPER = 36  # <sys/prctl.h>
 
 
 def start_warm() -> None:
     """From here on `subprocess` starts what it can by a fork; on Linux only."""
-    if sys.platform == "linux" and not issubclass(subprocess.Popen, WarmPopen):
+    if sys.platform == "linux" and not os.environ.get(COLD) and not issubclass(subprocess.Popen, WarmPopen):
         WarmPopen.usual = dict(os.environ)
         subprocess.Popen = WarmPopen  # type: ignore[misc]
         util.spawnv_passfds = _spawned  # of `multiprocessing`

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from warm_starts import COLD
 
 TESTS = Path(__file__).parent.parent
 MARKED = ("pytest.mark.evidence", "pytest.mark.sampled(")
@@ -23,7 +25,8 @@ FINITE = True
 
 def one(index: int, folder: Path) -> str:
     command = [sys.executable, "-m", "pytest", "-m", "evidence", f"--basetemp={folder / 'tests'}", str(FILES[index])]
-    done = subprocess.run(command, cwd=TESTS.parent, capture_output=True, text=True, check=False)
+    environment = os.environ | {COLD: "1"}
+    done = subprocess.run(command, cwd=TESTS.parent, env=environment, capture_output=True, text=True, check=False)
     if done.returncode == pytest.ExitCode.NO_TESTS_COLLECTED:
         return "none of its tests is left out by `make test`: take its mark away"
     return "" if done.returncode == 0 else "\n".join(done.stdout.splitlines()[-20:])
