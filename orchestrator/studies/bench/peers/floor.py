@@ -16,7 +16,7 @@ from ....plan.plan import Plan
 
 SET, GET, STEP, INSTANCE, IN_REFS, IN_COUNT, OUT_REFS, OUT_COUNT, VALUES, STATE = range(10)
 STATES = ("fmi2GetFMUstate", "fmi2SetFMUstate", "fmi2FreeFMUstate")
-STATE_COLUMNS = GET_STATE, SET_STATE, FREE_STATE = range(STATE + 1, STATE + 1 + len(STATES))
+GET_STATE, SET_STATE, FREE_STATE = range(STATE + 1, STATE + 1 + len(STATES))
 CALLS = (op.SET, op.STEP, op.GET, op.SAVE, op.RESTORE, op.ITERATE, op.REPEAT)
 
 
@@ -82,9 +82,9 @@ def call_in_order(table: np.ndarray, calls: np.ndarray, steps: int, step: float,
 def _calls(cycle: np.ndarray) -> np.ndarray:
     """Of the operations of a plan those that call FMUs, or decide who is called next."""
     called = np.isin(cycle[:, 0], CALLS) & ~(np.isin(cycle[:, 0], (op.SAVE, op.RESTORE)) & (cycle[:, 2] < 0))
-    numbers = np.concatenate([[0], np.cumsum(called)])
     found: np.ndarray = cycle[called][:, [0, 2, 3]].copy()
-    found[:, 2] = np.where(np.isin(found[:, 0], (op.ITERATE, op.REPEAT)), numbers[found[:, 2] % len(numbers)], 0)
+    jumps = np.isin(found[:, 0], (op.ITERATE, op.REPEAT))
+    found[jumps, 2] = np.concatenate([[0], np.cumsum(called)])[found[jumps, 2]]
     return found
 
 
