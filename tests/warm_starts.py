@@ -30,8 +30,8 @@ from typing import Any
 IMPORTED = (
     "rovbrush.orchestrator.participant.isolated.child", "rovbrush.orchestrator.participant.elsewhere.served",
     "rovbrush.orchestrator.exchange.checks.child", "rovbrush.orchestrator.cli.main",
-    "rovbrush.orchestrator.cli.run_system", "rovbrush.orchestrator.studies.sweep.point", "xarray", "h5netcdf.legacyapi",
-    "pint", "fmpy.validation", "numba",
+    "rovbrush.orchestrator.cli.run_system", "rovbrush.orchestrator.studies.sweep.workers.point",
+    "xarray", "h5netcdf.legacyapi", "pint", "fmpy.validation", "numba",
 )  # fmt: skip
 SETTINGS = ("PYTHON", "LD_", "NUMBA", "OMP_", "OPENBLAS", "ROVBRUSH_", "HOME", "XDG_", "MPL", "PATH", "LANG", "LC_")
 TELLING = ("sys.modules", "meta_path", "__import__", "sys.path", "importlib", "ru_maxrss", "peak_memory", "VmHWM")

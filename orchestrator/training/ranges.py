@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..errors import InputError
-from ..studies.sweep.axis import checked_axis, listed, range_of
-from ..studies.sweep.replanned import needs_plan
+from ..studies.sweep.design.axis import checked_axis, listed, range_of
+from ..studies.sweep.design.replanned import needs_plan
 from ..system.model import System
 from ..system.values import follows_tables
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.design.design import make_design
 from rovbrush.orchestrator.system.inputs.series_file import with_files
 
 from . import seeded

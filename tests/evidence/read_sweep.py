@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.design.design import make_design
 from rovbrush.orchestrator.studies.sweep.file import sweep_file
 
 from . import seeded

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from helpers import Part, system_text
-from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
+from rovbrush.orchestrator.studies.sweep.design.design import Design, make_design, vary_entries
 from rovbrush.orchestrator.system.file.reader import load_system
 
 SUMMARY = '\n[summary]\nwindow = { start = 0.005 }\nx_last = "last x.x"\ny_mean = "mean x.held"\n'

@@ -9,9 +9,9 @@ from typing import Any
 
 from ...run.simulation import simulate
 from ..sweep.options import Options
-from ..sweep.point import Job, load
 from ..sweep.sweep import sweep
-from ..sweep.workers import cores
+from ..sweep.workers.point import Job, load
+from ..sweep.workers.workers import cores
 
 POINTS, QUICK = 100_000, 5_000
 ALONE = 50  # runs with FMUs that are loaded anew

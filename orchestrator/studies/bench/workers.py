@@ -17,7 +17,7 @@ from ...plan.plan import make_plan
 from ...run.session import Session
 from ...system.file.reader import load_system
 from ...system.model import System
-from ..sweep.workers import cores
+from ..sweep.workers.workers import cores
 from .native_fmu import SOURCES, description2, native_fmu
 
 STEPS = (1.0, 10.0, 50.0, 200.0)  # us of a step of each

@@ -8,9 +8,9 @@ import numpy as np
 
 from ...errors import InputError
 from ...system.model import System
-from ..sweep.axis import range_of
-from ..sweep.design import vary_entries
-from ..sweep.replanned import needs_plan
+from ..sweep.design.axis import range_of
+from ..sweep.design.design import vary_entries
+from ..sweep.design.replanned import needs_plan
 from .data import Match
 from .experiment import Experiment, Recipe
 from .solver import Free

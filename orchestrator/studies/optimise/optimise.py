@@ -9,12 +9,12 @@ from pathlib import Path
 from ...environment import environment
 from ...errors import InputError, RunError, counted
 from ...files import prepare_folder
-from ..sweep.axis import Axis, Range, checked_axis
+from ..sweep.design.axis import Axis, Range, checked_axis
+from ..sweep.design.sampling import choices
 from ..sweep.merits import require_known, written_out
 from ..sweep.options import Options
 from ..sweep.points import CONTENT, MADE_WITH, Points
 from ..sweep.request import Request, requested
-from ..sweep.sampling import choices
 from ..sweep.sweep import make_workers
 from .constraint import constraint_of, figure_of
 from .search import evolve, polish

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..sweep.axis import Range
+from ..sweep.design.axis import Range
 from .trials import Trials
 
 LARGE = 1e9  # in place of what is infinite: a failed run breaks every constraint by so much

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ...fmu.types import Value
-from ..sweep.axis import Range
-from ..sweep.point import Job
+from ..sweep.design.axis import Range
+from ..sweep.design.sampling import Choices
 from ..sweep.points import Points
-from ..sweep.sampling import Choices
-from ..sweep.workers import Workers, computed
+from ..sweep.workers.point import Job
+from ..sweep.workers.workers import Workers, computed
 from .constraint import Constraint
 
 Values = tuple[Value, ...]

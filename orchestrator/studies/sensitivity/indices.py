@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..sweep.blocks import LEVELS, block_size, problem
+from ..sweep.design.blocks import LEVELS, block_size, problem
 
 CONFIDENCE = 0.95
 RESAMPLES = 200  # of whole blocks

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...errors import InputError, counted
-from ..sweep.blocks import LEVELS, block_shares, block_size, require_salib
-from ..sweep.design import Design
+from ..sweep.design.blocks import LEVELS, block_shares, block_size, require_salib
+from ..sweep.design.design import Design
+from ..sweep.design.sampling import Choices, choices
 from ..sweep.merits import require_known, written_out
 from ..sweep.options import Options
 from ..sweep.request import Request
-from ..sweep.sampling import Choices, choices
 from ..sweep.sweep import Swept, sweep
 from .indices import Indices, estimated, without_effect
 from .written import write_indices
@@ -49,7 +49,7 @@ def sensitivity(
 ) -> Sensitivity:
     """Indices of `figures` (all of the system, if none) over the ranges of `options.vary` and of a sweep file.
 
-    `samples` blocks of points are computed (see `sweep.blocks`), as many as METHODS says where it is 0; those of Sobol
+    `samples` blocks of points are computed (see `sweep/design`), as many as METHODS says where it is 0; those of Sobol
     are raised to a power of 2. All parameters are independent, uniform in their range (its logarithm with `:log`, the
     entries of a list). What is computed already in `out` is not computed again. Raises InputError before anything is
     computed; RunError after an interruption.

@@ -16,7 +16,7 @@ from typing import Any, BinaryIO
 from ...environment import changes
 from ...errors import InputError, RunError, counted
 from ...system.model import System
-from .design import Design
+from .design.design import Design
 
 FILE = "points.jsonl"
 CONTENT = "content of system file and FMUs"

@@ -9,12 +9,12 @@ from ...environment import versions
 from ...errors import InputError
 from ...results.figures_of_merit import figure_units
 from ...system.model import System
-from .axis import Axis
-from .design import check_count, vary_entries
+from .design.axis import Axis
+from .design.design import check_count, vary_entries
+from .design.replanned import is_structural
 from .file import SweepFile, sweep_file
 from .options import Options
-from .point import Job, digest, job_system, load, planned
-from .replanned import is_structural
+from .workers.point import Job, digest, job_system, load, planned
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,13 @@ from ...environment import environment
 from ...errors import InputError, RunError, counted
 from ...extras import needed
 from ...files import prepare_folder
-from .design import Design, make_design
+from .design.design import Design, make_design
 from .options import Options
-from .point import Job
 from .points import Points, header
 from .request import Request, requested
 from .table import Table, write_table
-from .workers import LocalWorkers, Workers, computed, cores
+from .workers.point import Job
+from .workers.workers import LocalWorkers, Workers, computed, cores
 
 if TYPE_CHECKING:
     import xarray
@@ -123,7 +123,7 @@ def make_workers(options: Options, job: Job, points: int) -> Workers:
     if options.scheduler and options.workers:
         raise InputError("--workers is for this machine; a Dask scheduler has the workers that were started for it")
     if options.scheduler:
-        from .dask_workers import DaskWorkers
+        from .workers.dask import DaskWorkers
 
         return DaskWorkers(options.scheduler, job)
     return LocalWorkers(min(options.workers or cores(), points))

@@ -15,7 +15,7 @@ import numpy as np
 from ...files import write_file
 from ...results.files.hdf5 import OWN_NAME
 from ...results.files.netcdf import stored_names
-from .design import Design
+from .design.design import Design
 
 if TYPE_CHECKING:
     import xarray

@@ -9,7 +9,7 @@ import pytest
 from helpers import rovbrush, system_text
 from rovbrush.orchestrator.results.opened import open_result
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint
-from rovbrush.orchestrator.studies.sweep.point import Job, digest, job_system
+from rovbrush.orchestrator.studies.sweep.workers.point import Job, digest, job_system
 from rovbrush.orchestrator.system.request import changes_of
 
 SCENARIO = '[[events]]\nname = "up"\nat = "20 ms"\nset = { "i.u" = 2.0 }\n'

@@ -13,7 +13,7 @@ from rovbrush.orchestrator.run.again import Again, why_anew
 from rovbrush.orchestrator.run.quick_start import why_not_quick
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.sweeps import SYSTEM
-from rovbrush.orchestrator.studies.sweep.kept import Kept
+from rovbrush.orchestrator.studies.sweep.workers.kept import Kept
 from rovbrush.orchestrator.system.assemble import assemble
 
 POINTS: tuple[dict[str, object], ...] = (

@@ -13,7 +13,7 @@ from rovbrush.orchestrator.results.files.manifest import manifest
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.sweep.point import digest
+from rovbrush.orchestrator.studies.sweep.workers.point import digest
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from rovbrush.orchestrator.units import Unit, integral_gain

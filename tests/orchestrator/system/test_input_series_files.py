@@ -20,7 +20,7 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.files.csv import write_csv
 from rovbrush.orchestrator.results.files.manifest import manifest
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.sweep.point import digest
+from rovbrush.orchestrator.studies.sweep.workers.point import digest
 from rovbrush.orchestrator.system.inputs.series_file import with_files, with_inputs
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 from series_cases import ROWS, VALUES, one, planned

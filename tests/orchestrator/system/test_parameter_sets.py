@@ -11,7 +11,7 @@ from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.studies.sweep.point import Job, job_system
+from rovbrush.orchestrator.studies.sweep.workers.point import Job, job_system
 from rovbrush.orchestrator.system.assemble import assemble, assemble_request
 from rovbrush.orchestrator.system.file.parameter_sets import shipped_sets
 from rovbrush.orchestrator.system.request import Changes, Request, changes_of

@@ -15,7 +15,7 @@ from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sensitivity.indices import estimated
 from rovbrush.orchestrator.studies.sensitivity.picture import draw
 from rovbrush.orchestrator.studies.sensitivity.sensitivity import Sensitivity, sensitivity
-from rovbrush.orchestrator.studies.sweep.blocks import block_shares
+from rovbrush.orchestrator.studies.sweep.design.blocks import block_shares
 from rovbrush.orchestrator.studies.sweep.options import Options
 
 RANGES = [f"f.x{k}={-math.pi!r}:{math.pi!r}" for k in (1, 2, 3)]

@@ -14,11 +14,11 @@ from rovbrush.orchestrator.results.figures_of_merit import figure_units
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.design.design import make_design
 from rovbrush.orchestrator.studies.sweep.file import shipped_sweeps, sweep_file
 from rovbrush.orchestrator.studies.sweep.options import Options
-from rovbrush.orchestrator.studies.sweep.point import Job, load, needed
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
+from rovbrush.orchestrator.studies.sweep.workers.point import Job, load, needed
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System

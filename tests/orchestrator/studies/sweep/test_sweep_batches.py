@@ -8,8 +8,8 @@ from concurrent.futures.process import BrokenProcessPool
 from typing import Any, Self
 
 import pytest
-from rovbrush.orchestrator.studies.sweep.point import Job, Record
-from rovbrush.orchestrator.studies.sweep.workers import BATCH, DIED, MOST, Batches, computed
+from rovbrush.orchestrator.studies.sweep.workers.point import Job, Record
+from rovbrush.orchestrator.studies.sweep.workers.workers import BATCH, DIED, MOST, Batches, computed
 
 
 class Pretended:

@@ -27,7 +27,7 @@ def test_a_stranger_at_the_address_of_the_scheduler_is_an_error_within_seconds(
     case: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("rovbrush.orchestrator.studies.sweep.dask_workers.ANSWER", 1.0)
+    monkeypatch.setattr("rovbrush.orchestrator.studies.sweep.workers.dask.ANSWER", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         options = Options(["w.c0=1,2"], scheduler=f"tcp://127.0.0.1:{silent.getsockname()[1]}", fmus=fmus)
         with pytest.raises(InputError, match="does not answer as a Dask scheduler within 1 s"):

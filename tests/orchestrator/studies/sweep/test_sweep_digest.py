@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from helpers import read_system
-from rovbrush.orchestrator.studies.sweep.point import digest
+from rovbrush.orchestrator.studies.sweep.workers.point import digest
 from rovbrush.orchestrator.system.model import Connection, System
 from rovbrush.orchestrator.system.schema.solving import Loops, Solver
 

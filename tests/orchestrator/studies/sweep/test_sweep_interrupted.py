@@ -18,9 +18,9 @@ import xarray
 from rovbrush.orchestrator.environment import versions
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.studies.sweep.options import Options
-from rovbrush.orchestrator.studies.sweep.point import Job, load
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
-from rovbrush.orchestrator.studies.sweep.workers import LocalWorkers
+from rovbrush.orchestrator.studies.sweep.workers.point import Job, load
+from rovbrush.orchestrator.studies.sweep.workers.workers import LocalWorkers
 from sweep_cases import begun, lines, plain_case, running
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.sweep.design import make_design
+from rovbrush.orchestrator.studies.sweep.design.design import make_design
 from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.file.reader import load_system

@@ -12,8 +12,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.sweep.axis import Axis
-from rovbrush.orchestrator.studies.sweep.design import Design
+from rovbrush.orchestrator.studies.sweep.design.axis import Axis
+from rovbrush.orchestrator.studies.sweep.design.design import Design
 from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.studies.sweep.table import Table, write_table

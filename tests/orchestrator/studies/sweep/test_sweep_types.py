@@ -10,7 +10,7 @@ import pytest
 import xarray
 from native_build import NUMBERS3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.sweep.design import Design, make_design, vary_entries
+from rovbrush.orchestrator.studies.sweep.design.design import Design, make_design, vary_entries
 from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
 from rovbrush.orchestrator.system.file.reader import load_system

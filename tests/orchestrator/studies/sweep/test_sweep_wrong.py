@@ -106,7 +106,9 @@ def test_a_folder_that_cannot_be_written_ends_with_2(
 def test_a_design_too_large_for_memory_is_refused_before_it_is_made(
     vary: list[str], keys: dict[str, int], case: Path, fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rovbrush.orchestrator.studies.sweep.design.drawn", lambda *_: pytest.fail("points were drawn"))
+    monkeypatch.setattr(
+        "rovbrush.orchestrator.studies.sweep.design.design.drawn", lambda *_: pytest.fail("points were drawn")
+    )
     with pytest.raises(InputError, match="a sweep may have 1000000 points at most"):
         sweep(str(case), tmp_path / "out", Options(vary, fmus=fmus, **keys))  # type: ignore[arg-type]
     assert not (tmp_path / "out").exists()
@@ -119,7 +121,7 @@ def test_a_system_without_figures_of_merit_is_refused_before_the_plan_with_the_l
     path.write_text(system_text(PARTS, ["w.y -> x.u"], stop="10 ms"))
     options = Options(["w.c0=1:2:2"], workers=1, fmus=fmus)
     with monkeypatch.context() as patch:
-        patch.setattr("rovbrush.orchestrator.studies.sweep.point.make_plan", lambda *_: pytest.fail("planned"))
+        patch.setattr("rovbrush.orchestrator.studies.sweep.workers.point.make_plan", lambda *_: pytest.fail("planned"))
         with pytest.raises(InputError, match=r"no \[summary\], so that there is nothing to gather") as error:
             sweep(str(path), tmp_path / "out", options)
     lines = str(error.value).splitlines()[-2:]

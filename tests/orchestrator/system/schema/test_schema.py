@@ -13,7 +13,7 @@ import pytest
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.algorithms.registry import algorithm_names, settings_tables
-from rovbrush.orchestrator.studies.sweep.design import SAMPLERS
+from rovbrush.orchestrator.studies.sweep.design.design import SAMPLERS
 from rovbrush.orchestrator.studies.sweep.file import SWEEPS
 from rovbrush.orchestrator.system.file.shipped import SYSTEMS, shipped_systems
 from rovbrush.orchestrator.system.schema.pages import FILES, Algorithms, json_schema, reference

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from concurrent.futures import Executor, Future
 from typing import Any, Self
 
-from ...errors import InputError, RunError
+from ....errors import InputError, RunError
 from .point import Job, Record, load, run_batch
 from .workers import AHEAD
 

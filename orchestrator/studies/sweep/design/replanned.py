@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ...errors import InputError
-from ...fmu.attributes import parse_value
-from ...fmu.types import Value
-from ...system.file.events.numbers import is_of_event, number_of, with_event_numbers
-from ...system.file.structure import is_structural as decides_sizes
-from ...system.model import System
+from ....errors import InputError
+from ....fmu.attributes import parse_value
+from ....fmu.types import Value
+from ....system.file.events.numbers import is_of_event, number_of, with_event_numbers
+from ....system.file.structure import is_structural as decides_sizes
+from ....system.model import System
 
 
 def needs_plan(system: System, name: str) -> bool:

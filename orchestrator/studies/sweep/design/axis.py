@@ -13,14 +13,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...errors import InputError, nearest
-from ...fmu.attributes import items_of
-from ...fmu.fmu import Fmu
-from ...fmu.types import Value
-from ...system.file.events.numbers import is_of_event, number_of
-from ...system.model import System
-from ...system.quantities import in_own_unit
-from ...system.values import checked_values
+from ....errors import InputError, nearest
+from ....fmu.attributes import items_of
+from ....fmu.fmu import Fmu
+from ....fmu.types import Value
+from ....system.file.events.numbers import is_of_event, number_of
+from ....system.model import System
+from ....system.quantities import in_own_unit
+from ....system.values import checked_values
 from .replanned import event_value, event_values, needs_plan, structural_values
 
 DIGITS = 12  # of grid values: 0.6 and not 0.6000000000000001, so that it can be selected

@@ -12,7 +12,7 @@ import warnings
 
 import numpy as np
 
-from ...errors import InputError
+from ....errors import InputError
 
 BLOCKS = ("saltelli", "saltelli2", "morris")
 LEVELS = 4  # of each range on which the paths of Morris walk, both ends among them

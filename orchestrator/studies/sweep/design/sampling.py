@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...errors import InputError
-from ...system.model import System
+from ....errors import InputError
+from ....system.model import System
 from .axis import Range, checked_axis, listed, range_of, spaced
 from .blocks import BLOCKS, block_shares
 

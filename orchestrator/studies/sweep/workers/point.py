@@ -17,24 +17,24 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from ...environment import changes, versions
-from ...errors import InputError, RunError
-from ...plan.algorithms.registry import algorithm_of
-from ...plan.plan import Plan, make_plan
-from ...processes import peak_memory
-from ...results.figures_of_merit import figure_units
-from ...results.requested import check_numeric, check_summary
-from ...results.summary import figures
-from ...results.tables import require_complete
-from ...run.simulation import simulate
-from ...system.assemble import assemble
-from ...system.file.merits import merit, written
-from ...system.file.recorded import reported_names
-from ...system.model import System
-from ...system.replace.view import crossings_of
-from ...system.request import UNCHANGED, Changes
+from ....environment import changes, versions
+from ....errors import InputError, RunError
+from ....plan.algorithms.registry import algorithm_of
+from ....plan.plan import Plan, make_plan
+from ....processes import peak_memory
+from ....results.figures_of_merit import figure_units
+from ....results.requested import check_numeric, check_summary
+from ....results.summary import figures
+from ....results.tables import require_complete
+from ....run.simulation import simulate
+from ....system.assemble import assemble
+from ....system.file.merits import merit, written
+from ....system.file.recorded import reported_names
+from ....system.model import System
+from ....system.replace.view import crossings_of
+from ....system.request import UNCHANGED, Changes
+from ..design.replanned import needs_plan
 from .kept import Kept
-from .replanned import needs_plan
 
 # `figures` by name or `error`; `cpu_s` and `wall_s`, means of its batch; `memory_MB` of the worker
 Record = dict[str, Any]

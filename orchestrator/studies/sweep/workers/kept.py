@@ -5,11 +5,11 @@ from __future__ import annotations
 import atexit
 from collections.abc import Hashable
 
-from ...errors import RovbrushError
-from ...plan.plan import Plan
-from ...results.summary import figures
-from ...run.again import Again, why_anew
-from ...system.model import Values
+from ....errors import RovbrushError
+from ....plan.plan import Plan
+from ....results.summary import figures
+from ....run.again import Again, why_anew
+from ....system.model import Values
 
 
 class Kept:

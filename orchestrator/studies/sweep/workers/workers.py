@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Protocol, Self
 
-from ...errors import RunError
+from ....errors import RunError
 from .point import Job, Record, begin_worker, run_batch
 
 BATCH = 0.2  # s of a worker

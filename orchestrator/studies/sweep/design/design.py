@@ -14,10 +14,10 @@ from typing import Any, overload
 
 import numpy as np
 
-from ...errors import InputError, nearest
-from ...fmu.types import Value
-from ...system.file.events.numbers import is_of_event
-from ...system.model import System
+from ....errors import InputError, nearest
+from ....fmu.types import Value
+from ....system.file.events.numbers import is_of_event
+from ....system.model import System
 from .axis import LARGEST, Axis, checked_axis, listed, range_of, spaced
 from .blocks import block_size
 from .sampling import RANDOM, SAMPLERS, drawn

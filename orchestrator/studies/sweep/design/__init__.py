@@ -1,0 +1,1 @@
+"""Which points are computed: axes and their values, grids, draws and blocks of them."""

@@ -1,0 +1,1 @@
+"""Who computes the points: processes on this machine or a Dask cluster, one point after the other in each."""
