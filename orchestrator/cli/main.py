@@ -12,31 +12,29 @@ import typer
 
 from ..errors import RovbrushError
 from ..extras import how_to_install
-from .commands import (
-    bench,
-    cache,
-    check,
-    doctor,
-    exchange,
-    fit,
-    fmu,
-    linear,
-    live,
-    look,
-    new,
-    optimise,
-    paper,
-    run,
-    schema,
-    sensitivity,
-    serve,
-    shipped,
-    study,
-)
 from .guard import guarded
 from .options import app
 
-# Importing the commands registers them.
+# Importing the commands registers them, in the order of the help.
+# isort: off
+from .commands.studies import bench
+from .commands.installed import cache
+from .commands.fmus import check
+from .commands.installed import doctor
+from .commands.fmus import exchange
+from .commands.studies import fit
+from .commands.fmus import fmu
+from .commands.studies import linear
+from .commands import live, look, new
+from .commands.studies import optimise
+from .commands import paper, run
+from .commands.installed import schema
+from .commands.studies import sensitivity
+from .commands.fmus import serve
+from .commands.installed import shipped
+from .commands.studies import study
+# isort: on
+
 __all__ = [
     "bench",
     "cache",

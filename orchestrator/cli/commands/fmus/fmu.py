@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
-from ..console import print_table, tell
-from ..options import app
+from ...console import print_table, tell
+from ...options import app
 
 SHOWN = 30  # variables of a causality, where not all are asked for
 
@@ -21,8 +21,8 @@ def info(
     all_: Annotated[bool, typer.Option("--all", help="Every variable, however many there are.")] = False,
 ) -> None:
     """Show what is in an FMU: variables with types, units, ranges and starts, capabilities, platforms, experiment."""
-    from ...errors import counted
-    from ...fmu.contents import contents_of, in_order, readable
+    from ....errors import counted
+    from ....fmu.contents import contents_of, in_order, readable
 
     read, why = readable(fmu)
     found = contents_of(read)
@@ -115,10 +115,10 @@ def map_(
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write it there, for --map.")] = None,
 ) -> None:
     """Print a mapping file to begin with: the nearest names, to be checked by whoever knows the FMU."""
-    from ...exchange.component_tests.skeleton import skeleton
-    from ...exchange.component_tests.suites import suite_of
-    from ...files import prepare_folder, write_file
-    from ...fmu.fmu import Fmu
+    from ....exchange.component_tests.skeleton import skeleton
+    from ....exchange.component_tests.suites import suite_of
+    from ....files import prepare_folder, write_file
+    from ....fmu.fmu import Fmu
 
     text = skeleton(Fmu.open(fmu), suite_of(component))
     if out is None:

@@ -8,9 +8,9 @@ from typing import Annotated, Any
 
 import typer
 
-from ..console import print_table, tell
-from ..options import FmusOption, app
-from ..progress import share
+from ...console import print_table, tell
+from ...options import FmusOption, app
+from ...progress import share
 
 Rows = Sequence[Mapping[str, Any]]
 
@@ -38,8 +38,8 @@ def bench(
     fmus: FmusOption = None,
 ) -> None:
     """Measure the cost of the master beside other masters and the bare FMU calls, in one run."""
-    from ...studies.bench.bench import Asked
-    from ...studies.bench.bench import bench as measure
+    from ....studies.bench.bench import Asked
+    from ....studies.bench.bench import bench as measure
 
     other = (None, against) if against and against.is_dir() else (against, None)
     with share("bench") as progress:
@@ -132,7 +132,7 @@ def print_start(rows: Rows) -> None:
 
 def print_components(rows: Rows) -> None:
     """Every component in its lives."""
-    from ...studies.bench.components import KINDS
+    from ....studies.bench.components import KINDS
 
     cells = []
     for name in dict.fromkeys(row["component"] for row in rows):

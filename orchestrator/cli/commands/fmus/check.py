@@ -10,14 +10,14 @@ import typer
 from rich.table import Table
 from rich.text import Text
 
-from ..console import console, print_table, tell
-from ..guard import sheltered
-from ..options import OutsideOption, app
+from ...console import console, print_table, tell
+from ...guard import sheltered
+from ...options import OutsideOption, app
 
 if TYPE_CHECKING:
-    from ...exchange.checks.rows import Report
-    from ...exchange.component_tests.compare import Comparison
-    from ...exchange.component_tests.verdicts import Verdict
+    from ....exchange.checks.rows import Report
+    from ....exchange.component_tests.compare import Comparison
+    from ....exchange.component_tests.verdicts import Verdict
 
 STYLES = {
     "pass": "green", "finding": "yellow", "error": "bold red", "not applicable": "dim", "skipped": "dim",
@@ -38,8 +38,8 @@ def check(
 
     Of a system's file of SSP or OSP itself, and then the FMUs in it.
     """
-    from ...exchange.checks.chain import write_reports
-    from ...exchange.checks.systems import check_file
+    from ....exchange.checks.chain import write_reports
+    from ....exchange.checks.systems import check_file
 
     reports = []
     for path in fmus:
@@ -94,7 +94,7 @@ def judge_and_print(path: Path, component: str, map_path: Path | None, tolerance
 
     In a process of its own.
     """
-    from ...exchange.component_tests.verdicts import make_bench, require_applicable, require_outputs
+    from ....exchange.component_tests.verdicts import make_bench, require_applicable, require_outputs
 
     bench = make_bench(path, component, map_path, tolerance)
     print_interface(bench.comparison)

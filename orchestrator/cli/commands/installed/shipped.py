@@ -7,10 +7,10 @@ from typing import Annotated
 
 import typer
 
-from ...errors import InputError
-from .. import completion
-from ..console import tell, wrote
-from ..options import app
+from ....errors import InputError
+from ... import completion
+from ...console import tell, wrote
+from ...options import app
 
 
 @app.command()
@@ -27,11 +27,11 @@ def systems(
     to: Annotated[Path | None, typer.Option("--to", metavar="DIR", help="Copy it there; by default here.")] = None,
 ) -> None:
     """List the shipped systems, parameter sets and sweeps; or copy one of them, to change it."""
-    from ...studies.sweep.file import shipped_sweeps
-    from ...system.file.copied import copy_shipped
-    from ...system.file.parameter_sets import shipped_sets
-    from ...system.file.reader import system_description
-    from ...system.file.shipped import SWEEPS, SYSTEMS, shipped_systems
+    from ....studies.sweep.file import shipped_sweeps
+    from ....system.file.copied import copy_shipped
+    from ....system.file.parameter_sets import shipped_sets
+    from ....system.file.reader import system_description
+    from ....system.file.shipped import SWEEPS, SYSTEMS, shipped_systems
 
     if to is not None and not copy:
         raise InputError("--to DIR says where a copy goes; say of what with --copy NAME")
@@ -56,7 +56,7 @@ def docs(
     path: Annotated[bool, typer.Option("--path", help="Only print where it is.")] = False,
 ) -> None:
     """Open the documentation: the site of this installation, or else its address."""
-    from ..documentation import documentation, open_page
+    from ...documentation import documentation, open_page
 
     place = documentation()
     tell(place)

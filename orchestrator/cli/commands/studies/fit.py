@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...errors import InputError
-from ..console import print_table, tell, wrote
-from ..options import (
+from ....errors import InputError
+from ...console import print_table, tell, wrote
+from ...options import (
     EventOption,
     FmusOption,
     MapOption,
@@ -24,10 +24,10 @@ from ..options import (
     StopOption,
     app,
 )
-from ..progress import counting
+from ...progress import counting
 
 if TYPE_CHECKING:
-    from ...studies.fit.fit import Fitted
+    from ....studies.fit.fit import Fitted
 
 
 @app.command()
@@ -65,11 +65,11 @@ def fit(
     fmus: FmusOption = None,
 ) -> None:
     """Fit parameters of a system to measured data: estimates with 95 % intervals, correlations, pictures."""
-    from ...studies.fit.experiment import Recipe
-    from ...studies.fit.file import fit_file, is_fit_file
-    from ...studies.fit.fit import Options
-    from ...studies.fit.fit import fit as run_fit
-    from ...system.request import assignments, changes_of
+    from ....studies.fit.experiment import Recipe
+    from ....studies.fit.file import fit_file, is_fit_file
+    from ....studies.fit.fit import Options
+    from ....studies.fit.fit import fit as run_fit
+    from ....system.request import assignments, changes_of
 
     changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
     options = Options(vary, match, assignments(set_), _sigma(sigma), loss, fmus, changes)

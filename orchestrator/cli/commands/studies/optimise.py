@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..console import print_table, tell, wrote
-from ..options import (
+from ...console import print_table, tell, wrote
+from ...options import (
     EventOption,
     FmusOption,
     MapOption,
@@ -23,10 +23,10 @@ from ..options import (
     StopOption,
     app,
 )
-from ..progress import counting
+from ...progress import counting
 
 if TYPE_CHECKING:
-    from ...studies.optimise.optimise import Optimum
+    from ....studies.optimise.optimise import Optimum
 
 
 @app.command()
@@ -73,10 +73,10 @@ def optimise(
     fmus: FmusOption = None,
 ) -> None:
     """The best parameters within ranges: a figure of merit least or greatest, others within bounds."""
-    from ...studies.optimise.optimise import optimise as study
-    from ...studies.optimise.optimise import require_feasible
-    from ...studies.sweep.options import Options
-    from ...system.request import assignments, changes_of
+    from ....studies.optimise.optimise import optimise as study
+    from ....studies.optimise.optimise import require_feasible
+    from ....studies.sweep.options import Options
+    from ....system.request import assignments, changes_of
 
     options = Options(
         vary, assignments(set_), stop, 0, seed, None, workers, scheduler, fmus,

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..console import print_table, tell, wrote
-from ..options import (
+from ...console import print_table, tell, wrote
+from ...options import (
     EventOption,
     FmusOption,
     MapOption,
@@ -23,11 +23,11 @@ from ..options import (
     StopOption,
     app,
 )
-from ..progress import counting
+from ...progress import counting
 
 if TYPE_CHECKING:
-    from ...studies.sensitivity.indices import Estimate, Indices
-    from ...studies.sensitivity.sensitivity import Sensitivity
+    from ....studies.sensitivity.indices import Estimate, Indices
+    from ....studies.sensitivity.sensitivity import Sensitivity
 
 SHOWN = 8  # parameters of a figure that are printed
 PAIRS_SHOWN = 3
@@ -88,9 +88,9 @@ def sensitivity(
     fmus: FmusOption = None,
 ) -> None:
     """Which parameter matters: Sobol's or Morris's indices of each figure of merit, with 95 % intervals."""
-    from ...studies.sensitivity.sensitivity import sensitivity as study
-    from ...studies.sweep.options import Options
-    from ...system.request import assignments, changes_of
+    from ....studies.sensitivity.sensitivity import sensitivity as study
+    from ....studies.sweep.options import Options
+    from ....system.request import assignments, changes_of
 
     options = Options(
         vary, assignments(set_), stop, 0, seed, None, workers, scheduler, fmus,

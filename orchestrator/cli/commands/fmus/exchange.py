@@ -7,10 +7,10 @@ from typing import Annotated
 
 import typer
 
-from ...errors import InputError, counted
-from ..console import print_table, tell
-from ..guard import sheltered
-from ..options import (
+from ....errors import InputError, counted
+from ...console import print_table, tell
+from ...guard import sheltered
+from ...options import (
     FmusOption,
     OutsideOption,
     ParametersOption,
@@ -21,7 +21,7 @@ from ..options import (
     SystemName,
     app,
 )
-from ..progress import share
+from ...progress import share
 
 
 @app.command()
@@ -43,7 +43,7 @@ def replay_and_print(
     fmu: Path, folder: Path, name: str, map_: Path | None, rtol: float | None, atol: float
 ) -> None:  # in a process of its own
     """What was compared, as a table. Raises RunError if an output is outside its bound."""
-    from ...exchange.recordings.replay import replay as drive
+    from ....exchange.recordings.replay import replay as drive
 
     with share(f"replaying {name or folder}") as progress:
         found = drive(fmu, folder, name, map_, rtol, atol, progress)
@@ -86,10 +86,10 @@ def export(
     fmus: FmusOption = None,
 ) -> None:
     """Write a whole system for other tools: as one file, or as C."""
-    from ...exchange.export import export_container, export_ssp
-    from ...run.planned import planned
-    from ...system.assemble import assemble
-    from ...system.request import assignments, changes_of
+    from ....exchange.export import export_container, export_ssp
+    from ....run.planned import planned
+    from ....system.assemble import assemble
+    from ....system.request import assignments, changes_of
 
     if [ssp, fmu, c is not None, container].count(True) != 1:
         raise InputError("export: choose one of --ssp, --fmu, --c DIR and --container")
@@ -98,7 +98,7 @@ def export(
     changes = changes_of((), (), (), allow_outside, parameters)
     assembled = assemble(system, assignments(set_), stop, fmus, changes, step=step, start=start)
     if fmu or c is not None:
-        from ...emit.export import export_c, export_fmu
+        from ....emit.export import export_c, export_fmu
 
         made = export_c(assembled, c) if c is not None else export_fmu(assembled, out, fmi)
         tell(f"wrote {made.path} ({made.kind})")

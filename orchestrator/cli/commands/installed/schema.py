@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..options import app
+from ...options import app
 
 
 @app.command()
@@ -21,9 +21,9 @@ def schema(
     ] = False,
 ) -> None:
     """Print the JSON schema of a kind of file, for editors, or the reference of all keys."""
-    from ...files import prepare_folder, write_file
-    from ...plan.algorithms.registry import algorithm_names, settings_tables
-    from ...system.schema import pages
+    from ....files import prepare_folder, write_file
+    from ....plan.algorithms.registry import algorithm_names, settings_tables
+    from ....system.schema import pages
 
     algorithms = pages.Algorithms(algorithm_names(), settings_tables())
     text = pages.reference(algorithms) if reference else pages.schema_text(kind, algorithms)

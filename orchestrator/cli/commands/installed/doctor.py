@@ -14,7 +14,7 @@ from typing import Annotated
 
 import typer
 
-from ..options import app
+from ...options import app
 
 NEEDED = ("rovbrush", "numpy", "fmpy", "pythonfmu", "h5py", "pint", "msgspec", "lxml",
           "matplotlib", "typer", "rich")  # fmt: skip
@@ -91,8 +91,8 @@ def _tools() -> Iterator[Line]:
 
 
 def _windows() -> Iterator[Line]:
-    from ...fmu.files.windows import FOLDERS, how_to_install, runs_windows, wine
-    from ...participant.windows.build import available
+    from ....fmu.files.windows import FOLDERS, how_to_install, runs_windows, wine
+    from ....participant.windows.build import available
 
     for target in FOLDERS if runs_windows() else ():
         there = wine(target) and target in available()
@@ -104,10 +104,10 @@ def _windows() -> Iterator[Line]:
 
 
 def _folders() -> Iterator[Line]:
-    from ...cache import cache_folder, entries, limit
-    from ...fmu.files.places import fmu_folder, shipped_folder
-    from ...loop.machine.compiled import is_compiled, own_hash
-    from ...loop.machine.shipped import library, nothing_compiles
+    from ....cache import cache_folder, entries, limit
+    from ....fmu.files.places import fmu_folder, shipped_folder
+    from ....loop.machine.compiled import is_compiled, own_hash
+    from ....loop.machine.shipped import library, nothing_compiles
 
     folder, wrong = cache_folder(), ""
     size = sum(entry.size for entry in entries())

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .. import completion
-from ..console import print_table, tell, wrote
-from ..options import (
+from ... import completion
+from ...console import print_table, tell, wrote
+from ...options import (
     EventOption,
     FmusOption,
     MapOption,
@@ -26,10 +26,10 @@ from ..options import (
     SystemName,
     app,
 )
-from ..progress import counting, share
+from ...progress import counting, share
 
 if TYPE_CHECKING:
-    from ...studies.sweep.table import Table
+    from ....studies.sweep.table import Table
 
 SIGNALS_SHOWN = 30
 POINTS_SHOWN = 12  # of a sweep along one axis that are printed as a table
@@ -51,8 +51,8 @@ def converge(
     fmus: FmusOption = None,
 ) -> None:
     """Rerun a system with every period halved and quartered: observed order and error bar per signal."""
-    from ...studies.convergence import converge as study
-    from ...system.request import changes_of
+    from ....studies.convergence import converge as study
+    from ....system.request import changes_of
 
     with share(f"{Path(system).stem}, with every period times 1, 1/2, 1/4") as progress:
         changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
@@ -147,10 +147,10 @@ def sweep(
     fmus: FmusOption = None,
 ) -> None:
     """Run a system over ranges of parameters; an interrupted sweep goes on where it was."""
-    from ...studies.sweep.options import Options
-    from ...studies.sweep.picture import write_pictures
-    from ...studies.sweep.sweep import sweep as run_sweep
-    from ...system.request import assignments, changes_of
+    from ....studies.sweep.options import Options
+    from ....studies.sweep.picture import write_pictures
+    from ....studies.sweep.sweep import sweep as run_sweep
+    from ....system.request import assignments, changes_of
 
     changes = changes_of(replace, map_, period, allow_outside, parameters, scenario, event)
     options = Options(

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..console import tell, wrote
-from ..linear_tables import print_margins, print_model
-from ..options import (
+from ...console import tell, wrote
+from ...linear_tables import print_margins, print_model
+from ...options import (
     FmusOption,
     MapOption,
     OutOption,
@@ -25,11 +25,11 @@ from ..options import (
     SystemName,
     app,
 )
-from ..progress import share
+from ...progress import share
 
 if TYPE_CHECKING:
-    from ...studies.linear.options import Options
-    from ...system.model import System
+    from ....studies.linear.options import Options
+    from ....system.model import System
 
 AtOption = Annotated[
     list[str], typer.Option("--at", metavar="TIME", help='Time of an operating point, "8 s"; repeatable.')
@@ -85,9 +85,9 @@ def linearise(
     fmus: FmusOption = None,
 ) -> None:
     """A, B, C, D of a system at times of a run: by states where FMUs show them, else by pulse responses."""
-    from ...files import prepare_folder
-    from ...studies.linear.linearise import linearise as study
-    from ...studies.linear.statespace import write
+    from ....files import prepare_folder
+    from ....studies.linear.linearise import linearise as study
+    from ....studies.linear.statespace import write
 
     options = _options(at, sample, length, size, order, period_of, starts, residual, method, sampled)
     found = _system(system, set_, start, stop, step, replace, map_, period, parameters, allow_outside, fmus)
@@ -132,10 +132,10 @@ def margins(
     fmus: FmusOption = None,
 ) -> None:
     """Gain, phase and delay margins of a loop that is broken at a connection, with Bode's and Nyquist's pictures."""
-    from ...files import prepare_folder, write_file, write_json
-    from ...studies.linear.margins import margins as study
-    from ...studies.linear.margins import verified
-    from ...studies.linear.pictures import bode, nyquist
+    from ....files import prepare_folder, write_file, write_json
+    from ....studies.linear.margins import margins as study
+    from ....studies.linear.margins import verified
+    from ....studies.linear.pictures import bode, nyquist
 
     options = _options(at, sample, length, size, order, period_of, starts, residual, "pulses", False)
     found = _system(system, set_, start, stop, step, replace, map_, period, parameters, allow_outside, fmus)
@@ -172,8 +172,8 @@ def _options(
     at: Sequence[str], sample: str, length: str, size: Sequence[str], order: int | None, period_of: str, starts: int,
     residual: float, method: str, sampled: bool,
 ) -> Options:  # fmt: skip
-    from ...studies.linear.options import Options
-    from ...system.request import assignments
+    from ....studies.linear.options import Options
+    from ....system.request import assignments
 
     sizes = assignments(size, "--size")
     return Options(at, sample, length, sizes, order, period_of, starts, residual, method, sampled)
@@ -183,8 +183,8 @@ def _system(
     name: str, set_: list[str], start: str, stop: str, step: str, replace: list[str], map_: list[str],
     period: list[str], parameters: str, allow_outside: list[Path], fmus: Path | None,
 ) -> System:  # fmt: skip
-    from ...system.assemble import assemble
-    from ...system.request import assignments, changes_of
+    from ....system.assemble import assemble
+    from ....system.request import assignments, changes_of
 
     changes = changes_of(replace, map_, period, allow_outside, parameters)
     found = assemble(name, assignments(set_), stop, fmus, changes, step=step, start=start)

@@ -8,8 +8,8 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from ..console import tell
-from ..options import app
+from ...console import tell
+from ...options import app
 
 PORT = 7400
 
@@ -30,11 +30,11 @@ def serve(
     most: Annotated[int, typer.Option("--most", min=1, help="Instances at once.")] = 16,
 ) -> None:
     """Run FMUs for systems elsewhere, whose components say isolation = "tcp://HOST:PORT"; until Ctrl-C."""
-    from ...errors import InputError
-    from ...fmu.fmu import Fmu
-    from ...participant.elsewhere.connection import TOKEN, token_of
-    from ...participant.elsewhere.server import Server
-    from ...sockets import is_loopback
+    from ....errors import InputError
+    from ....fmu.fmu import Fmu
+    from ....participant.elsewhere.connection import TOKEN, token_of
+    from ....participant.elsewhere.server import Server
+    from ....sockets import is_loopback
 
     if token and token_file:
         raise InputError("--token and --token-file: one of them is enough")

@@ -1,0 +1,1 @@
+"""Commands for FMUs by themselves: looked into, judged, driven, given to others."""

@@ -1,0 +1,1 @@
+"""Commands that run a system many times, and tell what came of it."""
