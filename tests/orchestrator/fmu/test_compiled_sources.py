@@ -185,8 +185,9 @@ def test_a_compiler_that_does_not_come_back_is_given_up(tmp_path: Path, monkeypa
     slow.chmod(0o755)
     monkeypatch.setenv("CC", str(slow))
     monkeypatch.setattr(compiled, "PATIENCE", 0.0)
+    theirs = sources2(tmp_path, {"all.c": SOURCE2 + b"/* what other tests compile is kept */\n"})
     with pytest.raises(FmuError, match="cannot be compiled within 0 s"):
-        Fmu.open(sources2(tmp_path), compiled=True)
+        Fmu.open(theirs, compiled=True)
 
 
 def test_without_a_compiler_the_package_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
