@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Set
 from typing import Any
 
 from .expressions import Expressions, result_type
@@ -19,10 +20,13 @@ class Function(Expressions):
         functions: dict[str, ast.FunctionDef],
         namespace: dict[str, Any],
         externals: set[str],
+        alone: Set[tuple[str, str]],
         prefix: str = "k",
     ) -> None:
+        """`alone`: functions and arrays of theirs that lie apart from all others that these are given."""
         super().__init__(functions, namespace, externals)
         self.prefix = prefix
+        self.alone = {array for name, array in alone if name == node.name}
         self.node, self.result = node, returned(node)
         self.local = {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         self.kinds = variables(node, self.kind_of, self.kinds_of_call)
@@ -42,7 +46,8 @@ class Function(Expressions):
                 continue
             sizes = tuple(f"%n{k}.{name}" for k in range(kind))
             self.arrays[name] = Array(f"%a.{name}", sizes)
-            taken += [f"ptr %a.{name}", *(f"i64 {size}" for size in sizes)]
+            pointer = f"ptr{' noalias' * (name in self.alone)} %a.{name}"
+            taken += [pointer, *(f"i64 {size}" for size in sizes)]
         for name, kind in self.kinds.items():
             self.do(f"%v.{name} = alloca {kind}")
             first = f"%a.{name}" if name in scalars else "zeroinitializer"

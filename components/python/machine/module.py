@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from .apart import apart
 from .expressions import Expressions
 from .functions import Function
 from .kinds import Array, UnknownError
@@ -59,10 +60,11 @@ def machine_text(
     exec(compile(text, "<kernel>", "exec"), namespace)  # definitions and constants
     externals: set[str] = set()
     needed = _needed(functions, [name for name in entries if not usual or name != usual.function])
-    made = [Function(functions[name], functions, namespace, externals).text() for name in functions if name in needed]
+    common = functions, namespace, externals, apart(functions, entries.items())
+    made = [Function(node, *common).text() for name, node in functions.items() if name in needed]
     if usual:
         copied = _needed(functions, [usual.function])
-        made += [Function(functions[n], functions, namespace, externals, "u").text() for n in functions if n in copied]
+        made += [Function(node, *common, "u").text() for name, node in functions.items() if name in copied]
     for name, given in entries.items():
         entry = _Entry(functions, namespace, externals, arrays)
         if usual and name == usual.function:
