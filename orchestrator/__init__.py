@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .results.pictures.comparison import compare
     from .results.result import Result
     from .run.pacing.pace import Pace
-    from .run.stepping import Stepping
+    from .run.stepping.stepping import Stepping
 
 __all__ = [
     "FmuError", "InputError", "Model", "Pace", "Result", "RovbrushError", "RunError", "Stepping", "compare", "load",
@@ -27,7 +27,7 @@ _PLACES = {
     "Model": "api",
     "Pace": "run.pacing.pace",
     "Result": "results.result",
-    "Stepping": "run.stepping",
+    "Stepping": "run.stepping.stepping",
 }
 
 

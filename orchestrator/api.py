@@ -30,7 +30,7 @@ from .results.result import Result
 from .run.pacing.pace import Pace
 from .run.planned import planned
 from .run.recording.observers import Every
-from .run.stepping import Stepping, Time
+from .run.stepping.stepping import Stepping, Time
 from .system.assemble import assemble, over
 from .system.file.events.added import Given, set_by_hand, with_added
 from .system.inputs.series_file import with_files, with_inputs

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from helpers import Part, plan_of
+from rovbrush.orchestrator.plan.plan import Plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 
@@ -43,6 +44,11 @@ SCHEDULED = {
     "partitions and plant": Case({"a": ("partitions", "10 ms", {}), "p": ("plant", "1 ms")},
                                  ["p.x -> a.u", "a.y -> p.u"], "500 ms", "ap"),
 }  # fmt: skip
+
+
+def plan_for(case: Case, folder: Path, fmus: Path, **of: Any) -> Plan:
+    """The plan of a case; keywords are keys of the components that are moved."""
+    return plan_of(folder, fmus, case.parts, case.wires, stop=case.stop, of=dict.fromkeys(case.moved, of))
 
 
 def run_case(case: Case, folder: Path, fmus: Path, **of: Any) -> Run:

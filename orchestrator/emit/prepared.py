@@ -126,7 +126,7 @@ def solutions(plan: Plan) -> dict[Key, float]:
     looped = [c for block in plan.start if block.loop for c in block.torn if plan.system.is_real(c)]
     if not looped:
         return {}
-    from ..run.session import Session
+    from ..run.session.session import Session
 
     with Session(plan) as session:
         return {c.target: float(session.memory.z[plan.layout.inputs[c.target]]) for c in looped}

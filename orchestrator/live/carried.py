@@ -16,7 +16,7 @@ from ..results.tables import Run
 from ..run.carry_out import Finished, carry_out, claim
 from ..run.ends.interrupt import ENDING, StopRequests
 from ..run.pacing.pace import Pace
-from ..run.session import Session
+from ..run.session.session import Session
 from ..system.request import Request
 from .driver import IDLE, Driver
 from .record import Record

@@ -16,7 +16,7 @@ from typing import Literal
 import msgspec
 
 from ..errors import InputError, RovbrushError, shown
-from ..run.session import Session
+from ..run.session.session import Session
 from .messages import Do, Done, Said, State, asked, packed
 from .offered import first_signals, hello_of
 from .posts import Posts

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ..fmu.types import Value
-from ..run.session import Session
+from ..run.session.session import Session
 from ..system.event import Key
 from ..system.model import System
 from .messages import Hello, Input

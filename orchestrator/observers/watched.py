@@ -12,7 +12,7 @@ from ..clock import duration
 from ..errors import InputError
 from ..plan.plan import Plan
 from ..run.recording.observers import NEVER, Piece
-from ..run.session import Session
+from ..run.session.session import Session
 from .asked import sinks_of
 from .fed import Fed
 from .layout import Selection

@@ -27,7 +27,7 @@ from .ends.interrupt import ENDING, StopRequests
 from .pacing.pace import Pace
 from .pacing.scheduling import scheduled
 from .recording.observers import Every, Progress
-from .session import Session
+from .session.session import Session
 
 
 @dataclass

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from ..plan.plan import Plan
 from ..results.tables import Run, require_complete
-from .session import Session
+from .session.session import Session
 
 __all__ = ["Run", "require_complete", "simulate"]
 

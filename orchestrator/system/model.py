@@ -210,7 +210,7 @@ class System:
     events: tuple[Event, ...] = ()  # what happens at a time or when a signal crosses a value
     requirements: tuple[Requirement, ...] = ()
     record: tuple[str, ...] = ("*",)
-    observed: tuple[str, ...] = ()  # further variables that the loop reads, recorded or not: see `run.stepping`
+    observed: tuple[str, ...] = ()  # further variables that the loop reads, recorded or not: see `run/stepping/`
     reporting: Mapping[str, Any] = field(default_factory=dict)  # summary, balance, compare, figures, messages
     settings: Mapping[str, Any] = field(default_factory=dict)  # tables of settings of algorithms, as they stand
     start: Fraction = Fraction(0)  # s; the run goes from here to the stop, both are times of the same clock

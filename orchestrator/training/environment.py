@@ -16,8 +16,8 @@ from ..clock import duration
 from ..errors import InputError, RovbrushError, RunError
 from ..plan.plan import Plan
 from ..results.result import Result
-from ..run.snapshot import Snapshot, unkept
-from ..run.stepping import Stepping
+from ..run.stepping.snapshot import Snapshot, unkept
+from ..run.stepping.stepping import Stepping
 from .expression import Expression
 from .ranges import Drawn, applies_later
 from .signals import Named, Signal, actions_of, observations_of

@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..plan.plan import Plan
 from ..plan.schedule.layout import Key
 from ..run.memory.ports import cell_of
-from ..run.stepping import Stepping
+from ..run.stepping.stepping import Stepping
 from .signals import Signal
 
 

@@ -8,7 +8,7 @@ import pytest
 from helpers import Part, plan_of
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import Plan
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 
 LIVES = ("python", "fmi2", "fmi3")
 CHANGED = {"K_velocity": [60.0, 80.0, 180.0], "K_attitude": [2.0, 2.0, 1.0], "v_max": 0.2, "mode": 1, "K_windup": 1.0}

@@ -19,7 +19,7 @@ from native_build import feedthrough2
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.system.assemble import assemble
 
 from . import seeded

@@ -26,7 +26,7 @@ NAME = "ends"
 CLAIM = "however a run ends, its complete rows are in result.nc, closed and marked"
 UNIT = "ways x modes"
 LIMIT = 120.0  # s
-SAMPLE = 0  # tests/orchestrator/run/test_every_end.py tries all of them
+SAMPLE = 0  # tests/orchestrator/run/ends/test_every_end.py tries all of them
 
 MODES = ("in memory", "streamed", "isolated")
 STOP = 0.3  # s, of what is not to be ended from outside

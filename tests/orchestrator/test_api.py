@@ -15,7 +15,7 @@ from rovbrush.orchestrator import FmuError, InputError, Model, RovbrushError, Ru
 from rovbrush.orchestrator.loop.machine.compiled import compiled_loop
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.run.stepping import PUBLIC
+from rovbrush.orchestrator.run.stepping.stepping import PUBLIC
 
 LOOP: dict[str, Part] = {
     "g": ("gain", "1 ms", {"k": -1.0, "offset": 0.0}),

@@ -13,7 +13,7 @@ from rovbrush.orchestrator.live.messages import Do
 from rovbrush.orchestrator.live.record import Record
 from rovbrush.orchestrator.live.touch import Touch, touchable
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.events.read import events_of

@@ -118,8 +118,8 @@ def plan(
     from ...plan.diagram.file import require_svg, write_diagram
     from ...plan.explain import explain
     from ...plan.plan import make_plan
-    from ...run.initialize import begin_text, loop_residuals
     from ...run.pacing.asked import pace_of
+    from ...run.start.initialize import begin_text, loop_residuals
     from ...system.assemble import assemble_request
     from ...system.request import Request
 
@@ -139,7 +139,7 @@ def plan(
     for loop, residual in loop_residuals(planned).items():
         tell(f"\nat {begin_text(planned.clock)}, {loop}: residual {residual:.3g}, relative to the inputs")
     if planned.system.workers == "auto" and planned.together.groups:
-        from ...run.workers import measured
+        from ...run.blocks.workers import measured
 
         tell(f"\n{measured(planned) or 'workers: no step was measured'}")
     if svg is not None:

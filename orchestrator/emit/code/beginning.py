@@ -18,7 +18,7 @@ CELLS = ("    double *const z = s->now.z;", "    int64_t *const w = s->now.whole
 
 
 class Beginning:
-    """Functions that lead to consistent values, as `run/initialize.py` does."""
+    """Functions that lead to consistent values, as `run/start/initialize.py` does."""
 
     def __init__(self, names: Names, shown: list[Exposed], solutions: Mapping[Key, float]) -> None:
         """`solutions`: the inputs of loops as `run` finds them, from which they are sought."""

@@ -33,8 +33,8 @@ from ...loop.cells import NOW
 from ...participant.base import Participant
 from ...plan.plan import Plan
 from ..position import Position
-from ..session import Session
-from ..state import cells_of, put_back, told_of
+from ..session.session import Session
+from ..session.state import cells_of, put_back, told_of
 from .files import ARRAYS, EVENTS, NAME, ROWS, CheckpointDamagedError, found_in, read_head, seal
 from .fingerprint import fingerprint, require_unchanged
 

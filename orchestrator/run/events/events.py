@@ -15,7 +15,7 @@ from ...loop import cells
 from ...participant.base import Participant
 from ...plan.plan import Plan
 from ...system.event import Event
-from ..blocks import Blocks
+from ..blocks.blocks import Blocks
 from ..memory.algorithm_state import AlgorithmState
 from ..memory.memory import Memory
 from ..position import Position

@@ -1,7 +1,7 @@
 """What is done by hand between two steps: events that wait for it, and inputs that events set.
 
 It is kept until the run goes on or is looked at. All that was done between two steps happens then, at the instant
-between them and as if a scenario had stated it: see `run/by_hand.py`.
+between them and as if a scenario had stated it: see `run/session/by_hand.py`.
 """
 
 from __future__ import annotations

@@ -13,9 +13,9 @@ from typing import Any
 
 from ...plan.plan import Plan, make_plan
 from ...plan.straight import worth_of
-from ...run.session import Session
-from ...run.stepping import Stepping
-from ...run.straight_on import ALWAYS, NEVER
+from ...run.blocks.straight_on import ALWAYS, NEVER
+from ...run.session.session import Session
+from ...run.stepping.stepping import Stepping
 from ...system.file.reader import load_system
 from .native_fmu import ring
 from .peers.floor import Floor
@@ -130,7 +130,7 @@ def by_hand(session: Stepping, steps: int) -> Callable[[], float]:
 
 def _snapshot(session: Session) -> Callable[[], None]:
     """What brings a session back to where it is now."""
-    from ...run.snapshot import go_back, take_snapshot
+    from ...run.stepping.snapshot import go_back, take_snapshot
 
     taken = take_snapshot(session)
     return lambda: go_back(session, taken)

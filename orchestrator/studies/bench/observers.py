@@ -13,7 +13,7 @@ from typing import Any
 from ...observers.asked import KINDS
 from ...observers.watched import NOBODY, Watching, watched
 from ...plan.plan import Plan, make_plan
-from ...run.session import Session
+from ...run.session.session import Session
 from ...system.assemble import assemble
 from .native_fmu import ring
 

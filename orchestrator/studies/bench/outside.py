@@ -14,7 +14,7 @@ from uuid import uuid4
 
 from ...errors import RunError
 from ...plan.plan import make_plan
-from ...run.session import Session
+from ...run.session.session import Session
 from ...system.assemble import assemble
 
 RUNS, QUICK = 9, 3

@@ -10,7 +10,7 @@ from typing import Any
 
 from ...plan.plan import Plan, make_plan
 from ...run.pacing.pace import FASTEST, Pace
-from ...run.session import Session
+from ...run.session.session import Session
 from ...system.assemble import assemble
 from .native_fmu import ring
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from ...errors import RunError
 from ...plan.plan import make_plan
-from ...run.session import Session
+from ...run.session.session import Session
 from ...system.file.reader import load_system
 from ...system.model import System
 from ..sweep.workers.workers import cores

@@ -17,7 +17,7 @@ from ...fmu.kinds import CO_SIMULATION
 from ...fmu.reading.states import state_names
 from ...participant.here.loaded import LoadedInstance
 from ...plan.plan import make_plan
-from ...run.stepping import Stepping
+from ...run.stepping.stepping import Stepping
 from ...system.event import Key
 from ...system.model import System
 from .channels import Channel

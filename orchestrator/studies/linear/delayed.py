@@ -16,7 +16,7 @@ from math import ceil, log, pi
 import numpy as np
 
 from ...errors import RunError
-from ...run.snapshot import Snapshot
+from ...run.stepping.snapshot import Snapshot
 from .open_loop import Loop
 from .probe import Probe
 

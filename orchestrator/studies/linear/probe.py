@@ -12,9 +12,9 @@ from ...errors import InputError, RunError, listed
 from ...loop.cells import ABSENT, CHANGED, GAIN, MODE, OFFSET_OR_VALUE, SIGMA
 from ...plan.instants import direct_answers
 from ...plan.plan import make_plan
-from ...run.settle import settle
-from ...run.snapshot import Snapshot
-from ...run.stepping import Stepping
+from ...run.start.settle import settle
+from ...run.stepping.snapshot import Snapshot
+from ...run.stepping.stepping import Stepping
 from ...system.model import System
 from .channels import Channel, with_disturbances
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...run.snapshot import Snapshot
+from ...run.stepping.snapshot import Snapshot
 from .channels import Channel
 from .probe import Probe
 

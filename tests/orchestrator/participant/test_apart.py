@@ -19,7 +19,7 @@ from rovbrush.orchestrator.participant.isolated.parent import IsolatedInstance
 from rovbrush.orchestrator.participant.opening import load
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="isolation needs Linux or macOS")

@@ -23,7 +23,7 @@ from rovbrush.orchestrator.participant.model_exchange.group import Group
 from rovbrush.orchestrator.participant.model_exchange.links import Link, LinkBlock
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [needs_gcc, pytest.mark.skipif(not is_there(), reason="no CVODE on this platform")]

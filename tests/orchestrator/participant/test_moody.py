@@ -20,9 +20,9 @@ from rovbrush.orchestrator.participant.isolated.parent import STARTING, Isolated
 from rovbrush.orchestrator.participant.surroundings import Surroundings, exact
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 from rovbrush.orchestrator.system.file.reader import load_system
 
 pytestmark = [

@@ -17,7 +17,7 @@ from helpers import column, plan_of
 from native_build import FAULTS2, FREE2, WIRES2
 from rovbrush.orchestrator.errors import FmuError, RunError
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 from serving import PARTS as PARTS
 from serving import SERVERS, serving, started
 from serving import native as native  # a fixture, as the next one is

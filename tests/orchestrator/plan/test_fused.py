@@ -20,8 +20,8 @@ from rovbrush.orchestrator.plan.fused import fuse
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
-from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.session.session import Session
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 from rovbrush.orchestrator.studies.bench.mixed import mixed_ring
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.file.reader import load_system

@@ -11,7 +11,7 @@ from native_build import needs_gcc
 from rovbrush.orchestrator.cli import main as cli
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.summary import summarize
-from rovbrush.orchestrator.run.initialize import loop_residuals
+from rovbrush.orchestrator.run.start.initialize import loop_residuals
 from rovbrush.orchestrator.studies.bench.native_fmu import feedthrough
 
 GAINS = {name: ("gain", "1 ms", {"k": k, "offset": 1.0}) for name, k in (("a", -2.5), ("b", 0.5))}
@@ -47,7 +47,7 @@ def test_plan_of_a_loop_without_solution_is_printed_and_then_fails(
 
 def test_without_a_loop_no_fmu_is_loaded(fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     plan = plan_of(tmp_path, fmus, {"w": ("wave", "1 ms"), "i": ("integrator", "1 ms")}, ["w.y -> i.u"])
-    monkeypatch.setattr("rovbrush.orchestrator.run.initialize.start", lambda _: pytest.fail("loaded"))
+    monkeypatch.setattr("rovbrush.orchestrator.run.start.initialize.start", lambda _: pytest.fail("loaded"))
     assert loop_residuals(plan) == {}
 
 

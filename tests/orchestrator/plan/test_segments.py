@@ -15,9 +15,9 @@ from rovbrush.orchestrator.loop.straight.text import COVERED
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.plan.straight import worth_of
+from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
-from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.straight_on import ALWAYS
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from test_fused import CAR, KINDS

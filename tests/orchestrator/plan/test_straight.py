@@ -20,8 +20,8 @@ from rovbrush.orchestrator.plan import straight
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.plan.straight import worth_of
-from rovbrush.orchestrator.run.session import Session
-from rovbrush.orchestrator.run.straight_on import ALWAYS, NEVER
+from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS, NEVER
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.studies.bench.mixed import mixed_ring
 from rovbrush.orchestrator.studies.bench.native_fmu import ring
 from rovbrush.orchestrator.system.file.reader import load_system
@@ -184,7 +184,7 @@ def test_a_short_run_and_one_without_llvm_make_none(
     with Session(plan) as session:
         session.advance()
         assert not has_code(session)
-    monkeypatch.setattr("rovbrush.orchestrator.run.straight_on.find_spec", lambda name: None)
+    monkeypatch.setattr("rovbrush.orchestrator.run.blocks.straight_on.find_spec", lambda name: None)
     with Session(plan, straight=ALWAYS) as session:
         session.advance()
         assert not has_code(session) and not session.failure

@@ -11,7 +11,7 @@ from helpers import Part, plan_of
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.run.recording import recorder
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 
 PARTS: dict[str, Part] = {"w": ("wave", "1 ms", {"c0": 1.0}), "i": ("integrator", "2 ms")}

@@ -14,7 +14,7 @@ from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.connections import connections_of
 from rovbrush.orchestrator.system.file.link import Link

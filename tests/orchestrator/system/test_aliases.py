@@ -12,7 +12,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.contents import contents_of
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.results.result import Result
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 
 pytestmark = needs_gcc
 

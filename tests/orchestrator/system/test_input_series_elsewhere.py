@@ -10,7 +10,7 @@ from helpers import last, read_system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import apply_changes
 from rovbrush.orchestrator.system.request import Changes

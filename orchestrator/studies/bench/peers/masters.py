@@ -20,7 +20,7 @@ from ....errors import RunError
 from ....plan.plan import Plan, make_plan
 from ....results.tables import require_complete
 from ....run.simulation import simulate
-from ....run.stepping import Stepping
+from ....run.stepping.stepping import Stepping
 from ....system.model import System
 from ..systems import Case
 from .floor import floor_loop

@@ -8,7 +8,7 @@ from collections.abc import Hashable
 from ....errors import RovbrushError
 from ....plan.plan import Plan
 from ....results.summary import figures
-from ....run.again import Again, why_anew
+from ....run.again.again import Again, why_anew
 from ....system.model import Values
 
 

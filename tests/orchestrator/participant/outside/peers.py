@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.system.assemble import assemble
 
 SYSTEM = """

@@ -19,7 +19,7 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.system.model import Component, Connection, System
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 

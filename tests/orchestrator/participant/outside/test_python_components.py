@@ -13,7 +13,7 @@ from rovbrush.orchestrator.participant.outside.python.plain_data import as_bytes
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
-from rovbrush.orchestrator.run.session import Session
+from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.request import Changes
 

@@ -79,7 +79,7 @@ def test_no_torn_value_is_ever_taken(tmp_path: Path) -> None:
         'period = "1 ms"\n[components.peer.declare.outputs]\n' + "\n".join(f"v{k} = 0.0" for k in range(200))
     )
     from rovbrush.orchestrator.plan.plan import make_plan
-    from rovbrush.orchestrator.run.session import Session
+    from rovbrush.orchestrator.run.session.session import Session
     from rovbrush.orchestrator.system.assemble import assemble
 
     with Session(make_plan(assemble(str(tmp_path / "s.toml"))), interpreted=True) as run:

@@ -17,7 +17,7 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.recording.observers import NEVER, Piece
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 from rovbrush.orchestrator.system.file.events.added import with_scenarios
 
 ALGORITHMS = ("gauss-seidel", "jacobi", "iterated")

@@ -11,7 +11,7 @@ from clock_build import clocked
 from helpers import plan_of
 from native_build import needs_gcc
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.run.stepping import Stepping
+from rovbrush.orchestrator.run.stepping.stepping import Stepping
 
 pytestmark = needs_gcc
 PARTS = {"p": ("plant", "10 ms"), "lag": ("lag", "10 ms"), "w": ("witness", "7 ms")}

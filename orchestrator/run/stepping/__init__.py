@@ -1,0 +1,1 @@
+"""A session that is stepped by hand, and goes back to where it was."""
