@@ -14,6 +14,7 @@ from .attributes import items_of
 from .files.unpacked import unpack
 from .fmu import Fmu
 from .kinds import FIELDS, usual_kind
+from .reading.aliases import other_names
 from .reading.description import described
 from .reading.states import state_names
 from .reading.terminals import as_data
@@ -44,6 +45,7 @@ def readable(path: Path) -> tuple[Fmu, str]:
 def contents_of(fmu: Fmu) -> dict[str, Any]:
     """Ready for JSON; what the description leaves open is None, or not there."""
     d = fmu.description
+    others = other_names(d.modelVariables, fmu.negated)
     experiment = {
         name: float(stated)
         for key, name in TIMES.items()
@@ -61,7 +63,7 @@ def contents_of(fmu: Fmu) -> dict[str, Any]:
         },
         "experiment": experiment, "equations": _equations(fmu),
         "terminals": as_data(fmu.terminals),
-        "variables": [_variable(fmu, v) for v in d.modelVariables],
+        "variables": [_variable(fmu, v, others.get(v.name, "")) for v in d.modelVariables],
     }  # fmt: skip
 
 
@@ -72,7 +74,7 @@ def _equations(fmu: Fmu) -> dict[str, int]:
     return {"states": len(state_names(fmu)), "event indicators": int(fmu.description.numberOfEventIndicators)}
 
 
-def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:
+def _variable(fmu: Fmu, v: ModelVariable, alias_of: str) -> dict[str, Any]:
     found = {
         "name": v.name, "type": v.type, "causality": v.causality or "local", "variability": v.variability,
         "initial": v.initial, "unit": v.unit, "min": _number(v, "min"), "max": _number(v, "max"),
@@ -82,8 +84,8 @@ def _variable(fmu: Fmu, v: ModelVariable) -> dict[str, Any]:
         found["start"] = texts
     if v.displayUnit and v.displayUnit != v.unit:
         found["displayUnit"] = v.displayUnit
-    if v.alias is not None:
-        found["alias"] = v.alias.name
+    if alias_of:
+        found["alias"] = alias_of
     if v.shape:
         found["shape"] = list(v.shape)
         found["dimensions"] = [None if d.variable is None else d.variable.name for d in v.dimensions]

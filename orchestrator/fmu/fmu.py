@@ -22,6 +22,7 @@ from .files.places import origin, require_of_this_version
 from .files.unpacked import archive_of, unpack
 from .files.windows import platform_of
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
+from .reading.aliases import other_names
 from .reading.clocks import ClockVariable, read_clocks
 from .reading.description import read_description
 from .reading.details import Details
@@ -183,8 +184,8 @@ class Fmu(Capabilities):
 
     @cached_property
     def aliases(self) -> dict[str, str]:
-        """The scalars that are other names (FMI 3 Alias), and of which scalar each is one."""
-        others = [(v.name, v.alias.name) for v in self.description.modelVariables if v.alias is not None]
+        """The scalars that are other names, and of which scalar each is one."""
+        others = other_names(self.description.modelVariables, self.negated).items()
         pairs = (zip(self._elements[name], self._elements[of], strict=True) for name, of in others)
         return dict(pair for found in pairs for pair in found)
 
@@ -261,7 +262,8 @@ class Fmu(Capabilities):
         inputs = frozenset(self.names("input"))
         stated = self.description.initialUnknowns if initial else self.description.outputs
         given = {
-            u.variable.name: frozenset(name for d in u.dependencies for name in self._elements[d.name]) & inputs
+            u.variable.name: frozenset(self.main_name(x) for d in u.dependencies for x in self._elements[d.name])
+            & inputs
             for u in stated
             if u.dependencies is not None
         }

@@ -21,7 +21,7 @@ from ..fmi1.translate import as_fmi2, negated_names
 from ..kinds import interface_of, kinds_of, require_kind, usual_kind
 from ..tolerant.head import mend_head, mend_version, version_of
 from ..tolerant.literals import mend_number
-from ..tolerant.rules import BUILD, SCHEMA, START_MISSING, UNIT, Note, Notes
+from ..tolerant.rules import BUILD, SCHEMA, SET_TWICE, START_MISSING, UNIT, UNITS_DIFFER, Note, Notes
 from ..tolerant.structure import mend_structure
 from ..tolerant.variables import mend_variables
 from ..tolerant.xml import safe_xml
@@ -94,7 +94,7 @@ def described(path: Path, folder: Path) -> Described:
         )
     mend_structure(root, version, places, notes)
     if stated_version == 1:
-        notes.leave_out(START_MISSING, UNIT)  # FMI 1.0 does not ask for them
+        notes.leave_out(START_MISSING, UNIT, SET_TWICE, UNITS_DIFFER)  # FMI 1.0 does not ask for them
     else:
         _compare(root, version, notes)
     leave_to_fmpy(root)

@@ -48,6 +48,14 @@ SCHEMA = Rule("not as the XML schema wants it", "not used", "correct modelDescri
 UNUSABLE = Rule("variables without name, type, value reference or size", "left out", "complete them, or leave them out")
 NAME_TWICE = Rule("variables of the same name", "the first is taken", "give each variable a name of its own")
 REFERENCE_TWICE = Rule("variables of the same value reference", "both are kept", "write one, the other as its Alias")
+SET_TWICE = Rule(
+    "inputs or parameters of the same value reference", "they are one variable", "let one of them alone be set"
+)
+UNITS_DIFFER = Rule(
+    "variables of the same value reference in different units",
+    "the number is the same in each",
+    "state one unit, and others as its displayUnit",
+)
 INDEPENDENT = Rule("not one independent variable but", "no matter", "declare time, and nothing else, as independent")
 TYPE = Rule("declared types that nothing defines", "the variable is taken without", "define them in TypeDefinitions")
 WORD = Rule("unknown words for causality, variability or initial", "the default is taken", "use those of the standard")

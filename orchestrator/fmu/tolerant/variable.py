@@ -49,6 +49,12 @@ class Known:
             unit.get("name"): [display.get("name") for display in unit.findall("DisplayUnit")]
             for unit in root.findall("UnitDefinitions/Unit")
         }
+        bases = {unit.get("name"): unit.find("BaseUnit") for unit in root.findall("UnitDefinitions/Unit")}
+        self.bases = {name: dict(base.attrib) for name, base in bases.items() if base is not None}
+
+    def same_unit(self, one: str, other: str) -> bool:
+        """Whether two names are defined as one unit."""
+        return one in self.bases and self.bases[one] == self.bases.get(other)
 
 
 def value_of(element: Any, version: int) -> Any:

@@ -7,6 +7,7 @@ from typing import Any
 
 from .literals import place, whole
 from .rules import INDEPENDENT, MISSING, NAME_TWICE, NOWHERE, REFERENCE_TWICE, STARTS, UNUSABLE, Notes
+from .shared import note_shared
 from .variable import Known, mend_variable, value_of
 
 LARGEST_REFERENCE = 2**32 - 1
@@ -42,6 +43,7 @@ def mend_variables(root: Any, version: int, notes: Notes) -> dict[int, int]:
         mend_variable(element, known)
     if version == 2:
         _positions(kept, places, notes)
+        note_shared(kept, known)
     else:
         _references(variables, kept, names, notes)
     return places

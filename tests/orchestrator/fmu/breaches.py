@@ -24,6 +24,10 @@ NEXT = "</ScalarVariable>\n</ModelVariables>"
 LAST = '<ScalarVariable name="more" valueReference="2" causality="local"><Real {}/></ScalarVariable>\n</ModelVariables>'
 UNITS = "<UnitDefinitions>{}</UnitDefinitions>\n<TypeDefinitions>"
 TYPES = "<TypeDefinitions>"
+RAD_DEG = (
+    '<Unit name="rad"><BaseUnit rad="1"/></Unit>'
+    '<Unit name="deg"><BaseUnit rad="1" factor="0.017453292519943295"/></Unit>'
+)
 
 
 def more(inner: str) -> dict[str, str]:
@@ -62,6 +66,10 @@ DESCRIPTIONS: list[tuple[rules.Rule, Mapping[str, str], str]] = [
                       'index="2" dependencies="1"': 'index="3" dependencies="2"'}, "c (line 6)"),
     (rules.UNUSABLE, {Y: Y + '<ScalarVariable name="z" valueReference="-1"><Real/></ScalarVariable>'}, "z (line 7)"),
     (rules.NAME_TWICE, {"</ModelVariables>": LAST.format("").replace("more", "y")}, "y (line 19)"),
+    (rules.SET_TWICE, {"</ModelVariables>": LAST.format('start="3"').replace("local", "input").replace('"2"', '"0"')},
+     "more (line 19)"),
+    (rules.UNITS_DIFFER, {U: U.replace("start", 'unit="rad" start'), TYPES: UNITS.format(RAD_DEG),
+                          "</ModelVariables>": LAST.format('unit="deg"').replace('"2"', '"0"')}, "deg of more (line"),
     (rules.TYPE, {U: U.replace("start", 'declaredType="Nowhere" start')}, "'Nowhere' of u"),
     (rules.WORD, {U: U.replace("continuous", "steady")}, "variability='steady' of u"),
     (rules.WORD, {"</ModelVariables>": LAST.format("").replace("local", "none")}, "causality='none' of more"),
