@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from exchange_build import MODELS
-from rovbrush.orchestrator.studies.bench.native_fmu import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus.native import native_fmu
 
 CELLS = 20
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from native_build import NATIVE
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 N, M = '<Dimension valueReference="0"/>', '<Dimension valueReference="1"/>'
 
@@ -44,7 +44,7 @@ def chain(target: Path, rates: str = "1", **defines: object) -> Path:
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
     sources = [NATIVE / "chain3.c", NATIVE / "unused3.c"]
-    return native_fmu.native_fmu(target, sources, xml, 3, defines)
+    return native.native_fmu(target, sources, xml, 3, defines)
 
 
 def bytes_fmu(target: Path, mime: str = "application/x-own") -> Path:
@@ -73,4 +73,4 @@ def bytes_fmu(target: Path, mime: str = "application/x-own") -> Path:
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
     sources = [NATIVE / "bytes3.c", NATIVE / "unused3.c"]
-    return native_fmu.native_fmu(target, sources, xml, 3)
+    return native.native_fmu(target, sources, xml, 3)

@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 from native_build import NATIVE
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 MODES = '<SimpleType name="Mode"><Enumeration><Item name="off" value="1"/><Item name="on" value="7"/></Enumeration></SimpleType>'  # noqa: E501
 
@@ -27,7 +27,7 @@ def cells(target: Path, variables: Iterable[str], experiment: str = "", types: s
     known = list(variables)
     outputs = [k + 1 for k, text in enumerate(known) if 'causality="output"' in text]
     identifier = re.sub(r"\W", "_", target.stem)
-    xml = native_fmu.description2(identifier, known, outputs)
+    xml = native.description2(identifier, known, outputs)
     for flag in ("canGetAndSetFMUstate", "canSerializeFMUstate"):
         xml = xml.replace(f'{flag}="true"', f'{flag}="false"')
     units = sorted({unit for text in known for unit in re.findall(r' unit="([^"]+)"', text)})
@@ -35,4 +35,4 @@ def cells(target: Path, variables: Iterable[str], experiment: str = "", types: s
     types = f"<TypeDefinitions>{types}</TypeDefinitions>\n" if types else ""
     experiment = f"<DefaultExperiment {experiment}/>\n" if experiment else ""
     xml = xml.replace("<ModelVariables>", f"{defined if units else ''}{types}{experiment}<ModelVariables>")
-    return native_fmu.native_fmu(target.with_stem(identifier), [NATIVE / "cells.c"], xml, 2).replace(target)
+    return native.native_fmu(target.with_stem(identifier), [NATIVE / "cells.c"], xml, 2).replace(target)

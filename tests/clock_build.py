@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from native_build import NATIVE
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 EVENTS = NATIVE / "events"
 CLOCK, WHOLE = 200, 100  # the first references of clocks and of Int64 variables
@@ -104,7 +104,7 @@ def clocked(
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
     defines = {"COUNTER": counter, "RESOLUTION": resolution or 1, "CALCULATED": int(calculated)}
-    return native_fmu.native_fmu(target, [EVENTS / f"{model}.c", EVENTS / "unused.c"], xml, 3, defines)
+    return native.native_fmu(target, [EVENTS / f"{model}.c", EVENTS / "unused.c"], xml, 3, defines)
 
 
 def built(folder: Path) -> Path:

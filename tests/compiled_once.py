@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from filelock import FileLock
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 
 def kept_folder() -> Path:
@@ -19,13 +19,13 @@ def kept_folder() -> Path:
 
 
 def remember_libraries() -> None:
-    """What the project itself compiles for benchmarks and tests (`bench/native_fmu.py`) is remembered, too."""
-    really = native_fmu.compiled
+    """What the project itself compiles for benchmarks and tests (`bench/fmus/native.py`) is remembered, too."""
+    really = native.compiled
 
     def compiled(command: Sequence[str], sources: Sequence[Path]) -> bytes:
         return compiled_once(command, sources, lambda library: library.write_bytes(really(command, sources)))
 
-    native_fmu.compiled = compiled
+    native.compiled = compiled
 
 
 def compiled_once(command: Sequence[str], sources: Sequence[Path], compile_to: Callable[[Path], object]) -> bytes:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rovbrush.orchestrator.studies.bench import exchange_fmu as build
-from rovbrush.orchestrator.studies.bench.exchange_fmu import Model, Var
+from rovbrush.orchestrator.studies.bench.fmus import exchange as build
+from rovbrush.orchestrator.studies.bench.fmus.exchange import Model, Var
 
 MODELS = Path(__file__).parent / "fixtures" / "exchange"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from exchange_build import MODELS
-from rovbrush.orchestrator.studies.bench.native_fmu import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus.native import native_fmu
 
 PARAMETERS = {"g": (2, 9.81), "e": (3, 0.7), "period": (5, 1e9), "end": (6, 1e9)}
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from native_build import NATIVE
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 ALONE = (
     '<Implementation><CoSimulation_StandAlone><Capabilities canHandleVariableCommunicationStepSize="true" '
@@ -29,7 +29,7 @@ def first_fmu(
     for old, new in (changes or {}).items():
         assert old in xml, f"nothing to replace: {old}"
         xml = xml.replace(old, new)
-    return native_fmu.native_fmu(target, [NATIVE / "first.c"], xml, 1, {"MODEL": target.stem, **defines})
+    return native.native_fmu(target, [NATIVE / "first.c"], xml, 1, {"MODEL": target.stem, **defines})
 
 
 MOTOR = {"Ra": 0.08, "La": 5e-5, "kt": 0.016, "ke": 0.016, "b": 9.6777e-4, "Jrotor": 5e-5, "Jload": 0.6,
@@ -59,4 +59,4 @@ def motor1(target: Path) -> Path:
         f"<ModelVariables>\n{''.join(variables)}</ModelVariables>\n{ALONE.replace('FLAGS', '')}\n"
         f"</fmiModelDescription>\n"
     )
-    return native_fmu.native_fmu(target, [NATIVE / "motor1.c"], xml, 1, {"MODEL": name})
+    return native.native_fmu(target, [NATIVE / "motor1.c"], xml, 1, {"MODEL": name})

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rovbrush.orchestrator.studies.bench import native_fmu
+from rovbrush.orchestrator.studies.bench.fmus import native
 
 # Values of every type for the feedthrough FMUs, and the connections of two of them.
 FREE2 = {"=u": 1.5, "=n_in": -7, "=mode_in": 2, "=on_in": True, "=s_in": 'hüll, "on"'}
@@ -20,7 +20,7 @@ FREE3: dict[str, Any] = {
 WIRES2 = [f"a.{v}_out -> b.{v}_in" for v in ("n", "mode", "on", "s")] + ["a.y -> b.u"]
 WIRES3 = [f"a.{v[1:-3]}_out -> b.{v[1:]}" for v in FREE3]
 NATIVE = Path(__file__).parent / "fixtures" / "native"
-needs_gcc = pytest.mark.skipif(native_fmu.compiler() is None, reason="no C compiler: native FMUs cannot be built")
+needs_gcc = pytest.mark.skipif(native.compiler() is None, reason="no C compiler: native FMUs cannot be built")
 FAULTS2 = {
     name: k
     for k, name in enumerate(
@@ -80,12 +80,12 @@ def feedthrough2(target: Path, flags: str = "", experiment: str = "", **defines:
         f'<SimpleType name="{name}"><Enumeration>{items}</Enumeration></SimpleType>'
         for name, items in (("Mode", '<Item name="off" value="1"/><Item name="on" value="2"/>'),)
     )
-    xml = native_fmu.description2(target.stem, variables, unknowns, flags)
+    xml = native.description2(target.stem, variables, unknowns, flags)
     xml = xml.replace("<ModelVariables>", f"<TypeDefinitions>{types}</TypeDefinitions>\n{experiment}<ModelVariables>")
     xml = re.sub("<Outputs>.*?</Outputs>", f"<Outputs>{outputs}</Outputs>", xml)
     for flag in re.findall(r"(\w+)=", flags):  # a flag given here replaces the one of description2
         xml = re.sub(rf' {flag}="true"(.*){flag}=', rf"\1{flag}=", xml)
-    return native_fmu.native_fmu(target, [NATIVE / "feedthrough2.c"], xml, 2, defines)
+    return native.native_fmu(target, [NATIVE / "feedthrough2.c"], xml, 2, defines)
 
 
 def feedthrough3(target: Path, **defines: object) -> Path:
@@ -140,7 +140,7 @@ def feedthrough3(target: Path, **defines: object) -> Path:
         f"<ModelVariables>{chr(10).join(variables)}</ModelVariables>\n"
         f"<ModelStructure>{structure}</ModelStructure>\n</fmiModelDescription>\n"
     )
-    return native_fmu.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3, defines)
+    return native.native_fmu(target, [NATIVE / "feedthrough3.c", NATIVE / "unused3.c"], xml, 3, defines)
 
 
 def moody(target: Path, flags: str = "", categories: tuple[str, ...] = (), **actions: str) -> Path:
@@ -156,11 +156,11 @@ def moody(target: Path, flags: str = "", categories: tuple[str, ...] = (), **act
             ("k", 2, "parameter", "fixed", 'start="1"'), ("y", 3, "output", "continuous", ""),
         )
     ]  # fmt: skip
-    xml = native_fmu.description2(target.stem, variables, [1, 4], flags)
+    xml = native.description2(target.stem, variables, [1, 4], flags)
     said = "".join(f'<Category name="{name}"/>' for name in categories)
     said = f"<LogCategories>{said}</LogCategories>\n" if said else ""
     xml = xml.replace("<ModelVariables>", f'{said}<DefaultExperiment tolerance="1e-6"/>\n<ModelVariables>')
-    return native_fmu.native_fmu(target, [NATIVE / "moody.c"], xml, 2, actions)
+    return native.native_fmu(target, [NATIVE / "moody.c"], xml, 2, actions)
 
 
 def answers(target: Path, *parts: str) -> Path:
@@ -181,9 +181,9 @@ def answers(target: Path, *parts: str) -> Path:
         )
         if causality == "output":
             outputs.append(f'<Unknown index="{len(variables)}" dependencies="{known}"/>')
-    xml = native_fmu.description2(target.stem, variables, [])
+    xml = native.description2(target.stem, variables, [])
     structure = f"<ModelStructure><Outputs>{''.join(outputs)}</Outputs></ModelStructure>"
-    return native_fmu.native_fmu(
+    return native.native_fmu(
         target, [NATIVE / "answers.c"], xml.replace("<ModelStructure></ModelStructure>", structure), 2
     )
 
@@ -204,10 +204,10 @@ def functions(target: Path) -> Path:
         )
 
     first = FUNCTIONS.index("ishigami")
-    xml = native_fmu.description2(
+    xml = native.description2(
         target.stem, [variable(k, name) for k, name in enumerate(FUNCTIONS)], range(first + 1, len(FUNCTIONS) + 1)
     )
-    return native_fmu.native_fmu(target, [NATIVE / "functions.c"], xml, 2)
+    return native.native_fmu(target, [NATIVE / "functions.c"], xml, 2)
 
 
 def built(folder: Path) -> Path:

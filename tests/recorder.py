@@ -12,7 +12,7 @@ import numpy as np
 from compiled_once import kept_folder
 from fmpy import read_model_description
 from rovbrush.orchestrator.fmu.files.windows import wine
-from rovbrush.orchestrator.studies.bench.native_fmu import HEADERS
+from rovbrush.orchestrator.studies.bench.fmus.native import HEADERS
 
 HOST = Path(__file__).parent / "fixtures" / "host"
 PLACES = {"linux": {"2.0": "linux64", "3.0": "x86_64-linux"}, "windows": {"2.0": "win64", "3.0": "x86_64-windows"}}

@@ -18,8 +18,8 @@ from filelock import FileLock
 from native_build import NATIVE
 from rovbrush.orchestrator.fmu.files.windows import FOLDERS, runs_windows, wine
 from rovbrush.orchestrator.participant.windows.build import COMPILERS
-from rovbrush.orchestrator.studies.bench.native_fmu import HEADERS
-from rovbrush.orchestrator.studies.bench.native_fmu import SOURCES as SHARED
+from rovbrush.orchestrator.studies.bench.fmus.native import HEADERS
+from rovbrush.orchestrator.studies.bench.fmus.native import SOURCES as SHARED
 
 LACKING = [] if runs_windows() else ["Linux on x86-64"]
 LACKING += [

@@ -17,8 +17,8 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from rovbrush.orchestrator.studies.bench.sweeps import SYSTEM
-from rovbrush.orchestrator.studies.bench.systems import native_folder
+from rovbrush.orchestrator.studies.bench.fmus.systems import native_folder
+from rovbrush.orchestrator.studies.bench.runs.sweeps import SYSTEM
 from rovbrush.orchestrator.studies.sweep.options import Options
 from rovbrush.orchestrator.studies.sweep.sweep import sweep
 

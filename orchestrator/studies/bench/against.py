@@ -16,7 +16,7 @@ from typing import Any
 
 from ...errors import InputError, RunError
 from ...fmu.files.places import fmu_folder
-from .native_fmu import ring
+from .fmus.native import ring
 
 ROUNDS, QUICK = 15, 3
 LOOP = (

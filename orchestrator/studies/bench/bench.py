@@ -13,25 +13,25 @@ from ...errors import InputError, counted, nearest
 from ...files import prepare_folder, write_file, write_json
 from ...fmu.files.windows import how_to_install, wine
 from .against import against
-from .components import component_rows
-from .elsewhere import elsewhere_rows
+from .components.components import component_rows
+from .components.elsewhere import elsewhere_rows
+from .components.outside import outside_rows
+from .components.sizes import size_rows
+from .components.windows import PLATFORM, windows_rows
+from .fmus.systems import cases, native_folder
 from .folders import folder_rows
-from .foreign import foreign_rows
-from .growth import growth_rows
-from .gym import gym_rows
-from .loop import loop_rows
-from .observers import observer_rows
-from .outside import outside_rows
-from .pacing import pacing_rows
 from .peers.hosts import HOSTS, missing
 from .peers.masters import measured, process_figures, rerun_figures
-from .sizes import size_rows
-from .solvers import solver_rows
-from .streaming import long_runs
-from .sweeps import sweep_rows
-from .systems import cases, native_folder
-from .windows import PLATFORM, windows_rows
-from .workers import worker_rows
+from .runs.foreign import foreign_rows
+from .runs.growth import growth_rows
+from .runs.gym import gym_rows
+from .runs.loop import loop_rows
+from .runs.observers import observer_rows
+from .runs.pacing import pacing_rows
+from .runs.solvers import solver_rows
+from .runs.streaming import long_runs
+from .runs.sweeps import sweep_rows
+from .runs.workers import worker_rows
 
 Rows = list[dict[str, Any]]
 

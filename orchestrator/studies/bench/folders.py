@@ -18,8 +18,8 @@ from ...fmu.fmu import Fmu
 from ...plan.plan import Plan, make_plan
 from ...system.file.reader import load_system
 from ...system.file.shipped import shipped_systems
+from .fmus.systems import alone
 from .peers.floor import floor_loop
-from .systems import alone
 
 ROUNDS, QUICK = 15, 3
 PLACES = ("", "native/fmi2")

@@ -18,7 +18,7 @@ from rovbrush.orchestrator.exchange.checks.subject import open_subject
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.bench.native_fmu import compiler
+from rovbrush.orchestrator.studies.bench.fmus.native import compiler
 
 pytestmark = needs_gcc
 linux = pytest.mark.skipif(sys.platform != "linux", reason="libraries are ELF files")

@@ -12,7 +12,7 @@ from native_build import needs_gcc
 from rovbrush.orchestrator.loop.machine import kept_object
 from rovbrush.orchestrator.loop.machine.compiled import compiled_loop, own_hash
 from rovbrush.orchestrator.loop.machine.objects import read_whole, write_whole
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 
 pytestmark = pytest.mark.skipif(not kept_object.wanted(own_hash()), reason="no object of the loop is loaded here")
 

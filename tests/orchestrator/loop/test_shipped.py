@@ -18,7 +18,7 @@ from rovbrush.orchestrator.loop.machine.compiled import compiled_run, own_hash
 from rovbrush.orchestrator.loop.machine.frame import ARRAYS, CELLS, FLOATS, NUMBERS, TABLE, Loop
 from rovbrush.orchestrator.loop.machine.shipped import Library, file_name
 from rovbrush.orchestrator.loop.operations import COPY, LINEAR, MEAN, MIX, QUADRATIC, SAMPLE
-from rovbrush.orchestrator.run.session.session import session
+from rovbrush.orchestrator.run.session import session
 from rovbrush.orchestrator.run.simulation import simulate
 from windows_build import needs_wine
 

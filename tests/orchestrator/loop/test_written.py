@@ -9,7 +9,7 @@ from helpers import python
 from native_build import needs_gcc
 from rovbrush.orchestrator.loop.machine import kept_object, written
 from rovbrush.orchestrator.loop.machine.compiled import own_hash
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 
 pytestmark = pytest.mark.skipif(written.shipped.target() != "linux64", reason="the text is for Linux on x86-64")
 

@@ -12,7 +12,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import GET, SET, STEP
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.studies.bench.workers import busy, busy_ring
+from rovbrush.orchestrator.studies.bench.runs.workers import busy, busy_ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 

@@ -22,8 +22,8 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.stepping.stepping import Stepping
-from rovbrush.orchestrator.studies.bench.mixed import mixed_ring
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.mixed import mixed_ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from test_plan_random import system_of, systems
 

@@ -12,7 +12,7 @@ from rovbrush.orchestrator.cli import main as cli
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.summary import summarize
 from rovbrush.orchestrator.run.start.initialize import loop_residuals
-from rovbrush.orchestrator.studies.bench.native_fmu import feedthrough
+from rovbrush.orchestrator.studies.bench.fmus.native import feedthrough
 
 GAINS = {name: ("gain", "1 ms", {"k": k, "offset": 1.0}) for name, k in (("a", -2.5), ("b", 0.5))}
 LOOP = ["a.y -> b.u", "b.y -> a.u"]

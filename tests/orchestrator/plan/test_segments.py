@@ -18,7 +18,7 @@ from rovbrush.orchestrator.plan.straight import worth_of
 from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.session.session import Session
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from test_fused import CAR, KINDS
 from test_straight import require_the_same

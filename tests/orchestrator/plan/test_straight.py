@@ -22,8 +22,8 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.plan.straight import worth_of
 from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS, NEVER
 from rovbrush.orchestrator.run.session.session import Session
-from rovbrush.orchestrator.studies.bench.mixed import mixed_ring
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.mixed import mixed_ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from test_fused import CAR, KINDS, WHOLE, bits, by_hand_and_back, stopped_and_on
 from test_plan_random import system_of, systems

@@ -14,7 +14,7 @@ MERITS = ("ishigami", "g", "rosenbrock", "disc", "flat", "length")
 @pytest.fixture(scope="session")
 def known(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The system file; parameters f.x1 to f.x4, a figure of merit for each function."""
-    if native_build.native_fmu.compiler() is None:
+    if native_build.native.compiler() is None:
         pytest.skip("no C compiler: native FMUs cannot be built")
     folder = tmp_path_factory.mktemp("known")
     native_build.functions(folder / "functions.fmu")

@@ -14,7 +14,7 @@ from gymnasium.vector import AsyncVectorEnv
 from native_build import moody, needs_gcc
 from rovbrush.gym import Environment
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 
 pytestmark = needs_gcc
 KEYS = {"actions": {"c0.u": (-1.0, 1.0)}, "observations": {"c1.y": (-2.0, 2.0)}, "episode": "10 ms"}

@@ -10,7 +10,7 @@ from gymnasium.utils.env_checker import check_env
 from native_build import needs_gcc
 from rovbrush.gym import Environment
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench.native_fmu import feedthrough
+from rovbrush.orchestrator.studies.bench.fmus.native import feedthrough
 from rovbrush.orchestrator.training.expression import Expression
 
 pytestmark = needs_gcc

@@ -11,7 +11,7 @@ from native_build import needs_gcc
 from rovbrush.gym import Environment
 from rovbrush.orchestrator import load
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench.native_fmu import feedthrough, ring
+from rovbrush.orchestrator.studies.bench.fmus.native import feedthrough, ring
 
 pytestmark = needs_gcc
 INPUTS, SEEN = ("c0.u[1]", "c0.u[2]"), ("c3.y[1]", "c1.y[2]", "c0.u[2]", "c2.u[1]")

@@ -132,7 +132,7 @@ def print_start(rows: Rows) -> None:
 
 def print_components(rows: Rows) -> None:
     """Every component in its lives."""
-    from ....studies.bench.components import KINDS
+    from ....studies.bench.components.components import KINDS
 
     cells = []
     for name in dict.fromkeys(row["component"] for row in rows):

@@ -22,7 +22,7 @@ from ....results.tables import require_complete
 from ....run.simulation import simulate
 from ....run.stepping.stepping import Stepping
 from ....system.model import System
-from ..systems import Case
+from ..fmus.systems import Case
 from .floor import floor_loop
 from .hosts import run_host
 

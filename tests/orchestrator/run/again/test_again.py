@@ -12,7 +12,7 @@ from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.again.again import Again, why_anew
 from rovbrush.orchestrator.run.again.quick_start import why_not_quick
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.bench.sweeps import SYSTEM
+from rovbrush.orchestrator.studies.bench.runs.sweeps import SYSTEM
 from rovbrush.orchestrator.studies.sweep.workers.kept import Kept
 from rovbrush.orchestrator.system.assemble import assemble
 

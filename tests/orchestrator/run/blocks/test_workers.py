@@ -21,7 +21,7 @@ from rovbrush.orchestrator.run.blocks.workers import HANDOVER, chosen, expected,
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping.stepping import Stepping
-from rovbrush.orchestrator.studies.bench.workers import busy, busy_ring
+from rovbrush.orchestrator.studies.bench.runs.workers import busy, busy_ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.request import Request

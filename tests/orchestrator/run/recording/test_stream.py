@@ -24,7 +24,7 @@ from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.file.recorded import select_recorded
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from ...errors import InputError
-from ...fmu.files.places import fmu_folder
-from ...system.file.reader import load_system
-from ...system.model import System
+from ....errors import InputError
+from ....fmu.files.places import fmu_folder
+from ....system.file.reader import load_system
+from ....system.model import System
 from .mixed import mixed_ring
-from .native_fmu import ring
+from .native import ring
 
 TRIVIAL_FMU = """
 from pythonfmu import Fmi2Causality, Fmi2Slave, Fmi2Variability, Real

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import fmpy
 
-from ...errors import RunError
+from ....errors import RunError
 
 HEADERS = Path(fmpy.__file__).parent / "c-code"
-SOURCES = Path(__file__).parent / "fmus"
+SOURCES = Path(__file__).parent / "sources"
 DATE = (2000, 1, 1, 0, 0, 0)  # of every entry: the same content is the same file
 
 

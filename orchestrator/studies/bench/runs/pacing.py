@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ...plan.plan import Plan, make_plan
-from ...run.pacing.pace import FASTEST, Pace
-from ...run.session.session import Session
-from ...system.assemble import assemble
-from .native_fmu import ring
+from ....plan.plan import Plan, make_plan
+from ....run.pacing.pace import FASTEST, Pace
+from ....run.session.session import Session
+from ....system.assemble import assemble
+from ..fmus.native import ring
 
 RUNS, QUICK = 9, 3
 STEPS = 20_000  # of 1 ms, in a run without waiting

@@ -1,4 +1,4 @@
-"""Small FMUs for Model Exchange in C, for benchmarks and tests: a model around fmus/exchange.h, FMI 2.0 or 3.0."""
+"""Small FMUs for Model Exchange in C, for benchmarks and tests: a model around sources/exchange.h, FMI 2.0 or 3.0."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .native_fmu import SOURCES, native_fmu
+from .native import SOURCES, native_fmu
 
 WHOLE = 1_000_000  # FMI 3.0: where the value references of Integers and Booleans begin
 

@@ -9,7 +9,7 @@ import numpy as np
 from native_build import needs_gcc
 from rovbrush.orchestrator.loop.operations import GET, ITERATE, REPEAT, RESTORE, SAVE, SET, STEP
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.studies.bench.native_fmu import ring
+from rovbrush.orchestrator.studies.bench.fmus.native import ring
 from rovbrush.orchestrator.studies.bench.peers.floor import Floor, _calls
 from rovbrush.orchestrator.system.file.reader import load_system
 

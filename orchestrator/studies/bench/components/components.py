@@ -7,10 +7,10 @@ from fractions import Fraction
 from importlib.metadata import entry_points
 from typing import Any
 
-from ...plan.plan import make_plan
-from ...system.model import System
-from .peers.floor import floor_loop
-from .systems import alone
+from ....plan.plan import make_plan
+from ....system.model import System
+from ..fmus.systems import alone
+from ..peers.floor import floor_loop
 
 STEP = Fraction(1, 1000)  # s, of every call
 REPEATS = 7

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
-from ...errors import RunError
-from ...plan.plan import make_plan
-from ...run.session.session import Session
-from ...system.assemble import assemble
+from ....errors import RunError
+from ....plan.plan import make_plan
+from ....run.session.session import Session
+from ....system.assemble import assemble
 
 RUNS, QUICK = 9, 3
 SIGNALS = 4  # each way

@@ -11,8 +11,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
-from .native_fmu import ring
+from ....errors import RunError
+from ..fmus.native import ring
 
 STEPS, QUICK = (1_000_000, 10_000_000), (100_000, 1_000_000)
 PEAK = (

@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
-from ...plan.plan import make_plan
-from ...processes import peak_memory
-from ...system.file.reader import load_system
-from .native_fmu import feedthrough
+from ....errors import RunError
+from ....plan.plan import make_plan
+from ....processes import peak_memory
+from ....system.file.reader import load_system
+from ..fmus.native import feedthrough
 
 SIZES = {"connections": (500, 1000, 2000, 4000), "FMUs": (100, 300, 1000), "stated inputs": (1000, 2000, 4000)}
 

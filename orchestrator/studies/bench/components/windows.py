@@ -9,14 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...errors import InputError
-from ...fmu.files.windows import FOLDERS, how_to_install, wine
-from ...fmu.fmu import Fmu
-from ...plan.plan import make_plan
-from ...system.file.reader import load_system
+from ....errors import InputError
+from ....fmu.files.windows import FOLDERS, how_to_install, wine
+from ....fmu.fmu import Fmu
+from ....plan.plan import make_plan
+from ....system.file.reader import load_system
+from ..fmus.systems import alone
+from ..peers.masters import rovbrush_loop
 from .components import STEP
-from .peers.masters import rovbrush_loop
-from .systems import alone
 
 REPEATS = 5
 PLATFORM = "win64"

@@ -11,8 +11,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from ...errors import InputError, RunError
-from .native_fmu import ring
+from ....errors import InputError, RunError
+from ..fmus.native import ring
 
 RUNS, QUICK = 15, 5
 STEPS, RESETS = 20_000, 2_000  # of a run

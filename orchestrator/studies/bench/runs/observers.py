@@ -10,12 +10,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from ...observers.asked import KINDS
-from ...observers.watched import NOBODY, Watching, watched
-from ...plan.plan import Plan, make_plan
-from ...run.session.session import Session
-from ...system.assemble import assemble
-from .native_fmu import ring
+from ....observers.asked import KINDS
+from ....observers.watched import NOBODY, Watching, watched
+from ....plan.plan import Plan, make_plan
+from ....run.session.session import Session
+from ....system.assemble import assemble
+from ..fmus.native import ring
 
 RUNS, QUICK = 5, 1
 STEPS = 20_000  # of 1 ms

@@ -11,14 +11,14 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from ...plan.plan import Plan, make_plan
-from ...plan.straight import worth_of
-from ...run.blocks.straight_on import ALWAYS, NEVER
-from ...run.session.session import Session
-from ...run.stepping.stepping import Stepping
-from ...system.file.reader import load_system
-from .native_fmu import ring
-from .peers.floor import Floor
+from ....plan.plan import Plan, make_plan
+from ....plan.straight import worth_of
+from ....run.blocks.straight_on import ALWAYS, NEVER
+from ....run.session.session import Session
+from ....run.stepping.stepping import Stepping
+from ....system.file.reader import load_system
+from ..fmus.native import ring
+from ..peers.floor import Floor
 
 ROUNDS, QUICK = 41, 9
 SEVERAL = 1_000  # FMUs
@@ -130,7 +130,7 @@ def by_hand(session: Stepping, steps: int) -> Callable[[], float]:
 
 def _snapshot(session: Session) -> Callable[[], None]:
     """What brings a session back to where it is now."""
-    from ...run.stepping.snapshot import go_back, take_snapshot
+    from ....run.stepping.snapshot import go_back, take_snapshot
 
     taken = take_snapshot(session)
     return lambda: go_back(session, taken)

@@ -13,12 +13,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...system.file.reader import load_system
-from ...system.model import System
-from .exchange_fmu import exchange_fmu, oscillator
-from .native_fmu import SOURCES, description2, native_fmu, ring
-from .peers.masters import measured, per_step, rovbrush_loop
-from .systems import Case
+from ....system.file.reader import load_system
+from ....system.model import System
+from ..fmus.exchange import exchange_fmu, oscillator
+from ..fmus.native import SOURCES, description2, native_fmu, ring
+from ..fmus.systems import Case
+from ..peers.masters import measured, per_step, rovbrush_loop
 
 INNER = 300  # local variables of a motor
 MOTORS, OSCILLATORS, SIGNALS = 8, 10, 10_000

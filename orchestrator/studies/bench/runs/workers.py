@@ -12,13 +12,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
-from ...plan.plan import make_plan
-from ...run.session.session import Session
-from ...system.file.reader import load_system
-from ...system.model import System
-from ..sweep.workers.workers import cores
-from .native_fmu import SOURCES, description2, native_fmu
+from ....errors import RunError
+from ....plan.plan import make_plan
+from ....run.session.session import Session
+from ....system.file.reader import load_system
+from ....system.model import System
+from ...sweep.workers.workers import cores
+from ..fmus.native import SOURCES, description2, native_fmu
 
 STEPS = (1.0, 10.0, 50.0, 200.0)  # us of a step of each
 LONG = 50.0  # us, from which on a call from Python counts for nothing beside the step

@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 from native_build import needs_gcc
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.studies.bench import folders, growth, solvers
+from rovbrush.orchestrator.studies.bench import folders
 from rovbrush.orchestrator.studies.bench.against import loop_seconds
 from rovbrush.orchestrator.studies.bench.bench import PARTS, Asked, bench
+from rovbrush.orchestrator.studies.bench.runs import growth, solvers
 from rovbrush.orchestrator.system.file.reader import load_system
 
 

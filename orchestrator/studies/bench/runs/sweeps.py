@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ...run.simulation import simulate
-from ..sweep.options import Options
-from ..sweep.sweep import sweep
-from ..sweep.workers.point import Job, load
-from ..sweep.workers.workers import cores
+from ....run.simulation import simulate
+from ...sweep.options import Options
+from ...sweep.sweep import sweep
+from ...sweep.workers.point import Job, load
+from ...sweep.workers.workers import cores
 
 POINTS, QUICK = 100_000, 5_000
 ALONE = 50  # runs with FMUs that are loaded anew

@@ -12,12 +12,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...errors import RunError
-from ...plan.plan import make_plan
-from ...system.file.reader import load_system
+from ....errors import RunError
+from ....plan.plan import make_plan
+from ....system.file.reader import load_system
+from ..fmus.systems import alone
+from ..peers.masters import rovbrush_loop
 from .components import STEP
-from .peers.masters import rovbrush_loop
-from .systems import alone
 
 REPEATS = 5
 SERVES = re.compile(r"serving .* at (tcp://\S+)")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.studies.bench import sizes
+from rovbrush.orchestrator.studies.bench.components import sizes
 
 
 def test_the_components_name_cases() -> None:

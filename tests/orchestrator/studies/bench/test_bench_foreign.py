@@ -12,9 +12,9 @@ from rovbrush.orchestrator import load
 from rovbrush.orchestrator.cli.commands.studies.bench import print_foreign, print_systems
 from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.fmu.fmu import Fmu
-from rovbrush.orchestrator.studies.bench import foreign
+from rovbrush.orchestrator.studies.bench.fmus.systems import Case
 from rovbrush.orchestrator.studies.bench.peers import masters
-from rovbrush.orchestrator.studies.bench.systems import Case
+from rovbrush.orchestrator.studies.bench.runs import foreign
 
 
 @needs_gcc

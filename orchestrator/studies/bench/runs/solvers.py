@@ -13,18 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import RunError
-from ...fmu.fmu import Fmu
-from ...fmu.kinds import MODEL_EXCHANGE
-from ...integration import cells
-from ...integration.memory import call, number, whole
-from ...integration.settings import Method, SolverSettings
-from ...integration.stiff.libraries import is_there
-from ...integration.stiff.sundials import Cvode, address
-from ...participant.model_exchange.group import Group
-from ...participant.model_exchange.instance import Fmi2Member
-from .exchange_fmu import Model, chain, exchange_fmu, oscillator
-from .native_fmu import SOURCES, compiler
+from ....errors import RunError
+from ....fmu.fmu import Fmu
+from ....fmu.kinds import MODEL_EXCHANGE
+from ....integration import cells
+from ....integration.memory import call, number, whole
+from ....integration.settings import Method, SolverSettings
+from ....integration.stiff.libraries import is_there
+from ....integration.stiff.sundials import Cvode, address
+from ....participant.model_exchange.group import Group
+from ....participant.model_exchange.instance import Fmi2Member
+from ..fmus.exchange import Model, chain, exchange_fmu, oscillator
+from ..fmus.native import SOURCES, compiler
 
 CELLS = 1000  # of the rod
 STEP = 0.01  # s

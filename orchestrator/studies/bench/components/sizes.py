@@ -12,10 +12,10 @@ from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
-from ...errors import InputError
-from ...plan.plan import make_plan
-from ...system.file.reader import load_system
-from .peers.floor import Floor
+from ....errors import InputError
+from ....plan.plan import make_plan
+from ....system.file.reader import load_system
+from ..peers.floor import Floor
 
 GROUP = "rovbrush.sizes"  # of entry points
 ROUNDS, QUICK = 11, 3

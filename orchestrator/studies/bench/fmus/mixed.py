@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .native_fmu import SOURCES, feedthrough, native_fmu
+from .native import SOURCES, feedthrough, native_fmu
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="{}.0" modelName="{}" '
 
