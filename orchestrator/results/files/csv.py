@@ -14,7 +14,7 @@ from ..signals import Signals
 from ..tables import Run
 from .netcdf import group_name
 
-CSV_ROWS = 10_000  # that are text in memory at once
+CSV_ROWS = 2_000  # that are text in memory at once
 
 
 def write_csv(run: Run, path: Path) -> None:
