@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ...loop.operations import (
     FIT,
     SAMPLE,
@@ -20,6 +22,7 @@ class Lookups:
     def __init__(self, names: Names, step: str) -> None:
         self.names, self.plan, self.step = names, names.plan, step
         self.tables: dict[int, str] = {}  # where a table lies in the coefficients, and its name in C
+        self.of_wholes: set[int] = set()  # those of whole numbers
         self.items: dict[tuple[int, ...], str] = {}
 
     def fit(self, row: Row, _tick: int) -> list[str]:
@@ -44,26 +47,29 @@ class Lookups:
 
     def sample(self, row: Row, tick: int) -> list[str]:
         _, _, _, _, b, p, _, k = row
-        found = f"heldat({self._table(k)}, seconds({at(p - tick)}))"
-        if self.names.whole[b]:
-            return [
-                "{",
-                f"    const double found = {found};",
-                f"    memcpy(&w[{self.names.cells[b]}], &found, 8);",
-                "}",
-            ]
-        return [f"z[{self.names.cells[b]}] = {found};"]
+        table, time = self._table(k), f"seconds({at(p - tick)})"
+        if not self.names.whole[b]:
+            return [f"z[{self.names.cells[b]}] = held_at({table}, {time});"]
+        self.of_wholes.add(k)
+        return [f"w[{self.names.cells[b]}] = {table}_WHOLE[row_at({table}, {time})];"]
 
     def _table(self, k: int) -> str:
         return self.tables.setdefault(k, f"TABLE_{len(self.tables)}")
 
     def constants(self) -> list[str]:
         """The tables that rows look into."""
-        c = self.plan.coefficients
-        lines = [
-            f"static const double {name}[] = {{{', '.join(number(float(v)) for v in c[k : k + 1 + 2 * int(c[k])])}}};"
-            for k, name in self.tables.items()
-        ]
+        lines = []
+        for k, name in self.tables.items():
+            rows = int(self.plan.coefficients[k])
+            numbers, values = np.split(self.plan.coefficients[k : k + 1 + 2 * rows], [1 + rows])
+            if (
+                k in self.of_wholes
+            ):  # their bits are whole numbers, and what is not a number as a double has more than one
+                found = ", ".join(map(whole, values.view(np.int64).tolist()))
+                lines.append(f"static const int64_t {name}_WHOLE[] = {{{found}}};")
+            else:
+                numbers = np.concatenate([numbers, values])
+            lines.append(f"static const double {name}[] = {{{', '.join(map(number, numbers.tolist()))}}};")
         lines += [
             f"static const int64_t {name}[] = {{{', '.join(map(whole, items))}}};" for items, name in self.items.items()
         ]

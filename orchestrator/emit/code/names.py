@@ -57,7 +57,8 @@ def identifiers(texts: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
 
 
 SHORT = (
-    "unfit", "not_finite", "asks", "not_converged", "solve_start", "iterate", "held_at", "mean_over", "read_outputs",
+    "unfit", "not_finite", "asks", "not_converged", "solve_start", "iterate", "held_at", "row_at", "mean_over",
+    "read_outputs",
     "paused", "keep", "go_back", "gauge", "choose_step", "estimate",
 )  # fmt: skip
 FUNCTIONS = re.compile(r"(begin|end|loop|bring|pass_on|macro_step|together)(_last)?_\d+|\w+_t")

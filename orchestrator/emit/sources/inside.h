@@ -151,7 +151,8 @@ int SYSTEM_estimate(SYSTEM *s, int p, int n, const double *settings); /* 0: good
 int SYSTEM_macro_step(SYSTEM *s);
 #endif
 
-/* Tables. */
+/* Tables: the number of rows n, n times that never fall, n values. */
+int SYSTEM_row_at(const double *table, double time); /* the last row that is not behind a time, or the first */
 double SYSTEM_held_at(const double *table, double time);
 double SYSTEM_mean_over(const double *table, double begin, double end);
 

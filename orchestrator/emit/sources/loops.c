@@ -126,7 +126,7 @@ int SYSTEM_solve_start(SYSTEM *s, SYSTEM_Loop loop, const int *cells, int n, dou
 
 /* --- tables: the number of rows n, n times that never fall, n values --- */
 
-static int row_at(const double *table, double time) {
+int SYSTEM_row_at(const double *table, double time) {
     int low = 0, high = (int)table[0] - 1;
     while (low < high) {
         const int middle = (low + high + 1) / 2;
@@ -136,7 +136,7 @@ static int row_at(const double *table, double time) {
     return low;
 }
 
-double SYSTEM_held_at(const double *table, double time) { return table[1 + (int)table[0] + row_at(table, time)]; }
+double SYSTEM_held_at(const double *table, double time) { return table[1 + (int)table[0] + SYSTEM_row_at(table, time)]; }
 
 static double on_line(const double *table, int row, double time) {
     const int n = (int)table[0], t = 1 + row, v = 1 + n + row;
@@ -146,7 +146,7 @@ static double on_line(const double *table, int row, double time) {
 
 double SYSTEM_mean_over(const double *table, double begin, double end) {
     const int n = (int)table[0];
-    int row = row_at(table, begin);
+    int row = SYSTEM_row_at(table, begin);
     if (row + 1 == n || table[2 + row] >= end) return on_line(table, row, 0.5 * (begin + end));
     double total = 0.0, x = begin, left = on_line(table, row, begin);
     while (row + 1 < n && table[2 + row] < end) {
