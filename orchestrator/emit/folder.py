@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..errors import InputError
+from ..errors import InputError, listed
 from ..files import prepare_folder
 from ..system.model import System
 from .carried import resources_of
 from .compiling import OPTIONS
-from .prepared import Prepared, prepared
+from .prepared import Prepared, is_text, prepared
 from .units import headers, write_files
 
 
@@ -27,7 +27,9 @@ def write_c(system: System, folder: Path) -> list[str]:
         for unit in found.code.units:
             write_files(folder / "resources", resources_of(unit))
         step, whole = found.code.cycle.step, found.code.cycle.whole
+        texts = [name for name in system.record if is_text(system, name)]
         return [
+            *([f"not among the rows, which are numbers: {listed(texts)}"] if texts else []),
             f"a step costs at most {step.arithmetic} floating-point operations and {step.calls} calls of components, a "
             f"hyperperiod {whole.arithmetic} and {whole.calls}, beside what the components do themselves",
             f"`make -C {folder}` makes the program {found.code.name}_run, which writes its rows as CSV",

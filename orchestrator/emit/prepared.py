@@ -22,7 +22,7 @@ from ..system.model import System
 from .carried import as_library
 from .code.exchange import Key
 from .code.exposed import exposed
-from .code.names import identifiers, system_identifier
+from .code.names import file_identifier, identifiers, system_identifier
 from .code.text import Code, code_of
 from .compiling import here
 from .refusals import check_plan, check_system
@@ -51,7 +51,7 @@ def plan_for_c(system: System, to_its_end: bool = False) -> Plan:
         if (kind := component.fmu.type_of(variable)) is not None and kind.code not in (TEXT, BINARY)
     ]
     names += [".".join(key) for key in set_inputs(system.events)]
-    kept = [name for name in system.record if "*" not in name and "?" not in name]
+    kept = [name for name in system.record if "*" not in name and "?" not in name and not is_text(system, name)]
     every = with_values_from_start(replace(system, record=tuple(dict.fromkeys([*names, *kept]))))
     periods = [c.period for c in every.components.values()]
     tick = common_tick(periods)
@@ -61,6 +61,14 @@ def plan_for_c(system: System, to_its_end: bool = False) -> Plan:
         plan = _with_a_whole_cycle(planned(replace(every, stop=every.start + whole)), plan, to_its_end)
     check_plan(plan)
     return plan
+
+
+def is_text(system: System, name: str) -> bool:
+    """Whether a name is that of a text or of bytes, which have no cells in C."""
+    component, _, variable = name.partition(".")
+    fmu = system.components[component].fmu if component in system.components else None
+    kinds = [fmu.type_of(v) for v in fmu.expand(variable)] if fmu is not None else []
+    return any(kind is not None and kind.code in (TEXT, BINARY) for kind in kinds)
 
 
 def _with_a_whole_cycle(longer: Plan, plan: Plan, to_its_end: bool) -> Plan:
@@ -92,7 +100,8 @@ def prepared(system: System, carries: bool = True) -> Iterator[Prepared]:
     target = here()
     fmus = {c.fmu.own.digest: c.fmu.own for c in plan.system.components.values()}
     own = [system_identifier(system.name), *plan.system.components]
-    prefixes = dict(zip(fmus, identifiers((fmu.path.stem for fmu in fmus.values()), own), strict=True))
+    stems = (file_identifier(fmu.path.stem) for fmu in fmus.values())
+    prefixes = dict(zip(fmus, identifiers(stems, own), strict=True))
     _require_once(plan.system)
     with tempfile.TemporaryDirectory(prefix="rovbrush_emit_") as work:
         units = units_of(plan.system.components, prefixes, Path(work), target)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,6 +18,7 @@ from ..fmu.files.compiled import HEADERS
 from ..fmu.files.sources import FileSet, build_of
 from ..fmu.fmu import Fmu
 from ..system.model import Component
+from .code.names import comment, identifiers
 from .compiling import OPTIONS, Target, call
 
 SOURCES = Path(__file__).parent / "sources"
@@ -99,16 +100,19 @@ def _sources(fmu: Fmu, prefix: str) -> dict[str, bytes]:
     return {f"components/{prefix}/{path.relative_to(top).as_posix()}": path.read_bytes() for path in files}
 
 
-def _named(fmu: Fmu, prefix: str, sets: Iterable[FileSet], texts: dict[str, bytes], work: Path, target: Target) -> Unit:
+def _named(fmu: Fmu, prefix: str, sets: Sequence[FileSet], texts: dict[str, bytes], work: Path, target: Target) -> Unit:
     """The unit of C sources, compiled once with no more than the names of FMI changed, to see what others there are."""
     header = f"components/{prefix}_names.h"
     texts[header] = _header(prefix, fmu.version, ())
     options: dict[str, tuple[str, ...]] = {}
     top = (fmu.folder / "sources").resolve()
+    listed = [file.resolve().relative_to(top).as_posix() for group in sets for file in group.files]
+    # The dash keeps the file `b_c` of an FMU `a` apart from the file `c` of an FMU `a_b`.
+    names = dict(zip(listed, identifiers(inside.rpartition(".")[0] for inside in listed), strict=True))
     for group in sets:
         for file in group.files:
             inside = file.resolve().relative_to(top).as_posix()
-            name = f"components/{prefix}_{re.sub(r'[^A-Za-z0-9]+', '_', inside.rpartition('.')[0])}.c"
+            name = f"components/{prefix}-{names[inside]}.c"
             folders = [f"-Icomponents/{prefix}/{f.resolve().relative_to(top).as_posix()}" for f in group.folders]
             defined = [option[2:].partition("=") for option in group.options if option.startswith("-D")]
             undefined = [option[2:] for option in group.options if option.startswith("-U")]
@@ -116,7 +120,7 @@ def _named(fmu: Fmu, prefix: str, sets: Iterable[FileSet], texts: dict[str, byte
             changes += [f"#undef {key}" for key in undefined]
             inner = [f"-Icomponents/{prefix}"] if "/" in inside else []
             texts[name] = (
-                f"/* {inside} of {fmu.path.name}, under names of its own. */\n"
+                f"/* {comment(f'{inside} of {fmu.path.name}')}, under names of its own. */\n"
                 + "".join(f"{line}\n" for line in changes)
                 + f'#include "{prefix}_names.h"\n#include "{prefix}/{inside}"\n'
             ).encode()

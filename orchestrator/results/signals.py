@@ -29,7 +29,7 @@ class Signal:
 
     @property
     def label(self) -> str:
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+        return label(self.name, self.unit)
 
     def mean(self, begin: float, end: float) -> float:
         """Time average between two instants inside the run, by the trapezoidal rule; a value where they coincide."""
@@ -75,13 +75,7 @@ class Signals:
 
     def about(self, name: str) -> tuple[str, str]:
         """Unit and description of a recorded variable."""
-        component, _, variable = name.partition(".")
-        extra = self.run.plan.layout.extras.get((component, variable))
-        if extra:
-            return extra.unit, extra.description
-        fmu = self.run.plan.system.components[component].fmu
-        v, kind = fmu.variables[variable], fmu.type_of(variable)
-        return (v.unit or "1" if kind is None or kind.real else ""), v.description or ""
+        return about(self.run.plan, name)
 
     def is_bytes(self, name: str) -> bool:
         """Whether a signal is a Binary variable."""
@@ -91,6 +85,22 @@ class Signals:
 
     def __contains__(self, name: str) -> bool:
         return name in self.places
+
+
+def about(plan: Plan, name: str) -> tuple[str, str]:
+    """Unit and description of a variable that can be recorded."""
+    component, _, variable = name.partition(".")
+    extra = plan.layout.extras.get((component, variable))
+    if extra:
+        return extra.unit, extra.description
+    fmu = plan.system.components[component].fmu
+    v, kind = fmu.variables[variable], fmu.type_of(variable)
+    return (v.unit or "1" if kind is None or kind.real else ""), v.description or ""
+
+
+def label(name: str, unit: str) -> str:
+    """A signal as it is called above a column."""
+    return f"{name} [{unit}]" if unit else name
 
 
 def instants(clock: Clock, ticks: np.ndarray) -> np.ndarray:

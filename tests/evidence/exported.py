@@ -54,6 +54,7 @@ def one(index: int, folder: Path) -> str:
     for group, file in zip(run.plan.groups, rate_names(run.plan), strict=True):
         with (folder / "c" / "rows" / file).open(encoding="utf-8") as lines:
             head, *rows = csv.reader(lines)
+        head = [re.sub(r" \[[^\]]*\]$", "", name) for name in head]  # without units
         cells = np.array(rows, dtype=float)
         for key in group.columns:
             name = ".".join(key)

@@ -39,7 +39,9 @@ class Names:
         )
         self.words = cell_words(plan)
         self.extras = {extra.slot: extra for extra in plan.layout.extras.values()}
-        self.cells = cell_identifiers(self.words, self.parts.values())
+        prefixes = {unit.prefix for unit in units.values()}
+        taken = {*self.parts.values(), *(f"{prefix}_{what}" for prefix in prefixes for what in ("functions", "load"))}
+        self.cells = cell_identifiers(self.words, taken, system)
         self.memory = Memory(plan)
         layout = plan.layout
         self.whole = np.zeros(max(layout.size, 1), dtype=bool)  # cells that are no doubles

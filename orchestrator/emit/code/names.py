@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 
 from ...plan.plan import Plan
+from .own_names import own_names
 
 WORDS = (
     "auto break case char const continue default do double else enum extern float for goto if inline int long register "
@@ -26,8 +27,10 @@ TAKEN = (
     "memchr memcmp memcpy memmove memset modf nan open pause perror pipe pow printf putc puts qsort raise rand "
     "random read realloc remainder remove rename rewind rindex rint round scanf select send sin sinh sleep socket "
     "sprintf sqrt srand sscanf stat stpcpy strcat strchr strcmp strcpy strlen strtod strtok sync system tan tanh "
-    "test tmpfile trunc truncate ungetc wait write y0 y1 yn div gamma signbit step linux unix components fmi2 fmi3"
+    "test tmpfile trunc truncate ungetc wait write y0 y1 yn div gamma signbit step linux unix components fmi2 fmi3 "
+    "TABLES"
 )
+LONGEST = 63  # characters of a name of C that count everywhere
 RESERVED = KEYWORDS | frozenset(TAKEN.split())
 
 
@@ -37,10 +40,16 @@ def identifier(text: str) -> str:
     return f"{name}_" if name in KEYWORDS else f"_{name}"[name[0].isalpha() :]
 
 
+def file_identifier(text: str) -> str:
+    """A name of C that names of files can begin with."""
+    return identifier(identifier(text)[:LONGEST])
+
+
 def system_identifier(text: str) -> str:
     """The name of a system, of which are called its type, its header and its files."""
-    name = identifier(text)
-    return f"{name}_" if name.lower() in RESERVED or name in RESERVED else name
+    name = file_identifier(text)
+    meets = name.lower() in RESERVED or name in RESERVED or name in own_names()
+    return f"{name}_" if meets or ("_" in name and FUNCTIONS.fullmatch(name)) else name
 
 
 def identifiers(texts: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
@@ -61,13 +70,20 @@ SHORT = (
     "read_outputs",
     "paused", "keep", "go_back", "gauge", "choose_step", "estimate",
 )  # fmt: skip
-FUNCTIONS = re.compile(r"(begin|end|loop|bring|pass_on|macro_step|together)(_last)?_\d+|\w+_t")
+# Of a system's own file and the headers that it takes in: functions and types in small letters, macros in large ones.
+FUNCTIONS = re.compile(
+    r"(begin|end|loop|bring|pass_on|macro_step|together)(_last)?_(\d+|all)?|\w+_t|sent_back|k_|"
+    r"(str|mem|wcs|lgamma)\w*_[rsl]|explicit_bzero|[A-Z_0-9]+"
+)
 
 
-def cell_identifiers(texts: Iterable[str], taken: Iterable[str]) -> list[str]:
-    """Names of cells, none of which is that of a function beside them or of a type."""
-    free = (f"cell {text}" if FUNCTIONS.fullmatch(identifier(text)) else text for text in texts)
-    return identifiers(free, {*taken, *SHORT})
+def cell_identifiers(texts: Iterable[str], taken: Iterable[str], system: str) -> list[str]:
+    """Names of cells, none of which is that of a function beside them, of a macro or of a type."""
+    texts = list(texts)
+    names = map(identifier, texts)
+    meets = (FUNCTIONS.fullmatch(name) or name.startswith(f"{system}_") for name in names)
+    free = (f"cell {text}" if found else text for text, found in zip(texts, meets, strict=True))
+    return identifiers(free, {*taken, *SHORT, *own_names(), system})
 
 
 def number(value: float) -> str:

@@ -8,10 +8,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from ...fmu.types import BOOLEAN, FLOAT, TEXT, FmiType
 from ...loop.operations import RECORD
 from ...plan.plan import Plan
-from ...results.files.csv import rate_names
+from ...results.files.csv import csv_text, rate_names
+from ...results.signals import about, label
 from ..carried import members
 from ..units import Unit
-from .exchange import Names
+from .exchange import Key, Names
 from .exposed import OUTPUT, Exposed
 from .instants import Cycle
 from .names import comment, number, text, whole
@@ -173,17 +174,30 @@ def words_table(name: str, names: Names) -> str:
     return "\n".join([f"const char *const {name}_cells[{name}_CELLS] = {{", *lines, "};"])
 
 
+def _column(names: Names, slot: int, key: Key) -> str:
+    """What a column of a table holds: d, a double; i, a whole number; u, one that is never below zero."""
+    if not names.whole[slot]:
+        return "d"
+    return "i" if names.memory.kind(key).signed else "u"
+
+
 def tables_table(plan: Plan, names: Names) -> str:
     lines, entries = [], []
     for g, (group, file) in enumerate(zip(plan.groups, rate_names(plan), strict=True)):
         slots = group.slots.tolist()
+        group_cells = list(zip(slots, group.columns, strict=True))
         most = 1
         if plan.algorithm.saves_states:
             most = max(int(((r[:, 0] == RECORD) & (r[:, 3] == g)).sum()) for r in (plan.cycle, plan.last)) or 1
         lines.append(f"static int64_t ROWS_{g}[{most * (len(slots) + 1)}];")
         lines.append(f"static const int CELLS_{g}[] = {{{', '.join(map(str, slots))}}};")
-        lines.append(f"static const bool WHOLE_{g}[] = {{{', '.join(str(int(names.whole[s])) for s in slots)}}};")
-        entries.append(f"    {{{text(file)}, {len(slots)}, CELLS_{g}, WHOLE_{g}, {most}, ROWS_{g}, 0}},")
+        heads = [".".join(key) for key in group.columns]
+        heads = [csv_text(label(name, about(plan, name)[0])) for name in heads]
+        lines.append(f"static const char *const HEADS_{g}[] = {{{', '.join(map(text, heads))}}};")
+        lines.append(f"static const char KINDS_{g}[] = {text(''.join(_column(names, s, k) for s, k in group_cells))};")
+        entries.append(f"    {{{text(file)}, {len(slots)}, CELLS_{g}, HEADS_{g}, KINDS_{g}, {most}, ROWS_{g}, 0}},")
     if not entries:
-        return 'static int64_t NO_ROWS[1];\nstatic Table TABLES[] = {{"nothing.csv", 0, NULL, NULL, 1, NO_ROWS, 0}};'
+        return (
+            'static int64_t NO_ROWS[1];\nstatic Table TABLES[] = {{"nothing.csv", 0, NULL, NULL, "", 1, NO_ROWS, 0}};'
+        )
     return "\n".join([*lines, "static Table TABLES[] = {", *entries, "};"])

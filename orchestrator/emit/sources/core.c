@@ -50,20 +50,25 @@ static int enter(SYSTEM *s, double start, int with_stop, double stop) {
     return SYSTEM_first_cells(s);
 }
 
+/* Whether an instant can be: its ticks, and what they are multiplied with, are whole numbers of 63 bits and exact doubles. */
+static bool countable(double time) {
+    return fabs(time) < 0x1p61 / (double)SYSTEM_DENOMINATOR && fabs(time / SYSTEM_TICK) < 0x1p53;
+}
+
 int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
     if (s->now.stage != SYSTEM_NEW)
         return SYSTEM_say(s, s->name, 3, s->now.stage == SYSTEM_FAILED ? "%s has failed before" : "%s is initialized already", s->name);
     if (with_stop && !(stop > start))
         return SYSTEM_say(s, s->name, 3, "%s cannot stop at %.9g s: it starts at %.9g s", s->name, stop, start);
-    const double ticks = start * (double)SYSTEM_DENOMINATOR / (double)SYSTEM_NUMERATOR;
-    s->now.first = s->now.begin = fabs(ticks) < 0x1p53 ? (int64_t)llround(ticks) : 0;
-    if (fabs(seconds(s->now.first) - start) > 1e-9 * fmax(fabs(start), SYSTEM_TICK))
+    const int64_t first = countable(start) ? (int64_t)llround(start / SYSTEM_TICK) : 0;
+    if (!(fabs(seconds(first) - start) <= 1e-9 * SYSTEM_TICK + 1e-15 * fabs(start)))
         return SYSTEM_say(s, s->name, 3, "%s cannot start at %.17g s; a multiple of %.9g s is wanted", s->name, start, SYSTEM_TICK);
 #if SYSTEM_EVENTS
-    if (s->now.first != SYSTEM_START)
+    if (first != SYSTEM_START)
         return SYSTEM_say(s, s->name, 3, "%s has events, whose times count from its own start, %.9g s", s->name, seconds(SYSTEM_START));
 #endif
-    s->now.time = seconds(s->now.first);
+    s->now.first = s->now.begin = first;
+    s->now.time = seconds(first);
     s->now.stop = with_stop ? stop : 1e300;
     if (enter(s, start, with_stop, stop)) {
         s->now.stage = SYSTEM_FAILED; /* some of its components are further than others */
@@ -77,7 +82,8 @@ int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop) {
 }
 
 int SYSTEM_settle(SYSTEM *s) {
-    if (s->now.stage != SYSTEM_INITIALIZING || !s->now.stale) return s->now.stage == SYSTEM_FAILED;
+    if (s->now.stage == SYSTEM_FAILED) return SYSTEM_say(s, s->name, 3, "%s has failed before", s->name);
+    if (s->now.stage != SYSTEM_INITIALIZING || !s->now.stale) return 0;
     for (int sweep = 1; sweep <= SYSTEM_PARTS + 2; sweep++) {
         memcpy(s->before, s->now.z, sizeof s->before);
         if (SYSTEM_propagate(s)) return 1;
@@ -89,9 +95,8 @@ int SYSTEM_settle(SYSTEM *s) {
     return SYSTEM_fail(s, s->name, 3, "the inputs keep changing in the initialization");
 }
 
-int SYSTEM_start(SYSTEM *s) {
-    if (s->now.stage != SYSTEM_INITIALIZING) return SYSTEM_say(s, s->name, 3, "%s is not in its initialization", s->name);
-    if (SYSTEM_settle(s)) return 1;
+/* All components behind their initialization, and what is known from the start on. */
+static int start(SYSTEM *s) {
     for (int part = 0; part < SYSTEM_PARTS; part++)
         if (SYSTEM_part_leave(s, part)) return 1;
     s->now.stale = false;
@@ -109,6 +114,14 @@ int SYSTEM_start(SYSTEM *s) {
     if (SYSTEM_begin_events(s)) return 1;
 #endif
     return 0;
+}
+
+int SYSTEM_start(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_INITIALIZING) return SYSTEM_say(s, s->name, 3, "%s is not in its initialization", s->name);
+    if (SYSTEM_settle(s)) return 1;
+    if (start(s) == 0) return 0;
+    s->now.stage = SYSTEM_FAILED; /* some of its components are further than others */
+    return 1;
 }
 
 #if SYSTEM_VARIES
@@ -180,9 +193,9 @@ static int go_on(SYSTEM *s, int64_t end) {
 /* Where a step ends [ticks from time 0], or -1: that is no instant. Hosts that add step to step drift away from an instant
    by rounding: a hundredth of a tick is no other instant. How long a step is must be right to rounding, or where it ends. */
 static int64_t end_of_step(const SYSTEM *s, double time, double step) {
-    const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time), ticks = step / SYSTEM_TICK;
-    if (!(ticks > 0.0 && ticks < 0x1p53)) return -1;
-    const int64_t length = (int64_t)llround(ticks), end = (int64_t)llround(s->now.time / SYSTEM_TICK) + length;
+    const double near = 1e-6 * SYSTEM_TICK + 1e-12 * fabs(time);
+    if (!(step > 0.0 && countable(step))) return -1;
+    const int64_t length = (int64_t)llround(step / SYSTEM_TICK), end = (int64_t)llround(s->now.time / SYSTEM_TICK) + length;
     const bool exact = fabs(seconds(length) - step) <= near || fabs(seconds(end) - (time + step)) <= near;
     return exact && (end == SYSTEM_next(s) || is_instant(s, end)) ? end : -1;
 }
@@ -212,16 +225,18 @@ int SYSTEM_rest(SYSTEM *s) {
 #endif
     for (int k = 0; k + 1 < SYSTEM_LAST_INSTANTS; k++)
         if (go(s, &SYSTEM_last[k], &SYSTEM_last[k + 1])) return 1;
-    s->now.stage = SYSTEM_TERMINATED;
+    s->now.stage = SYSTEM_ENDED;
     return 0;
 #endif
 }
 
 int SYSTEM_terminate(SYSTEM *s) {
+    if (s->now.stage != SYSTEM_RUNNING && s->now.stage != SYSTEM_ENDED)
+        return SYSTEM_say(s, s->name, 3, s->now.stage == SYSTEM_FAILED ? "%s has failed before" : "%s does not run", s->name);
     int failed = 0;
-    if (s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED)
-        for (int part = 0; part < SYSTEM_PARTS; part++) failed |= SYSTEM_part_terminate(s, part);
-    s->now.stage = SYSTEM_TERMINATED;
+    for (int part = 0; part < SYSTEM_PARTS; part++)
+        if (s->part[part]) failed |= SYSTEM_part_terminate(s, part);
+    if (!failed) s->now.stage = SYSTEM_TERMINATED;
     return failed;
 }
 

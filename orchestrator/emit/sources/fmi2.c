@@ -53,7 +53,7 @@ FMI2_Export const char *fmi2GetVersion(void) { return fmi2Version; }
 FMI2_Export fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String categories[]) {
     Instance *instance = c; /* what goes wrong is told always */
     instance->logging = on && count == 0;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; categories && k < count; k++)
         if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
     return fmi2OK;
 }
@@ -115,19 +115,28 @@ FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
 
 /* --- values --- */
 
-#define GET(Name, Type, function, ctype)                                                                     \
-    FMI2_Export fmi2Status fmi2Get##Name(fmi2Component c, const fmi2ValueReference vr[], size_t n, Type v[]) { \
-        for (size_t k = 0; k < n; k++) {                                                                     \
-            ctype found;                                                                                     \
-            if (SYSTEM_get_##function(&((Instance *)c)->s, (int)vr[k], &found)) return fmi2Error;            \
-            v[k] = (Type)found;                                                                              \
-        }                                                                                                    \
-        return fmi2OK;                                                                                       \
+/* Whether a function is that of a variable's type. */
+static bool of_kind(Instance *instance, fmi2ValueReference vr, SYSTEM_Kind kind) {
+    if (vr < SYSTEM_VARIABLES && SYSTEM_variables[vr].kind == kind) return true;
+    SYSTEM_say(&instance->s, instance->name, fmi2Error, "value reference %u is not of the type of that function", vr);
+    return false;
+}
+
+#define GET(Name, Type, KIND, function, ctype)                                                                     \
+    FMI2_Export fmi2Status fmi2Get##Name(fmi2Component c, const fmi2ValueReference vr[], size_t n, Type v[]) {       \
+        for (size_t k = 0; k < n; k++) {                                                                           \
+            ctype found;                                                                                           \
+            if (!of_kind(c, vr[k], KIND) || SYSTEM_get_##function(&((Instance *)c)->s, (int)vr[k], &found))        \
+                return fmi2Error;                                                                                  \
+            v[k] = (Type)found;                                                                                    \
+        }                                                                                                          \
+        return fmi2OK;                                                                                             \
     }
-#define SET(Name, Type, function)                                                                                  \
+#define SET(Name, Type, KIND, function)                                                                            \
     FMI2_Export fmi2Status fmi2Set##Name(fmi2Component c, const fmi2ValueReference vr[], size_t n, const Type v[]) { \
         for (size_t k = 0; k < n; k++)                                                                             \
-            if (SYSTEM_set_##function(&((Instance *)c)->s, (int)vr[k], v[k])) return fmi2Error;                    \
+            if (!of_kind(c, vr[k], KIND) || SYSTEM_set_##function(&((Instance *)c)->s, (int)vr[k], v[k]))          \
+                return fmi2Error;                                                                                  \
         return fmi2OK;                                                                                             \
     }
 
@@ -135,13 +144,13 @@ FMI2_Export fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[
     return status_of(SYSTEM_get_reals(&((Instance *)c)->s, vr, n, v));
 }
 
-GET(Integer, fmi2Integer, whole, int64_t)
-GET(Boolean, fmi2Boolean, whole, int64_t)
-GET(String, fmi2String, text, const char *)
-SET(Real, fmi2Real, real)
-SET(Integer, fmi2Integer, whole)
-SET(Boolean, fmi2Boolean, whole)
-SET(String, fmi2String, text)
+GET(Integer, fmi2Integer, SYSTEM_WHOLE, whole, int64_t)
+GET(Boolean, fmi2Boolean, SYSTEM_BOOLEAN, whole, int64_t)
+GET(String, fmi2String, SYSTEM_TEXT, text, const char *)
+SET(Real, fmi2Real, SYSTEM_REAL, real)
+SET(Integer, fmi2Integer, SYSTEM_WHOLE, whole)
+SET(Boolean, fmi2Boolean, SYSTEM_BOOLEAN, whole)
+SET(String, fmi2String, SYSTEM_TEXT, text)
 
 /* --- step --- */
 

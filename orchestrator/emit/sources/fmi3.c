@@ -44,7 +44,7 @@ FMI3_Export const char *fmi3GetVersion(void) { return fmi3Version; }
 FMI3_Export fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String categories[]) {
     Instance *instance = c; /* what goes wrong is told always */
     instance->logging = on && count == 0;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; categories && k < count; k++)
         if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
     return fmi3OK;
 }
@@ -117,10 +117,17 @@ static bool of_type(Instance *instance, fmi3ValueReference vr, Type type) {
     return false;
 }
 
+static fmi3Status wrong_size(Instance *instance, const char *function, size_t n, size_t n_values) {
+    SYSTEM_say(&instance->s, instance->name, fmi3Error, "%s: %lu values for %lu variables, all of them scalars", function,
+               (unsigned long)n_values, (unsigned long)n);
+    return fmi3Error;
+}
+
 #define GET(Name, TYPE, function, ctype)                                                                           \
     FMI3_Export fmi3Status fmi3Get##Name(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##Name v[],  \
                                          size_t n_values) {                                                        \
-        for (size_t k = 0; k < n && k < n_values; k++) {                                                           \
+        if (n != n_values) return wrong_size(c, "fmi3Get" #Name, n, n_values);                                     \
+        for (size_t k = 0; k < n; k++) {                                                                           \
             ctype found;                                                                                           \
             if (in_cell(c, vr[k], TYPE)) {                                                                         \
                 v[k] = (fmi3##Name)((Instance *)c)->s.now.z[SYSTEM_in_cells[vr[k]]];                               \
@@ -131,15 +138,16 @@ static bool of_type(Instance *instance, fmi3ValueReference vr, Type type) {
                 return fmi3Error;                                                                                  \
             v[k] = (fmi3##Name)found;                                                                              \
         }                                                                                                          \
-        return status_of(n != n_values);                                                                           \
+        return fmi3OK;                                                                                             \
     }
 #define SET(Name, TYPE, function)                                                                                  \
     FMI3_Export fmi3Status fmi3Set##Name(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
                                          const fmi3##Name v[], size_t n_values) {                                  \
-        for (size_t k = 0; k < n && k < n_values; k++)                                                             \
+        if (n != n_values) return wrong_size(c, "fmi3Set" #Name, n, n_values);                                     \
+        for (size_t k = 0; k < n; k++)                                                                             \
             if (!of_type(c, vr[k], TYPE) || SYSTEM_set_##function(&((Instance *)c)->s, (int)vr[k], v[k]))          \
                 return fmi3Error;                                                                                  \
-        return status_of(n != n_values);                                                                           \
+        return fmi3OK;                                                                                             \
     }
 #define BOTH(Name, TYPE, function, ctype) GET(Name, TYPE, function, ctype) SET(Name, TYPE, function)
 
@@ -149,7 +157,7 @@ static bool is_time(fmi3ValueReference vr, Type type) { return vr == SYSTEM_VARI
 static inline bool in_cell(const Instance *instance, fmi3ValueReference vr, Type type) {
     const SYSTEM_Stage stage = instance->s.now.stage;
     return type == T_FLOAT64 && vr < SYSTEM_VARIABLES && SYSTEM_in_cells[vr] >= 0 &&
-           (stage == SYSTEM_RUNNING || stage == SYSTEM_TERMINATED);
+           stage >= SYSTEM_RUNNING && stage <= SYSTEM_TERMINATED;
 }
 
 BOTH(Float64, T_FLOAT64, real, double)
@@ -166,15 +174,17 @@ GET(UInt64, T_UINT64, whole, int64_t)
 BOTH(Boolean, T_BOOLEAN, whole, int64_t)
 
 FMI3_Export fmi3Status fmi3GetString(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3String v[], size_t n_values) {
-    for (size_t k = 0; k < n && k < n_values; k++)
+    if (n != n_values) return wrong_size(c, "fmi3GetString", n, n_values);
+    for (size_t k = 0; k < n; k++)
         if (SYSTEM_get_text(&((Instance *)c)->s, (int)vr[k], &v[k])) return fmi3Error;
-    return status_of(n != n_values);
+    return fmi3OK;
 }
 
 FMI3_Export fmi3Status fmi3SetString(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const fmi3String v[], size_t n_values) {
-    for (size_t k = 0; k < n && k < n_values; k++)
+    if (n != n_values) return wrong_size(c, "fmi3SetString", n, n_values);
+    for (size_t k = 0; k < n; k++)
         if (SYSTEM_set_text(&((Instance *)c)->s, (int)vr[k], v[k])) return fmi3Error;
-    return status_of(n != n_values);
+    return fmi3OK;
 }
 
 /* --- step --- */

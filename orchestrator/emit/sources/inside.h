@@ -49,6 +49,8 @@ int SYSTEM_requirements(SYSTEM *s);
 int SYSTEM_number(SYSTEM *s, int variable, double *value); /* whatever its type */
 int SYSTEM_required(SYSTEM *s, int status, const char *words, double value, double low, double high);
 
+enum { FATAL = 4 }; /* a status of FMI */
+
 /* Errors: each tells `message` and returns 1. */
 int SYSTEM_fail(SYSTEM *s, const char *who, int status, const char *text);
 int SYSTEM_say(SYSTEM *s, const char *who, int status, const char *format, ...);

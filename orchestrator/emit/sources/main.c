@@ -2,6 +2,8 @@
 
    SYSTEM_run [FOLDER] [NAME=VALUE]...: into every_*.csv of FOLDER, or with no folder the table of the fastest rate on
    stdout. SYSTEM_run --speed: no rows, but how many times real time it is, by the processor's clock. */
+#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +15,8 @@ typedef struct {
     const char *file;
     int columns;
     const int *cells;
-    const bool *is_whole;
+    const char *const *heads; /* as CSV has them, with units */
+    const char *kinds;        /* d: a double; i, u: a whole number, with and without a sign */
     int most; /* rows of a step that may be repeated */
     int64_t *kept; /* these: tick and cells of each */
     int rows;
@@ -39,7 +42,8 @@ static void written(int table) {
         for (int k = 0; k < t->columns; k++) {
             double number;
             memcpy(&number, &kept[k + 1], sizeof number);
-            if (t->is_whole[k]) fprintf(file, ",%lld", (long long)kept[k + 1]);
+            if (t->kinds[k] == 'i') fprintf(file, ",%lld", (long long)kept[k + 1]);
+            else if (t->kinds[k] == 'u') fprintf(file, ",%llu", (unsigned long long)kept[k + 1]);
             else fprintf(file, ",%.17g", number);
         }
         fputc('\n', file);
@@ -70,24 +74,29 @@ static int assigned(SYSTEM *s, char *text) {
     if (kind == SYSTEM_TEXT) return SYSTEM_set_text(s, k, value);
     if (kind == SYSTEM_BOOLEAN && strcmp(value, "true") == 0) return SYSTEM_set_whole(s, k, 1);
     if (kind == SYSTEM_BOOLEAN && strcmp(value, "false") == 0) return SYSTEM_set_whole(s, k, 0);
+    errno = 0;
     const double real = kind == SYSTEM_REAL ? strtod(value, &rest) : 0.0;
     const long long number = kind == SYSTEM_REAL ? 0 : strtoll(value, &rest, 10);
     if (rest == value || *rest) return fprintf(stderr, "%s=%s: a number is wanted\n", text, value), 1;
+    if (errno == ERANGE && (kind != SYSTEM_REAL || fabs(real) > 1.0)) /* one that is near zero is near enough */
+        return fprintf(stderr, "%s=%s: the number is too large\n", text, value), 1;
     return kind == SYSTEM_REAL ? SYSTEM_set_real(s, k, real) : SYSTEM_set_whole(s, k, number);
 }
 
-/* A name as CSV has it: in quotes where a comma is in it. */
-static void heading(FILE *file, const char *name) {
-    fprintf(file, strpbrk(name, ",\"") ? ",\"" : ",");
-    for (const char *c = name; *c; c++) fprintf(file, *c == '"' ? "\"\"" : "%c", *c);
-    if (strpbrk(name, ",\"")) fputc('"', file);
+/* The folder of resources, which lies beside the program. */
+static const char *resources(const char *program) {
+    static char place[3000];
+    const char *slash = strrchr(program, '/'), *back = strrchr(program, '\\');
+    if (!slash || (back && back > slash)) slash = back;
+    snprintf(place, sizeof place, "%.*sresources", slash ? (int)(slash + 1 - program) : 0, program);
+    return place;
 }
 
 int main(int count, char **words) {
     SYSTEM *s = &whole;
-    const char *folder = NULL, *resources = "resources";
+    const char *folder = NULL;
     int speed = 0;
-    if (SYSTEM_open(s, SYSTEM_TITLE, resources, message, NULL)) return 1;
+    if (SYSTEM_open(s, SYSTEM_TITLE, resources(count ? words[0] : ""), message, NULL)) return 1;
     for (int k = 1; k < count; k++)
         if (strcmp(words[k], "--speed") == 0) speed = 1;
         else if (!strchr(words[k], '=')) folder = words[k];
@@ -98,8 +107,8 @@ int main(int count, char **words) {
         files[t] = folder ? fopen(path, "w") : t == 0 ? stdout : NULL;
         if (folder && !files[t]) return fprintf(stderr, "%s cannot be written\n", path), 1;
         if (!files[t]) continue;
-        fprintf(files[t], "time");
-        for (int k = 0; k < TABLES[t].columns; k++) heading(files[t], SYSTEM_cells[TABLES[t].cells[k]]);
+        fprintf(files[t], "time [s]");
+        for (int k = 0; k < TABLES[t].columns; k++) fprintf(files[t], ",%s", TABLES[t].heads[k]);
         fputc('\n', files[t]);
     }
     if (!speed) s->record = row, s->rewind = taken_back;
@@ -123,8 +132,8 @@ int main(int count, char **words) {
     }
     for (int t = 0; t < SYSTEM_TABLES && !failed; t++) written(t);
     for (int t = 0; t < SYSTEM_TABLES; t++)
-        if (files[t] && fflush(files[t])) return fprintf(stderr, "the rows cannot be written\n"), 1;
-    SYSTEM_terminate(s);
+        if (files[t] && (fflush(files[t]) || ferror(files[t]))) return fprintf(stderr, "the rows cannot be written\n"), 1;
+    failed = failed || SYSTEM_terminate(s);
     SYSTEM_close(s);
     return failed;
 }

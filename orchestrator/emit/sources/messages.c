@@ -22,6 +22,8 @@ int SYSTEM_fail(SYSTEM *s, const char *who, int status, const char *text) {
 int SYSTEM_refused(SYSTEM *s, int part, const char *what, int status) {
     char text[200];
     snprintf(text, sizeof text, "t = %.9g s: %s cannot %s (status %d)", s->now.time, SYSTEM_parts[part].name, what, status);
+    for (int k = 0; status == FATAL && k < SYSTEM_PARTS; k++) /* nobody may call its library again, not even to free it */
+        if (SYSTEM_parts[k].functions == SYSTEM_parts[part].functions) s->part[k] = NULL;
     return SYSTEM_fail(s, SYSTEM_parts[part].name, status, text);
 }
 

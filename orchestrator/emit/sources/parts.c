@@ -5,19 +5,44 @@
 
 const char *SYSTEM_text_of(const SYSTEM *s, int k) { return s->texts[k] ? s->texts[k] : SYSTEM_variables[k].text; }
 
+static int digit_of(char c) {
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+static bool is_drive(const char *path) {
+    return ((path[0] >= 'A' && path[0] <= 'Z') || (path[0] >= 'a' && path[0] <= 'z')) && path[1] == ':';
+}
+
+static bool is_uri(const char *text) { /* its scheme in small letters or large ones */
+    static const char FILE_COLON[] = "file:";
+    for (int k = 0; k < 5; k++)
+        if ((text[k] | 0x20) != (FILE_COLON[k] | 0x20)) return false;
+    return true;
+}
+
+/* Where the path of a URI begins: RFC 8089, and what hosts write beside it. */
+static const char *path_of(const char *uri) {
+    static const char LOCAL[] = "localhost/";
+    const char *path = uri + 5;
+    if (path[0] == '/' && path[1] == '/' && path[2] == '/') path += 2;        /* file:///x */
+    else if (path[0] == '/' && path[1] == '/' && is_drive(path + 2)) path += 2; /* file://C:/x */
+    else if (path[0] == '/' && path[1] == '/') {
+        if (strncmp(path + 2, LOCAL, sizeof LOCAL - 1) == 0) path += 1 + sizeof LOCAL - 1;
+#if !defined _WIN32
+        else if (strchr(path + 2, '/')) path = strchr(path + 2, '/'); /* behind the name of a machine, which is this one */
+#endif
+    }
+    return path[0] == '/' && is_drive(path + 1) ? path + 1 : path; /* C:/ */
+}
+
 void SYSTEM_resource(const SYSTEM *s, const char *file, char *to, size_t size) {
     const char *given = s->resources ? s->resources : "";
-    const bool uri = strncmp(given, "file:", 5) == 0;
+    const bool uri = is_uri(given);
     size_t n = 0;
-    if (uri) {
-        given += 5;
-        if (given[0] == '/' && given[1] == '/') given += 2;
-        if (given[0] != '/' && strchr(given, '/')) given = strchr(given, '/'); /* behind the name of a machine */
-        if (given[0] == '/' && given[1] && given[2] == ':') given++;          /* C:/ */
-    }
+    if (uri) given = path_of(given);
     while (*given && n + 1 < size) {
-        unsigned byte;
-        if (uri && given[0] == '%' && sscanf(given + 1, "%2x", &byte) == 1) to[n++] = (char)byte, given += 3;
+        const int high = uri && given[0] == '%' ? digit_of(given[1]) : -1, low = high < 0 ? -1 : digit_of(given[2]);
+        if (low >= 0 && high + low > 0) to[n++] = (char)(16 * high + low), given += 3;
         else to[n++] = *given++;
     }
     while (n > 1 && (to[n - 1] == '/' || to[n - 1] == '\\')) n--;
@@ -27,9 +52,9 @@ void SYSTEM_resource(const SYSTEM *s, const char *file, char *to, size_t size) {
 /* A path as a URI; one that is not absolute as it is. */
 static void as_uri(const char *path, char *to, size_t size) {
     static const char PLAIN[] = "/:-._~";
-    const bool drive = path[0] && path[1] == ':';
+    const bool drive = is_drive(path);
     size_t n = 0;
-    if (path[0] != '/' && !drive) {
+    if (path[0] != '/' && path[0] != '\\' && !drive) {
         snprintf(to, size, "%s", path);
         return;
     }
@@ -113,7 +138,7 @@ int SYSTEM_part_leave(SYSTEM *s, int part) {
 int SYSTEM_part_terminate(SYSTEM *s, int part) {
     int status = 0;
     EITHER(status = (int)f->Terminate(s->part[part]), status = (int)f->Terminate(s->part[part]))
-    return good(status) ? 0 : 1;
+    return good(status) ? 0 : SYSTEM_refused(s, part, "terminate", status);
 }
 
 void SYSTEM_part_free(SYSTEM *s, int part) {
@@ -128,6 +153,7 @@ int SYSTEM_part_give(SYSTEM *s, int k) {
     if (part < 0) return 0;
     EITHER(status = SYSTEM_give2(s, part, k, f), status = SYSTEM_give3(s, part, k, f))
     if (good(status)) return 0;
+    if (status == FATAL) return SYSTEM_refused(s, part, "set a value", status);
     return SYSTEM_say(s, SYSTEM_parts[part].name, status, "%s cannot be set (status %d)", SYSTEM_variables[k].name, status);
 }
 
@@ -136,26 +162,28 @@ int SYSTEM_part_ask(SYSTEM *s, int k, SYSTEM_Value *value) {
     int status = 3;
     EITHER(status = SYSTEM_ask2(s, part, k, f, value), status = SYSTEM_ask3(s, part, k, f, value))
     if (good(status)) return 0;
+    if (status == FATAL) return SYSTEM_refused(s, part, "give a value", status);
     return SYSTEM_say(s, SYSTEM_parts[part].name, status, "%s cannot be got (status %d)", SYSTEM_variables[k].name, status);
 }
 
 int SYSTEM_part_save(SYSTEM *s, int part, void **state) {
-    if (!SYSTEM_parts[part].saves) return 1;
+    if (!SYSTEM_parts[part].saves || !s->part[part]) return 1;
     EITHER(return !good((int)f->GetFMUstate(s->part[part], state)), return !good((int)f->GetFMUState(s->part[part], state)))
 }
 
 int SYSTEM_part_restore(SYSTEM *s, int part, void *state) {
+    if (!s->part[part]) return 1;
     EITHER(return !good((int)f->SetFMUstate(s->part[part], state)), return !good((int)f->SetFMUState(s->part[part], state)))
 }
 
 void SYSTEM_part_forget(SYSTEM *s, int part, void **state) {
-    if (!*state) return;
+    if (!*state || !s->part[part]) return; /* what is not there cannot free it */
     EITHER(f->FreeFMUstate(s->part[part], state), f->FreeFMUState(s->part[part], state))
     *state = NULL;
 }
 
 int SYSTEM_part_state_size(SYSTEM *s, int part, void *state, size_t *size) {
-    if (!SYSTEM_parts[part].serializes) return 1;
+    if (!SYSTEM_parts[part].serializes || !s->part[part]) return 1;
     EITHER(return !good((int)f->SerializedFMUstateSize(s->part[part], state, size)),
            return !good((int)f->SerializedFMUStateSize(s->part[part], state, size)))
 }
@@ -166,6 +194,7 @@ int SYSTEM_part_write(SYSTEM *s, int part, void *state, char *bytes, size_t size
 }
 
 int SYSTEM_part_read(SYSTEM *s, int part, const char *bytes, size_t size, void **state) {
+    if (!s->part[part]) return 1;
     EITHER(return !good((int)f->DeSerializeFMUstate(s->part[part], bytes, size, state)),
            return !good((int)f->DeserializeFMUState(s->part[part], (const fmi3Byte *)bytes, size, state)))
 }

@@ -43,11 +43,13 @@ int SYSTEM_save(SYSTEM *s, SYSTEM_State **state) {
 int SYSTEM_restore(SYSTEM *s, SYSTEM_State *state) {
     if (!state) return SYSTEM_say(s, s->name, 3, "there is no state to restore");
     for (int part = 0; part < SYSTEM_PARTS; part++)
-        if (SYSTEM_part_restore(s, part, state->part[part]))
+        if (SYSTEM_part_restore(s, part, state->part[part])) {
+            s->now.stage = SYSTEM_FAILED; /* those before it are where the state is, those behind it are not */
             return SYSTEM_say(s, SYSTEM_parts[part].name, 3, "%s cannot restore its state", SYSTEM_parts[part].name);
+        }
     s->now = state->now;
     for (int k = 0; k < SYSTEM_VARIABLES; k++)
-        if (is_text(k) && !copied(&s->texts[k], state->texts[k])) return SYSTEM_say(s, s->name, 3, "not enough memory for a text");
+        if (is_text(k) && !copied(&s->texts[k], state->texts[k])) return SYSTEM_fail(s, s->name, 3, "not enough memory for a text");
     return 0;
 }
 

@@ -49,7 +49,7 @@ typedef struct {
 extern const SYSTEM_Variable SYSTEM_variables[SYSTEM_VARIABLES];
 extern const char *const SYSTEM_cells[SYSTEM_CELLS]; /* what each cell is, in words */
 
-typedef enum { SYSTEM_NEW, SYSTEM_INITIALIZING, SYSTEM_RUNNING, SYSTEM_TERMINATED, SYSTEM_FAILED } SYSTEM_Stage;
+typedef enum { SYSTEM_NEW, SYSTEM_INITIALIZING, SYSTEM_RUNNING, SYSTEM_ENDED, SYSTEM_TERMINATED, SYSTEM_FAILED } SYSTEM_Stage;
 
 #if SYSTEM_EVENTS
 /* What is known to come of an event: when [ticks of SYSTEM_FINE to one of the clock], and whether its fault ends. */

@@ -37,9 +37,10 @@ static int pass_on(SYSTEM *s, int k) {
 /* A number takes the place of the one before, which is back where the component refuses it. */
 static int put(SYSTEM *s, int k, SYSTEM_Value value) {
     const SYSTEM_Value before = s->now.values[k];
+    const bool given = s->now.given[k];
     s->now.values[k] = value;
     if (pass_on(s, k) == 0) return 0;
-    s->now.values[k] = before;
+    s->now.values[k] = before, s->now.given[k] = given;
     if (SYSTEM_variables[k].cell >= 0 && SYSTEM_variables[k].kind == SYSTEM_REAL) s->now.z[SYSTEM_variables[k].cell] = before.real;
     else if (SYSTEM_variables[k].cell >= 0) s->now.whole[SYSTEM_variables[k].cell] = before.whole;
     return 1;
@@ -77,9 +78,13 @@ int SYSTEM_set_text(SYSTEM *s, int k, const char *value) {
     if (checked(s, k, SYSTEM_TEXT, SYSTEM_TEXT) || settable(s, k)) return 1;
     char *copy = value ? malloc(strlen(value) + 1) : NULL;
     if (!copy) return SYSTEM_say(s, s->name, 3, value ? "not enough memory" : "a text is wanted");
-    free(s->texts[k]);
+    char *const before = s->texts[k];
+    const bool given = s->now.given[k];
     s->texts[k] = strcpy(copy, value);
-    return pass_on(s, k);
+    const int failed = pass_on(s, k);
+    if (failed) s->texts[k] = before, s->now.given[k] = given;
+    free(failed ? copy : before);
+    return failed;
 }
 
 /* Where a number is to be found: in its cell, among what was set, or with its component. */
@@ -105,7 +110,7 @@ int SYSTEM_get_real(SYSTEM *s, int k, double *value) {
 
 /* Outputs lie in their cells while it runs: a host that records hundreds of them at each step has them at once. */
 int SYSTEM_get_reals(SYSTEM *s, const unsigned *variables, size_t n, double *values) {
-    const bool there = s->now.stage == SYSTEM_RUNNING || s->now.stage == SYSTEM_TERMINATED;
+    const bool there = s->now.stage >= SYSTEM_RUNNING && s->now.stage <= SYSTEM_TERMINATED;
     for (size_t k = 0; k < n; k++) {
         for (int cell; there && k < n && variables[k] < SYSTEM_VARIABLES && (cell = SYSTEM_in_cells[variables[k]]) >= 0; k++)
             values[k] = s->now.z[cell];

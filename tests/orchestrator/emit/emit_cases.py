@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import re
 import subprocess
 import zipfile
 from collections.abc import Callable, Mapping
@@ -75,10 +77,11 @@ def tables_of(system: System, folder: Path, options: str = "-O1 -w", *values: st
 
 
 def read_table(path: Path) -> Table:
-    """The columns of a CSV."""
-    head, *rows = path.read_text().splitlines()
-    cells = [[float(cell) for cell in row.split(",")] for row in rows]
-    return dict(zip(head.split(","), np.array(cells).T, strict=True))
+    """The columns of a CSV by their names, without units."""
+    with path.open(encoding="utf-8") as file:
+        head, *rows = csv.reader(file)
+    cells = [[float(cell) for cell in row] for row in rows]
+    return dict(zip((re.sub(r" \[[^\]]*\]$", "", name) for name in head), np.array(cells).T, strict=True))
 
 
 def run_of_system(system: System) -> Run:

@@ -17,6 +17,7 @@ from native_build import FREE3, needs_gcc
 from recorder import HOST
 from rovbrush.orchestrator.emit import archive
 from rovbrush.orchestrator.emit.code.names import cell_identifiers, number, system_identifier
+from rovbrush.orchestrator.emit.code.own_names import own_names
 from rovbrush.orchestrator.emit.export import export_fmu
 from rovbrush.orchestrator.emit.folder import write_c
 from rovbrush.orchestrator.errors import InputError
@@ -97,7 +98,7 @@ def test_values_on_the_command_line_are_numbers_or_refused(carried: Path, tmp_pa
         assert said in done.stderr and not done.stdout
 
 
-@pytest.mark.parametrize("name", ["time", "system", "bool"])
+@pytest.mark.parametrize("name", ["time", "system", "bool", "Event", "TABLES", "begin_1", "a_F", "fault", "s" * 300])
 def test_a_system_may_be_called_like_something_of_c(name: str, carried: Path, tmp_path: Path) -> None:
     system = read_system(tmp_path, carried, {"a": ("mass", "1 ms", {"x0": 0.1})}, [], stop="5 ms")
     system = replace(system, name=name)
@@ -105,12 +106,58 @@ def test_a_system_may_be_called_like_something_of_c(name: str, carried: Path, tm
 
 
 def test_names_of_cells_meet_no_function_and_numbers_are_c() -> None:
-    names = cell_identifiers(["begin.1", "held.at", "size.t", "a.b", "a_b", "motor.i"], ["PART_A"])
+    names = cell_identifiers(
+        ["M.PI", "T.FLOAT64", "case.step", "length.to", "sent.back", "strtok.r", "case"], [], "case"
+    )
+    assert names == [
+        "cell_M_PI",
+        "cell_T_FLOAT64",
+        "cell_case_step",
+        "length_to_2",
+        "cell_sent_back",
+        "cell_strtok_r",
+        "cell_case",
+    ]
+    names = cell_identifiers(["begin.1", "held.at", "size.t", "a.b", "a_b", "motor.i"], ["PART_A"], "case")
     assert names == ["cell_begin_1", "held_at_2", "cell_size_t", "a_b", "a_b_2", "motor_i"]
     assert [number(x) for x in (float("nan"), float("-inf"), 0.1)] == ["NAN", "-INFINITY", "0.1"]
-    assert [system_identifier(x) for x in ("Time", "hull_pass", "double", "NULL")] == [
-        "Time_", "hull_pass", "double_", "NULL_",
+    assert [system_identifier(x) for x in ("Time", "hull_pass", "double", "NULL", "Event", "watch", "PART_A")] == [
+        "Time_", "hull_pass", "double_", "NULL_", "Event_", "watch_", "PART_A_",
     ]  # fmt: skip
+    assert {"Part", "CALL", "T_INT8", "STEP_TICKS", "part_of_step", "row", "seconds"} <= own_names()
+
+
+def test_cells_may_be_called_like_functions_and_macros_of_the_file_that_they_are_in(
+    carried: Path, tmp_path: Path
+) -> None:
+    """`a.step` in the system `a` beside its function `a_step`, `M.PI` beside that of `math.h`."""
+    for name, x, v in (("one", "step", "find"), ("two", "PI", "FLOAT64"), ("three", "to", "back")):
+        with zipfile.ZipFile(carried / "mass.fmu") as opened:
+            xml = opened.read("modelDescription.xml").decode()
+        xml = xml.replace('name="x"', f'name="{x}"').replace('name="v"', f'name="{v}"')
+        edited(carried / "mass.fmu", tmp_path / f"{name}.fmu", {"modelDescription.xml": xml.encode()})
+    parts = {"a": ("one", "1 ms", {"x0": 0.1}), "M": ("two", "1 ms"), "T": ("two", "2 ms"), "sent": ("three", "1 ms"),
+             "length": ("three", "2 ms")}  # fmt: skip
+    wires = ["a.step -> M.F (mean)", "M.FLOAT64 -> T.F", "T.PI -> sent.F", "sent.back -> length.F (linear)"]
+    system = replace(read_system(tmp_path, tmp_path, parts, wires, stop="8 ms", algorithm="jacobi"), name="a")
+    assert differing(tables_of(system, tmp_path / "c", "-O0 -w"), run_of_system(system)) == []
+
+
+def test_files_of_sources_that_are_alike_when_cleaned_stay_apart(carried: Path, tmp_path: Path) -> None:
+    """The file `b_c` of an FMU `a` beside the file `c` of `a_b`; and `x-y` beside `x_y`."""
+    for name, file, other in (("a", "b_c.c", "x-y.c"), ("a_b", "c.c", "x_y.c")):
+        with zipfile.ZipFile(carried / "mass.fmu") as opened:
+            source, xml = opened.read("sources/answers.c"), opened.read("modelDescription.xml").decode()
+        listed = f'<File name="{file}"/><File name="{other}"/><File name="{other.replace("-", "_")}"/>'
+        xml = re.sub('<File name="answers.c"/>', listed, xml)
+        changes: dict[str, bytes | None] = {
+            "modelDescription.xml": xml.encode(), "sources/answers.c": None, f"sources/{file}": source,
+            f"sources/{other}": b"int first;\n", f"sources/{other.replace('-', '_')}": b"int second;\n",
+        }  # fmt: skip
+        edited(carried / "mass.fmu", tmp_path / f"{name}.fmu", changes)
+    parts = {"p": ("a", "1 ms", {"x0": 0.1}), "q": ("a_b", "1 ms", {"x0": 0.3})}
+    system = read_system(tmp_path, tmp_path, parts, ["p.x -> q.F"], stop="8 ms", algorithm="jacobi")
+    assert differing(tables_of(system, tmp_path / "c", "-O0 -w"), run_of_system(system)) == []
 
 
 FOLDERS = """
@@ -139,6 +186,8 @@ def test_components_find_their_resources_whatever_the_host_says(carried: Path, t
     command = ["gcc", "-I.", "folders.c", "libcase_.a", "-lm", "-o", "folders"]
     subprocess.run(command, cwd=tmp_path / "c", check=True)
     given = ["/x/h\u00fcll/resources", "/x/y/", "file:///x/h%C3%BCll/a%20b", "file:/x", "file:///C:/x%20y", "C:\\x\\y"]
+    given += ["file://localhost/x", "FILE:///x", "file://machine/x", "file://C:/x", "file:C:/x", "file:////server/x"]
+    given += ["\\\\server\\x", "/100%25/x", "file:///100%/x%2", "file:///a%+5b", "file:///a%00b%2fc"]
     done = subprocess.run(["./folders", *given], cwd=tmp_path / "c", capture_output=True, check=True)
     assert done.stdout.decode().splitlines() == [
         "/x/h\u00fcll/resources/mass/resources/ file:///x/h%C3%BCll/resources/mass/resources",
@@ -147,5 +196,16 @@ def test_components_find_their_resources_whatever_the_host_says(carried: Path, t
         "/x/mass/resources/ file:///x/mass/resources",
         "C:/x y/mass/resources/ file:///C:/x%20y/mass/resources",
         "C:\\x\\y/mass/resources/ file:///C:/x/y/mass/resources",
+        "/x/mass/resources/ file:///x/mass/resources",
+        "/x/mass/resources/ file:///x/mass/resources",
+        "/x/mass/resources/ file:///x/mass/resources",  # of this machine, whatever it is called
+        "C:/x/mass/resources/ file:///C:/x/mass/resources",
+        "C:/x/mass/resources/ file:///C:/x/mass/resources",
+        "//server/x/mass/resources/ file:////server/x/mass/resources",
+        "\\\\server\\x/mass/resources/ file:////server/x/mass/resources",
+        "/100%25/x/mass/resources/ file:///100%2525/x/mass/resources",  # a path is none of a URI
+        "/100%/x%2/mass/resources/ file:///100%25/x%252/mass/resources",
+        "/a%+5b/mass/resources/ file:///a%25%2B5b/mass/resources",
+        "/a%00b/c/mass/resources/ file:///a%2500b/c/mass/resources",
     ]
     assert os.sep == "/"
