@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from ..clock import seconds_text
 from ..errors import counted
-from ..system.file.link import ROUND
+from ..system.file.connections.link import ROUND
 from ..system.formats import is_ssp
 from ..system.one_fmu import stated_step
 from .order import discrete

@@ -22,9 +22,9 @@ from ..schema.solving import Loops, Solver
 from ..schema.system import KEYS, SystemTable
 from ..workers import number_of_workers
 from .bonds import bonds_of, requirement_of
-from .clock_links import is_clock
 from .components import component_of
-from .connections import check_drivers, connections_of
+from .connections.clock_links import is_clock
+from .connections.connections import check_drivers, connections_of
 from .events.read import events_of
 from .figure_kinds import figure_kind, figure_kinds
 from .live import live_of

@@ -8,7 +8,7 @@ from typing import Any
 
 from ...errors import InputError, nearest, shown
 from ...units import Unit
-from ..file.link import Link
+from ..file.connections.link import Link
 from ..ssp.files.rules import TWICE
 from ..ssp.units import IDENTITY, Linear, converted
 from .document import EARLY, OspDocument, find, in_order, local

@@ -8,7 +8,7 @@ from typing import Any
 
 from ...errors import InputError, shown
 from ...units import Unit
-from ..file.link import Link
+from ..file.connections.link import Link
 from .files.annotations import annotated
 from .files.document import find
 from .files.rules import OTHER_UNIT, TWICE

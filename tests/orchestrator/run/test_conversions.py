@@ -16,8 +16,8 @@ from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.file.connections import connections_of
-from rovbrush.orchestrator.system.file.link import Link
+from rovbrush.orchestrator.system.file.connections.connections import connections_of
+from rovbrush.orchestrator.system.file.connections.link import Link
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 from rovbrush.orchestrator.system.replace.replacement import replace_component

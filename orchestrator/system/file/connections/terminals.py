@@ -11,11 +11,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple, TypeVar
 
-from ...errors import InputError, nearest
-from ...fmu.binary import as_text
-from ...fmu.fmu import Fmu
-from ...fmu.reading.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
-from ..model import Component
+from ....errors import InputError, nearest
+from ....fmu.binary import as_text
+from ....fmu.fmu import Fmu
+from ....fmu.reading.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
+from ...model import Component
 from .link import Link
 
 FLOWS = (INFLOW, OUTFLOW)

@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ...errors import InputError, nearest
-from ...fmu.conversions import LossyError, conversion_of
-from ...fmu.fmu import Fmu
-from ...toml_file import TomlFile
-from ...units import conversion
-from ..model import Component, Connection
-from ..schema.system import TRANSFERS
+from ....errors import InputError, nearest
+from ....fmu.conversions import LossyError, conversion_of
+from ....fmu.fmu import Fmu
+from ....toml_file import TomlFile
+from ....units import conversion
+from ...model import Component, Connection
+from ...schema.system import TRANSFERS
 from .clock_links import clock_connection
 from .counters import counters_of
 from .link import ROUND, Link

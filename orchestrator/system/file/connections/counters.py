@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ...errors import InputError, nearest
-from ...units import integral_gain
-from ..model import Component
+from ....errors import InputError, nearest
+from ....units import integral_gain
+from ...model import Component
 from .link import Link
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...errors import InputError, nearest
-from ...fmu.reading.clocks import ClockVariable
-from ..model import Component, Connection
+from ....errors import InputError, nearest
+from ....fmu.reading.clocks import ClockVariable
+from ...model import Component, Connection
 
 Components = Mapping[str, Component]
 

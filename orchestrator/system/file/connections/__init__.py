@@ -1,0 +1,1 @@
+"""Connections as a file states them, checked: between variables, counters' means, clocks and whole terminals."""
