@@ -48,7 +48,7 @@ class Input(Struct, frozen=True):
 
 
 class Hello(Struct, frozen=True, tag="hello"):
-    """All that does not change in a run. `charts`: numbers of signals for each; `scene`: see `system/schema/live`."""
+    """All that does not change in a run. `charts`: numbers of signals for each; `scene`: see `schema/keys/live`."""
 
     system: str
     description: str

@@ -8,7 +8,7 @@ from typing import Annotated, TypeVar
 from msgspec import Meta, Struct
 
 from ..system.schema.checked import checked
-from ..system.schema.values import Number, Positive
+from ..system.schema.keys.values import Number, Positive
 from ..toml_file import TomlFile
 
 SPECIFICATION = Path(__file__).with_name("calibration.toml")

@@ -23,8 +23,8 @@ from ..fmu.types import Value
 from ..sockets import TCP
 from .event import Event
 from .inputs.series import Series
-from .schema.live import LiveTable
-from .schema.solving import Loops, Solver
+from .schema.keys.live import LiveTable
+from .schema.keys.solving import Loops, Solver
 from .values import checked_values
 
 Values = Mapping[str, Mapping[str, Value]]  # by component and scalar

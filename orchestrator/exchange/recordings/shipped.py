@@ -19,7 +19,7 @@ from ...run.simulation import simulate
 from ...system.assemble import assemble
 from ...system.file.shipped import SYSTEMS
 from ...system.schema.checked import checked
-from ...system.schema.values import Time, Values
+from ...system.schema.keys.values import Time, Values
 from ...toml_file import TomlFile
 from .write import write_boundary
 

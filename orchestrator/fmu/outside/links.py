@@ -11,7 +11,7 @@ Host = tuple[str, int]
 
 @dataclass(frozen=True)
 class Waiting:
-    """Times are wall times [s]. See `system/schema/outside.py` for what they mean."""
+    """Times are wall times [s]. See `system/schema/keys/outside.py` for what they mean."""
 
     mode: Literal["free", "lockstep"] = "free"
     timeout: float = 1.0

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import cos, sin
 from typing import Any, NamedTuple
 
-from ...system.schema.message import FIELDS
+from ...system.schema.keys.message import FIELDS
 from ..layout import Layout
 from .cdr import Writer
 

@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...loop.operations import ADVANCE, ESTIMATE, HALVE, PUSH, REPEAT, RESTORE, SAVE
 from ...loop.solvers.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
 from ...system.model import Connection, System
-from ...system.schema.values import Positive
+from ...system.schema.keys.values import Positive
 from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import Choice

@@ -15,7 +15,7 @@ from msgspec import Meta
 from ...errors import InputError
 from ...loop.operations import CONTROL, GAUGE
 from ...system.model import System
-from ...system.schema.values import Positive
+from ...system.schema.keys.values import Positive
 from ..design import Design
 from ..schedule.bond_energy import key_of
 from ..schedule.schedule import Schedule

@@ -18,7 +18,7 @@ from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.solvers.iteration import COUNT, RESIDUAL, WORST, workspace
 from ...system.model import Connection, System
-from ...system.schema.values import Count, Positive
+from ...system.schema.keys.values import Count, Positive
 from ..capabilities import require_state
 from ..design import Design
 from ..schedule.formulas import ITERATED, Choice

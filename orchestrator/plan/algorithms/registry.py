@@ -7,7 +7,7 @@ from typing import Any
 from ...errors import InputError, nearest
 from ...system.model import System
 from ...system.schema.checked import checked
-from ...system.schema.system import KEYS
+from ...system.schema.keys.system import KEYS
 from ...toml_file import TomlFile
 from .adaptive import Adaptive
 from .base import Algorithm

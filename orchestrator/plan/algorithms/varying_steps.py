@@ -14,7 +14,7 @@ from ...clock import Clock, common_tick, countable, seconds_text
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS, MAXIMUM, MINIMUM, STEP_TICKS, STOP
 from ...system.model import Connection, System
-from ...system.schema.values import Span
+from ...system.schema.keys.values import Span
 from ..capabilities import require_variable_steps
 from ..schedule.formulas import Choice
 from ..schedule.layout import Layout

@@ -25,7 +25,7 @@ from ...system.file.shipped import SWEEPS, SYSTEMS, shipped_systems
 from ...system.formats import ENDINGS, is_system_file
 from ...system.request import set_name
 from ...system.schema.checked import checked
-from ...system.schema.sweep import SweepTable
+from ...system.schema.keys.sweep import SweepTable
 from ...toml_file import TomlFile
 
 

@@ -14,8 +14,8 @@ from ...fmu.types import BINARY, TEXT
 from ...toml_file import TomlFile
 from ...units import conversion
 from ..model import Bond, Component, Connection, Requirement
-from ..schema.bonds import BondTable, RequirementTable
 from ..schema.checked import checked
+from ..schema.keys.bonds import BondTable, RequirementTable
 
 
 def bonds_of(

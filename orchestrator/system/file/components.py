@@ -23,7 +23,7 @@ from ...units import left_open, parse_unit
 from ..inputs.series_file import stated_series
 from ..model import Component
 from ..schema.checked import checked, checked_value
-from ..schema.system import ComponentTable
+from ..schema.keys.system import ComponentTable
 from ..values import checked_values
 from .outside.component import outside_component
 from .structure import Stated, is_structural, with_structure

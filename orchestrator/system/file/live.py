@@ -9,7 +9,7 @@ from ...errors import InputError, nearest
 from ...toml_file import TomlFile
 from ..model import Component
 from ..schema.checked import checked
-from ..schema.live import LiveControl, LivePart, LiveTable
+from ..schema.keys.live import LiveControl, LivePart, LiveTable
 
 
 def live_of(file: TomlFile, components: Mapping[str, Component]) -> LiveTable:

@@ -9,7 +9,7 @@ from ...errors import nearest
 from ...toml_file import TomlFile
 from ..model import Component
 from ..schema.checked import checked
-from ..schema.message import FIELDS, MessageTable
+from ..schema.keys.message import FIELDS, MessageTable
 
 
 def check_message(file: TomlFile, components: Mapping[str, Component], entry: dict[str, Any], label: str) -> None:

@@ -12,7 +12,7 @@ from ...errors import InputError, nearest
 from ...toml_file import TomlFile
 from ..model import ParameterSet, System
 from ..schema.checked import checked_value
-from ..schema.values import Value
+from ..schema.keys.values import Value
 from ..values import checked_values
 from .shipped import SYSTEMS
 from .structure import Stated, is_structural

@@ -17,9 +17,9 @@ from ..formats import is_system_file, opened
 from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System
 from ..schema.checked import checked
-from ..schema.report import Balance, Comparison, Figure, Window
-from ..schema.solving import Loops, Solver
-from ..schema.system import KEYS, SystemTable
+from ..schema.keys.report import Balance, Comparison, Figure, Window
+from ..schema.keys.solving import Loops, Solver
+from ..schema.keys.system import KEYS, SystemTable
 from ..workers import number_of_workers
 from .bonds import bonds_of, requirement_of
 from .components import component_of

@@ -19,7 +19,7 @@ from ...files import csv_rows
 from ...units import conversion
 from ..model import Component, System
 from ..schema.checked import checked
-from ..schema.system import Table
+from ..schema.keys.system import Table
 from ..values import checked_values, follows_tables
 from .series import Series, series_of, shape_of
 

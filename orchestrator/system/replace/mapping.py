@@ -29,7 +29,7 @@ from ...fmu.types import Value
 from ...toml_file import TomlFile
 from ...units import parse_unit
 from ..schema.checked import checked
-from ..schema.mapping import EntryTable, MappingTable
+from ..schema.keys.mapping import EntryTable, MappingTable
 
 
 @dataclass(frozen=True)

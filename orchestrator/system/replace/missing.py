@@ -17,7 +17,7 @@ from ..file.figure_kinds import figure_kind, figure_kinds
 from ..file.merits import merit
 from ..inputs.series import Series
 from ..model import Component, Connection, System
-from ..schema.message import signals_of
+from ..schema.keys.message import signals_of
 from .mapping import VariableMapping
 
 

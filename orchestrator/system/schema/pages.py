@@ -12,12 +12,12 @@ from msgspec import inspect
 
 from ...errors import InputError, nearest
 from .checked import fields_of
-from .event import ScenarioTable
-from .fit import FitTable
-from .mapping import MappingTable
-from .sweep import SweepTable
-from .system import SystemTable
-from .values import TIME, ParameterFile, UnitFile
+from .keys.event import ScenarioTable
+from .keys.fit import FitTable
+from .keys.mapping import MappingTable
+from .keys.sweep import SweepTable
+from .keys.system import SystemTable
+from .keys.values import TIME, ParameterFile, UnitFile
 from .words import in_words, stripped
 
 FILES: dict[str, Any] = {

@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec import inspect
 
-from .values import LARGEST
+from .keys.values import LARGEST
 
 
 def stripped(type_: Any) -> Any:

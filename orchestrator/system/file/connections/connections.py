@@ -12,7 +12,7 @@ from ....fmu.fmu import Fmu
 from ....toml_file import TomlFile
 from ....units import conversion
 from ...model import Component, Connection
-from ...schema.system import TRANSFERS
+from ...schema.keys.system import TRANSFERS
 from .clock_links import clock_connection
 from .counters import counters_of
 from .link import ROUND, Link

@@ -14,7 +14,7 @@ from ....toml_file import TomlFile
 from ...event import Event
 from ...model import System
 from ...schema.checked import checked
-from ...schema.event import ScenarioTable
+from ...schema.keys.event import ScenarioTable
 from .one_line import event_of_line
 from .read import events_of
 

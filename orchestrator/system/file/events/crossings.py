@@ -7,7 +7,7 @@ import re
 from ....errors import InputError, nearest
 from ...event import Crossing, Key
 from ...quantities import in_own_unit
-from ...schema.event import EventTable
+from ...schema.keys.event import EventTable
 from .signals import Fail, Signals, number
 
 CROSSING = re.compile(r"(?P<signal>.*?\S)\s*(?P<way>[<>])\s*(?P<value>[^<>=\s].*)")

@@ -9,7 +9,7 @@ from ....fmu.types import Value
 from ...event import Fault, Key
 from ...model import Connection
 from ...quantities import in_own_unit
-from ...schema.event import EventTable
+from ...schema.keys.event import EventTable
 from .signals import Fail, Signals, number
 
 WITHOUT_UNIT = ("scale",)  # faults whose value is a plain number

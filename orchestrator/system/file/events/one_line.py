@@ -14,7 +14,7 @@ from typing import Any, get_args, get_type_hints
 
 from ....clock import instant
 from ....errors import InputError, nearest, shown
-from ...schema.event import EventTable
+from ...schema.keys.event import EventTable
 
 EXAMPLE = '"2 s: mission.depth = 3", "motor.i > 20 A: motor.V_in = 0" or "3 s: bias motor.T_load 0.2 for 1 s"'
 WORD = re.compile(r"\s(for|until|seed)\s+")

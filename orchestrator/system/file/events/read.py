@@ -13,7 +13,7 @@ from ....toml_file import TomlFile
 from ...event import Event, Key
 from ...model import Component, Connection, System
 from ...schema.checked import checked
-from ...schema.event import EventTable
+from ...schema.keys.event import EventTable
 from ...values import checked_values, follows_tables
 from .crossings import crossing_of
 from .faults import fault_of

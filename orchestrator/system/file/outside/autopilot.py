@@ -14,8 +14,8 @@ from ....fmu.outside.autopilot import autopilot_fmu
 from ....fmu.outside.declared import DeclaredFmu
 from ....sockets import is_loopback
 from ....units import parse_unit
-from ...schema.ardusub import ArduSubTable, ServoTable
 from ...schema.checked import checked
+from ...schema.keys.ardusub import ArduSubTable, ServoTable
 
 
 def autopilot_of(name: str, entry: dict[str, Any], period: object) -> DeclaredFmu:

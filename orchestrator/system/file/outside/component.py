@@ -12,8 +12,8 @@ from ....fmu.outside.declared import Causality, Declared, DeclaredFmu, declared_
 from ....fmu.outside.python_file import EXAMPLE, PythonCode, annotated, arguments_of, is_compiled, line_of
 from ....toml_file import TomlFile
 from ...schema.checked import checked
-from ...schema.outside import DeclareTable, VariableTable
-from ...schema.system import ComponentTable
+from ...schema.keys.outside import DeclareTable, VariableTable
+from ...schema.keys.system import ComponentTable
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 DECLARING = ("python", "udp", "shared_memory")

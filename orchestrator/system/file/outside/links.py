@@ -14,7 +14,7 @@ from ....fmu.outside.links import Host, SharedMemory, Udp, Waiting
 from ....sockets import is_loopback
 from ....toml_file import TomlFile
 from ...schema.checked import checked
-from ...schema.outside import SharedMemoryTable, UdpTable
+from ...schema.keys.outside import SharedMemoryTable, UdpTable
 
 MOST = 1000  # variables of one direction: a packet of JSON stays below 64 KB
 

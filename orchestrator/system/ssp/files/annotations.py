@@ -19,7 +19,7 @@ from msgspec import to_builtins
 from ....clock import seconds_text
 from ....fmu.kinds import usual_kind
 from ...model import FORMATS, Bond, Component, Connection, Requirement, System
-from ...schema.solving import Loops, Solver
+from ...schema.keys.solving import Loops, Solver
 from .document import NAMESPACES, Document, find
 
 TYPE = "rovbrush.simulation"  # the type of our annotations

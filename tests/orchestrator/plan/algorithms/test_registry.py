@@ -11,8 +11,8 @@ import pytest
 from rovbrush.orchestrator.plan.algorithms import registry
 from rovbrush.orchestrator.plan.algorithms.base import Algorithm
 from rovbrush.orchestrator.plan.algorithms.registry import ALGORITHMS, algorithm_names, settings_tables
+from rovbrush.orchestrator.system.schema.keys.system import SystemTable
 from rovbrush.orchestrator.system.schema.pages import Algorithms, json_schema
-from rovbrush.orchestrator.system.schema.system import SystemTable
 
 HERE = Path(registry.__file__).parent
 PACKAGE = HERE.parent.parent

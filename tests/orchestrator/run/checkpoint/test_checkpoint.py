@@ -25,7 +25,7 @@ from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
-from rovbrush.orchestrator.system.schema.solving import Solver
+from rovbrush.orchestrator.system.schema.keys.solving import Solver
 
 pytestmark = pytest.mark.sampled(4)
 

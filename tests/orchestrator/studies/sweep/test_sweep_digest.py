@@ -11,7 +11,7 @@ import pytest
 from helpers import read_system
 from rovbrush.orchestrator.studies.sweep.workers.point import digest
 from rovbrush.orchestrator.system.model import Connection, System
-from rovbrush.orchestrator.system.schema.solving import Loops, Solver
+from rovbrush.orchestrator.system.schema.keys.solving import Loops, Solver
 
 
 def of_component(system: System, **choice: Any) -> System:

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
-from ...fmu.kinds import Kind
+from ....fmu.kinds import Kind
 from .ardusub import ArduSubTable
 from .bonds import BondTable, RequirementTable
 from .event import EventTable

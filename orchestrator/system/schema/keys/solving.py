@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
-from ...integration.settings import Method
+from ....integration.settings import Method
 from .values import Count, Positive, Time
 
 
