@@ -13,14 +13,14 @@ from ..system.inputs.series import series_in_words
 from .at_once import explained as together_in_words
 from .capabilities import remarks
 from .exchange import explained
-from .fused import fused_words
 from .happening.clocks import clock_words
 from .happening.events import event_words
 from .happening.scenario_text import scenario_in_words
 from .plan import Plan
 from .remarks import aliased, chosen, held_now
 from .schedule.operation_text import OperationText
-from .straight import straight_words
+from .speed.fused import fused_words
+from .speed.straight import straight_words
 
 
 def explain(plan: Plan, operations: int | None = None) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from ...fmu.types import BOOLEAN, FLOAT, FLOAT32, FmiType, function_type
 from ...loop.operations import MOVE, PUSH
 from ...plan.plan import Plan
-from ...plan.together import together
+from ...plan.speed.together import together
 from ...run.memory.memory import Memory
 from ..units import Unit
 from .names import cell_identifiers, cell_words, identifiers, number

@@ -9,9 +9,9 @@ import numpy as np
 from ...loop import cells, turns
 from ...loop.machine.frame import ARRAYS, Loop
 from ...loop.operations import COLUMNS, COPY, ESTIMATE, ITERATE, MOVES, REPEAT, SEGMENT, SOLVE, TURNS
-from ...plan.fused import Fused, Turn, fuse
 from ...plan.plan import Plan
-from ...plan.together import take_turns
+from ...plan.speed.fused import Fused, Turn, fuse
+from ...plan.speed.together import take_turns
 
 if TYPE_CHECKING:
     from ...loop.straight.code import Code

@@ -8,14 +8,14 @@ import numpy as np
 
 from ...loop.machine.frame import Loop
 from ...plan.plan import Plan
-from ...plan.straight import Worth, worth_of
+from ...plan.speed.straight import Worth, worth_of
 from .program import Program, as_it_is, in_segments
 
 PAYS, ALWAYS, NEVER = "pays", "always", "never"
 
 
 class StraightOn:
-    """Of a plan; `when`: PAYS, once it has (see `plan/straight.py`), ALWAYS from the beginning, or NEVER."""
+    """Of a plan; `when`: PAYS, once it has (see `plan/speed/straight.py`), ALWAYS from the beginning, or NEVER."""
 
     def __init__(self, plan: Plan, when: str = PAYS) -> None:
         self.plan = plan

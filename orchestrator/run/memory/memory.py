@@ -12,7 +12,7 @@ from ...loop.texts import MANY, MANY_BYTES, Texts
 from ...loop.versions import signatures
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ...plan.together import Key, given, in_place, internal, kind_of, together
+from ...plan.speed.together import Key, given, in_place, internal, kind_of, together
 
 Typed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 

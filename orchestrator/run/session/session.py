@@ -52,8 +52,8 @@ class Session:
     into pieces does not change its results. `file`: where rows are written while the run goes, if they become many.
     `stop_requests`: what may ask the run to stop, if it is more than Ctrl-C. `observers` look on while it goes. `pace`:
     how it keeps pace with the clock on the wall, of a plan that has deadlines. `fuses`: whether the loop does in one
-    go what can be (`plan/fused.py`), `straight`: when by machine code of its own (`blocks/straight_on.py`), bitwise
-    equal. Raises FmuError or InputError if the start cannot be reached.
+    go what can be (`plan/speed/fused.py`), `straight`: when by machine code of its own (`blocks/straight_on.py`),
+    bitwise equal. Raises FmuError or InputError if the start cannot be reached.
     """
 
     def __init__(

@@ -16,8 +16,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop import cells, turns
 from rovbrush.orchestrator.loop.operations import COLUMNS, COPY, GET, MOVE, MOVES, RECORD, REPEAT, SET, STEP, TURNS
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.plan.fused import fuse
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.plan.speed.fused import fuse
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.session.session import Session

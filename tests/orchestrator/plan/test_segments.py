@@ -14,7 +14,7 @@ from rovbrush.orchestrator.loop.operations import ITERATE, PAUSE, REPEAT, SEGMEN
 from rovbrush.orchestrator.loop.straight.text import COVERED
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.plan.straight import worth_of
+from rovbrush.orchestrator.plan.speed.straight import worth_of
 from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS
 from rovbrush.orchestrator.run.pacing.pace import FASTEST, Pace
 from rovbrush.orchestrator.run.session.session import Session

@@ -16,10 +16,10 @@ from native_build import FREE3, built, moody, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.machine import objects
 from rovbrush.orchestrator.loop.straight import code as straight_code
-from rovbrush.orchestrator.plan import straight
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.plan.straight import worth_of
+from rovbrush.orchestrator.plan.speed import straight
+from rovbrush.orchestrator.plan.speed.straight import worth_of
 from rovbrush.orchestrator.run.blocks.straight_on import ALWAYS, NEVER
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.studies.bench.fmus.mixed import mixed_ring

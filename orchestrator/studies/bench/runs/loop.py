@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ....plan.plan import Plan, make_plan
-from ....plan.straight import worth_of
+from ....plan.speed.straight import worth_of
 from ....run.blocks.straight_on import ALWAYS, NEVER
 from ....run.session.session import Session
 from ....run.stepping.stepping import Stepping

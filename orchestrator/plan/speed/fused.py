@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..errors import counted
-from ..loop.operations import (
+from ...errors import counted
+from ...loop.operations import (
     AT_AN_INSTANT,
     COPY,
     ESTIMATE,
@@ -28,7 +28,7 @@ from ..loop.operations import (
     STEP,
     TURNS,
 )
-from .design import Design
+from ..design import Design
 from .together import take_turns
 
 SHOWN = 6  # names in one line, at most

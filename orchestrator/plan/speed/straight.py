@@ -14,12 +14,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ..errors import counted
-from ..loop.operations import GET, SET, WORK
-from ..loop.straight.calls import can_exchange
-from ..loop.straight.text import COVERED, Segments
+from ...errors import counted
+from ...loop.operations import GET, SET, WORK
+from ...loop.straight.calls import can_exchange
+from ...loop.straight.text import COVERED, Segments
+from ..plan import Plan
 from .fused import gone_on_with
-from .plan import Plan
 from .together import given, internal, together
 
 MOST = 256  # operations; beyond that it is no quicker than what looks them up

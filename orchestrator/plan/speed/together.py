@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import groupby
 
-from ..fmu.types import FmiType
-from .design import Design
-from .exchange import at_events
+from ...fmu.types import FmiType
+from ..design import Design
+from ..exchange import at_events
 
 Key = tuple[str, str]
 
