@@ -48,9 +48,7 @@ first-run: $(VENV)/test.stamp
 	$(BIN)/python -m release.first_run
 
 lowest:
-	$(PYTHON) -m venv .lowest
-	.lowest/bin/python -m pip install --quiet --disable-pip-version-check uv
-	.lowest/bin/uv pip install --quiet --python .lowest/bin/python --resolution lowest-direct --editable ".[test]"
+	$(PYTHON) -m release.environment .lowest test lowest-direct
 	.lowest/bin/python -m pytest -n logical --dist worksteal -o cache_dir=.lowest/cache tests/packaging tests/system/test_nominal.py \
 	  tests/fmus tests/components/dc_motor tests/components/test_kernels_have_three_lives.py $(addprefix tests/orchestrator/, \
 	  test_api.py test_units.py cli/test_command_line.py exchange fmu paper participant results system studies/test_convergence.py \

@@ -54,6 +54,11 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f"; there are {', '.join(names[:SHOWN])}{more}" if names else ""
 
 
+def or_else(hint: str, other: str) -> str:
+    """What `nearest` says, and what else would do: `; did you mean 'x'? Or ...`."""
+    return f"{hint}{' Or' if hint.endswith('?') else ', or'} {other}"
+
+
 def shown(value: object) -> str:
     """A value as a message quotes it: whole where it is short."""
     try:

@@ -1,9 +1,9 @@
 """The virtual environment of `make run` and `make test`: by uv, or by pip alone where uv cannot be had or fails.
 
-`python -m release.environment FOLDER EXTRA` makes FOLDER, with pip in it, and installs the checkout there, editable,
-with an extra. uv takes a quarter of pip's time; it is that of the machine or one that pip fetches for this once. It
-does not know pip's configuration, so that is handed on; where a setting has no like in uv, pip installs. Nothing but
-the standard library is needed here.
+`python -m release.environment FOLDER EXTRA [VERSIONS]` makes FOLDER, with pip in it, and installs the checkout there,
+editable, with an extra; VERSIONS such as `lowest-direct` are chosen by uv alone (`make lowest`). uv takes a quarter of
+pip's time; it is that of the machine or one that pip fetches for this once. It does not know pip's configuration, so
+that is handed on; where a setting has no like in uv, pip installs. Nothing but the standard library is needed here.
 """
 
 from __future__ import annotations
@@ -37,11 +37,13 @@ class NoUvError(Exception):
     """Why uv does not install."""
 
 
-def main(folder: Path, extra: str) -> None:
-    """Make the environment, or complete it."""
+def main(folder: Path, extra: str, versions: str = "") -> None:
+    """Make the environment, or complete it; `versions`: which uv is to choose where it is not the newest."""
     try:
-        by_uv(folder, extra)
+        by_uv(folder, extra, versions)
     except NoUvError as why:
+        if versions:
+            sys.exit(f"only uv chooses the versions {versions}: {why}")
         print(f"installing by pip, which takes longer: {why}", flush=True)
         by_pip(folder, extra)
 
@@ -56,7 +58,7 @@ def by_pip(folder: Path, extra: str) -> None:
             sys.exit(code)
 
 
-def by_uv(folder: Path, extra: str) -> None:
+def by_uv(folder: Path, extra: str, versions: str = "") -> None:
     """Raises NoUvError where it cannot be had, or fails: then `by_pip` says what is wrong, if anything is."""
     environment = settings(configured(), os.environ)
     with tempfile.TemporaryDirectory() as temporary:
@@ -66,6 +68,7 @@ def by_uv(folder: Path, extra: str) -> None:
         where = ["--python", str(python_of(folder))]
         if sys.dont_write_bytecode:  # else the first import writes it, of what is imported
             where.append("--compile-bytecode")
+        where += ["--resolution", versions] if versions else []
         run([uv, "pip", "install", "--quiet", *where, "--editable", f"{ROOT}[{extra}]"], environment)
 
 
@@ -128,4 +131,4 @@ def python_of(folder: Path) -> Path:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2])
+    main(Path(sys.argv[1]), *sys.argv[2:])

@@ -18,7 +18,7 @@ from pathlib import Path
 from .sources import ROOT
 
 TABLE = "Paper and simulation"  # the title of Table 3
-BOUND = 60.0  # s on two cores
+BOUND = 10.0  # s on two cores, of what follows the installation
 
 
 def main() -> None:
@@ -63,8 +63,10 @@ def first_run(wheel: Path, folder: Path, cache: str, extra: str = "") -> None:
     ended = time.perf_counter()
     if run.returncode:
         sys.exit(f"the run failed with {run.returncode}")
-    print(f"rovbrush run nominal, to Table 3: {table - installed:.1f} s; to its end: {ended - installed:.1f} s")
-    print(f"from pip install to Table 3: {table - began:.1f} s (wanted: under {BOUND:.0f} s on two cores)")
+    print(f"from installation to Table 3: {table - installed:.1f} s (wanted: under {BOUND:.0f} s on two cores)")
+    print(
+        f"from installation to the end of the run: {ended - installed:.1f} s; from pip install: {ended - began:.1f} s"
+    )
     began = time.perf_counter()
     subprocess.run(command, check=True, env=environment, cwd=folder, stdout=subprocess.DEVNULL)
     print(f"the same run again: {time.perf_counter() - began:.1f} s")

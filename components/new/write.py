@@ -6,6 +6,7 @@ import importlib.util
 import keyword
 import os
 import re
+import shlex
 from pathlib import Path
 
 from ..build import COMPONENTS, HERE
@@ -85,7 +86,7 @@ def _class_name(name: str) -> str:
 
 def _next_steps(name: str, folder: Path, inside: bool) -> list[tuple[str, str]]:
     """What to type, and why."""
-    component = os.path.join(folder, name) if folder != Path() else f"./{name}"
+    component = shlex.quote(os.path.join(folder, name) if folder != Path() else f"./{name}")
     fmu = f"fmus/{name}.fmu"
     steps = [
         (f"rovbrush build {component} --fmus fmus", f"the Python FMU, {fmu}"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -35,7 +36,7 @@ def new_system(name: str, folder: Path, more: Mapping[str, str]) -> tuple[Path, 
     write_whole(target, fill)
     here = folder / name
     return target, [
-        (f"cd {here}", "it runs where it lies"),
+        (f"cd {shlex.quote(str(here))}", "it runs where it lies"),
         (f"rovbrush run {name}.toml --out results", "figures, tables and a summary, in results/"),
         (f"rovbrush plan {name}.toml --svg {name}.svg", "rates, transfers, a block diagram"),
         ("pytest", f"what test_{name}.py claims"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
-import shlex
+import re
 import sys
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -17,11 +17,16 @@ from rich.table import Table
 from rich.text import Text
 
 from ..errors import counted
+from ..files import typed
 
 if TYPE_CHECKING:
     from ..plan.plan import Plan
     from ..system.model import System
     from ..system.request import Request
+
+
+PATH = re.compile(r'"[^"]*[/\\][^"]*"|\'[^\']*[/\\][^\']*\'')  # in quotes: is copied, so it stays in one line
+HARD = "\N{NO-BREAK SPACE}"
 
 
 class Stdout:
@@ -83,11 +88,12 @@ def _folded(line: str) -> str:
     if len(line) <= console.width:
         return line
     indent = " " * (len(line) - len(line.lstrip()) + 4)
+    whole = PATH.sub(lambda found: found[0].replace(" ", HARD), line)
     words = textwrap.wrap(
-        line, console.width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
+        whole, console.width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
         drop_whitespace=True, replace_whitespace=False,
     )  # fmt: skip
-    return "\n".join(words)
+    return "\n".join(words).replace(HARD, " ")
 
 
 def wrote(paths: Sequence[Path], folder: Path) -> None:
@@ -143,12 +149,12 @@ def print_notes(system: System) -> None:
         if fmu.notes:
             tell(
                 f"{fmu.path.name} breaks the standard in {counted(len(fmu.notes), 'point')} that a run can do without: "
-                f"`rovbrush check {fmu.path}` lists them, --strict makes them errors"
+                f"`rovbrush check {typed(fmu.path)}` lists them, --strict makes them errors"
             )
     if system.breaches:
         tell(
             f"{system.path.name} breaks the standard in {counted(len(system.breaches), 'point')} that a run can do "
-            f"without: `rovbrush check {system.path}` lists them, --strict makes them errors"
+            f"without: `rovbrush check {typed(system.path)}` lists them, --strict makes them errors"
         )
     for remark in system.remarks:
         tell(remark)
@@ -166,7 +172,7 @@ def print_transfers(plan: Plan, request: Request) -> None:
     if text := chosen(plan):
         options = [f"--{key}" for key in ("replace", "map_", "period", "set_", "input_") if getattr(request, key)]
         with_ = f" with the same {', '.join(options)}".replace("_", "") if options else ""
-        tell(f"{text}: `rovbrush plan {shlex.quote(request.system)}`{with_} shows each")
+        tell(f"{text}: `rovbrush plan {typed(request.system)}`{with_} shows each")
     for line in (*held_now(plan), *aliased(plan)):
         tell(line)
 

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 
 from .. import processes
 from ..errors import FmuError
+from ..files import typed
 
 PASSED_ON = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if hasattr(signal, "SIGHUP") else ()
 INSISTED = 3  # signals, how many until a child that does not listen is ended: an FMU may never return
@@ -93,6 +94,6 @@ def sheltered(fmu: Path, work: Callable[..., Any], *arguments: object) -> Any:
         return processes.in_process(work, *arguments)
     except processes.EndedError as error:
         raise FmuError(
-            f"{fmu.name} ended the run: the process {error}; `rovbrush check {fmu}` finds out in which call, and "
-            "how its author can repeat that"
+            f"{fmu.name} ended the run: the process {error}; `rovbrush check {typed(fmu)}` finds out in which call, "
+            "and how its author can repeat that"
         ) from None

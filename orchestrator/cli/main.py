@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
+from itertools import pairwise
 from typing import NoReturn
 
 import typer
@@ -102,6 +103,17 @@ def with_factor(arguments: list[str]) -> list[str]:
     return found
 
 
+def no_factor(arguments: list[str], message: str) -> str:
+    """What to say of the word behind `--real-time` that is no number, where that is what is wrong; else empty."""
+    for word, following in pairwise(arguments):
+        if word == "--real-time" and not following.startswith("-") and f"({following})" in message:
+            return (
+                f"--real-time {following}: write how many times faster than the clock, such as --real-time 2, or "
+                "nothing behind it for real time"
+            )
+    return ""
+
+
 def main() -> NoReturn:
     """Entry point: every error that a user can meet becomes one message on stderr and an exit code."""
     arguments = with_factor([a for a in sys.argv[1:] if a not in ("--debug", "--compile")])
@@ -122,8 +134,8 @@ def main() -> NoReturn:
         code = 1
     except Exception as error:
         if hasattr(error, "format_message"):  # a usage error found by the command line's own parser
-            if error.format_message():  # empty behind the help that the bare command prints
-                complain(f"{error.format_message()} (see `rovbrush --help`)")
+            if message := error.format_message():  # empty behind the help that the bare command prints
+                complain(no_factor(sys.argv[1:], message) or f"{message} (see `rovbrush --help`)")
             code = 2
         elif debug:
             raise

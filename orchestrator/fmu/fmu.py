@@ -12,13 +12,12 @@ from attrs import evolve
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ..cache import cache_folder
-from ..errors import FmuError
 from ..units import Definition, Unit
 from .attributes import start_value
 from .capabilities import Capabilities
 from .files.archive import opened
 from .files.binary import find_library
-from .files.places import origin, require_of_this_version
+from .files.places import absent, origin, require_of_this_version
 from .files.unpacked import archive_of, unpack
 from .files.windows import platform_of
 from .kinds import CO_SIMULATION, Kind, kinds_of, require_kind, usual_kind
@@ -66,7 +65,7 @@ class Fmu(Capabilities):
         try:
             status = path.stat()
         except (OSError, ValueError):
-            raise FmuError(f"FMU {path} does not exist; build the project's own with `rovbrush build`") from None
+            raise absent(path) from None
         unchanged = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
         if path.is_dir() or time.time() - max(status.st_mtime, status.st_ctime) < SETTLED:
             return _read(path, compiled, elsewhere)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from ..clock import duration
 from ..errors import InputError, RovbrushError, RunError
-from ..files import prepare_folder, sweep_up, write_file
+from ..files import prepare_folder, sweep_up, typed, write_file
 from ..plan.plan import Plan
 from ..results.files.folder import remove, require_own
 from ..results.files.writing import MESSAGES, More, Written, write_messages, write_products, write_rows
@@ -152,7 +152,7 @@ def _resume(session: Session, out: Path, request: Request) -> str:
         return ""
     if why := _kept(session, out, request):
         return why
-    return "\n".join([f"go on with `rovbrush run --resume {out}`", *session.forgotten])
+    return "\n".join([f"go on with `rovbrush run --resume {typed(out)}`", *session.forgotten])
 
 
 def _kept(session: Session, out: Path, request: Request) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..results.pictures.written import as_written
 from .signals import Signal
 
 
@@ -22,5 +23,6 @@ def picture(signals: Sequence[Signal], trace: Sequence[tuple[float, list[float]]
         axis.plot(times, [values[k] for _, values in trace])
         axis.set_ylabel(f"{signal.name} [{signal.unit}]")
     axes[-1].set_xlabel("time [s]")
-    canvas.draw()  # type: ignore[no-untyped-call]
+    with as_written(figure):
+        canvas.draw()  # type: ignore[no-untyped-call]
     return np.asarray(canvas.buffer_rgba())[:, :, :3].copy()  # type: ignore[no-untyped-call]

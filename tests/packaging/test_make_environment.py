@@ -91,6 +91,24 @@ def test_an_environment_that_is_there_is_completed(tmp_path: Path, monkeypatch: 
     assert call == f"pip install --quiet --python {python} --editable {environment.ROOT}[test]"
 
 
+def test_the_lowest_versions_are_of_the_indexes_of_pip_and_chosen_by_uv_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    uv = tmp_path / "uv"
+    uv.write_text(f'#!/bin/sh\necho "$UV_DEFAULT_INDEX $@" >> {tmp_path}/calls\n')
+    uv.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    monkeypatch.delenv("UV_DEFAULT_INDEX", raising=False)
+    monkeypatch.setattr(environment, "configured", lambda: {"index-url": ["file:///own"]})
+    environment.main(tmp_path / "venv", "test", "lowest-direct")
+    made, installed = (tmp_path / "calls").read_text().splitlines()
+    assert made.startswith("file:///own venv") and installed.startswith("file:///own pip install")
+    assert "--resolution lowest-direct --editable" in installed
+    monkeypatch.setattr(environment, "by_uv", lambda *_: (_ for _ in ()).throw(NoUvError("there is none")))
+    with pytest.raises(SystemExit, match="only uv chooses the versions lowest-direct: there is none"):
+        environment.main(tmp_path / "venv", "test", "lowest-direct")
+
+
 def test_what_ends_by_hand_ends_the_process(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(environment.sys, "executable", "/bin/false")
     with pytest.raises(SystemExit) as end:

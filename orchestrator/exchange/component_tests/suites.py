@@ -9,7 +9,7 @@ from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any, Protocol
 
-from ...errors import InputError, nearest
+from ...errors import InputError, nearest, or_else
 
 GROUP = "rovbrush.behaviours"
 FILES = ("behaviour.py", "behaviour/__init__.py")  # one of them, which has the SUITE
@@ -65,9 +65,8 @@ def suite_of(component: str) -> Suite:
             return _suite_in(folder.resolve(), file)
     if folder.is_dir() or len(folder.parts) > 1:
         raise InputError(f"no tests are known for {folder}: it has no {FILES[0]}")
-    raise InputError(
-        f"no tests are known for a component '{component}'{nearest(component, found)}; or give the folder of one"
-    )
+    hint = or_else(nearest(component, found), "give the folder of one")
+    raise InputError(f"no tests are known for a component '{component}'{hint}")
 
 
 def _suite_in(folder: Path, file: str) -> Suite:

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from ...errors import FmuError
 from ..tolerant.rules import BACKSLASH, TWICE, Notes
+from .places import absent
 
 LARGEST = 2 << 30  # bytes unpacked; guards against zip bombs
 MOST = 50_000  # entries
@@ -56,7 +57,7 @@ def opened(path: Path, kind: str = "FMU", notes: Notes | None = None) -> Iterato
 def content_hash(path: Path, kind: str = "FMU") -> str:
     """SHA-256 of a file, as hexadecimal text. Raises FmuError where there is none to read."""
     if not os.path.isfile(path):  # a name that no file can have, too
-        raise FmuError(f"{kind} {path} does not exist; build the project's own with `rovbrush build`")
+        raise absent(path, kind)
     try:
         with path.open("rb") as file:
             return hashlib.file_digest(file, "sha256").hexdigest()

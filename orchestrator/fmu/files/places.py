@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+from contextlib import suppress
+from difflib import get_close_matches
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -51,6 +53,19 @@ def named_fmu(name: str, fmus: Path | None) -> Path:
     if shipped is not None and not os.path.isfile(built) and os.path.isfile(shipped / f"{name}.fmu"):
         return shipped / f"{name}.fmu"
     return built
+
+
+def absent(path: Path, kind: str = "FMU") -> FmuError:
+    """That a file is not there, and which one may be meant: one of ours by its name, or one that lies beside it."""
+    named = path.with_suffix("")
+    ours = named_fmu(path.name, None) if path.suffix == "" and path.name == str(path) else path
+    if os.path.isfile(ours):
+        return FmuError(f"{kind} {path} does not exist; that of ours is {ours}")
+    with suppress(OSError):
+        beside = [other.name for other in path.parent.iterdir() if other.suffix.lower() == (path.suffix or ".fmu")]
+        if close := get_close_matches(named.name + (path.suffix or ".fmu"), beside, 1):
+            return FmuError(f"{kind} {path} does not exist; did you mean '{path.parent / close[0]}'?")
+    return FmuError(f"{kind} {path} does not exist; build the project's own with `rovbrush build`")
 
 
 def is_shipped(path: Path) -> bool:

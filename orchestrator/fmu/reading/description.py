@@ -57,11 +57,21 @@ def read_description(path: Path, folder: Path, compiled: bool = False, elsewhere
     return found._replace(notes=(*found.notes, *notes.all()))
 
 
+def _instead(folder: Path) -> str:
+    """What an archive without a description has, and how it becomes an FMU."""
+    for place in (*folder.glob("*"), *folder.glob("*/*")):
+        if place.name.lower() == "modeldescription.xml":
+            found = place.relative_to(folder).as_posix()
+            pack = "" if place.parent == folder else f": pack what is in the folder {place.parent.name}, not the folder"
+            return f"it has {found}{pack or ', and capital letters matter: rename it'}"
+    return "it is not an FMU, or not a complete one"
+
+
 def described(path: Path, folder: Path) -> Described:
     """The description of an unpacked FMU of FMI 1.0, 2.0 or 3.0, of any kind. Raises FmuError."""
     xml = folder / "modelDescription.xml"
     if not xml.is_file():
-        raise FmuError(f"FMU {path} has no modelDescription.xml; it is not an FMU, or not a complete one")
+        raise FmuError(f"FMU {path} has no modelDescription.xml; {_instead(folder)}")
     notes = Notes()
     root = safe_xml(path, xml, notes)
     if root.tag != "fmiModelDescription":

@@ -10,6 +10,7 @@ from ipaddress import ip_address
 from ...ardupilot.frames import REPEAT_AFTER, Frames, Verdict
 from ...ardupilot.packet import NoServoPacketError, ServoPacket, parse
 from ...errors import InputError, RunError
+from ...waiting import ended_by_signals
 from .waits import Waits
 
 LOOPBACK, PORT = "127.0.0.1", 9002  # where an autopilot's JSON backend sends to, if it is not told otherwise
@@ -81,7 +82,8 @@ class Link:
                 raise RunError(self._silence())
             self._socket.settimeout(min(left, SLICE))
             try:
-                content, sender = self._socket.recvfrom(LARGEST)
+                with ended_by_signals():
+                    content, sender = self._socket.recvfrom(LARGEST)
             except (TimeoutError, ConnectionError):  # Windows tells here that nobody listened to the last line
                 continue
             if self.peer and sender[0] != self.peer:

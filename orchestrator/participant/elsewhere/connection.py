@@ -9,6 +9,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from ...errors import FmuError, InputError
+from ...files import typed
 from ...fmu.fmu import Fmu
 from ...sockets import SHORTEST_TOKEN, Address, prepared, tcp_address
 from ...system.model import Component
@@ -75,8 +76,8 @@ class Connection:
         except OSError as error:
             why = error.strerror or str(error)
             raise FmuError(
-                f"component {name}: nobody answers at {address} ({why}); start `rovbrush serve {fmu.path.name} --port "
-                f"{address.port}` there"
+                f"component {name}: nobody answers at {address} ({why}); start `rovbrush serve {typed(fmu.path.name)} "
+                f"--port {address.port}` there"
             ) from None
         self.wire = Wire(prepared(connected), greeting.LONGEST)
         try:

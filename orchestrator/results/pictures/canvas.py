@@ -9,6 +9,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from ..tables import Run
+from .written import as_written
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -108,10 +109,11 @@ def _figure_class() -> type[Figure]:
 
         def savefig(self, fname: Any, **options: Any) -> None:
             as_png = options == {"format": "png"} or (not options and str(fname).endswith(".png"))
-            if as_png and isinstance(self.canvas, FigureCanvasAgg):
-                self.canvas.print_png(fname)  # type: ignore[no-untyped-call, unused-ignore]
-            else:
-                super().savefig(fname, **options)
+            with as_written(self):
+                if as_png and isinstance(self.canvas, FigureCanvasAgg):
+                    self.canvas.print_png(fname)  # type: ignore[no-untyped-call, unused-ignore]
+                else:
+                    super().savefig(fname, **options)
 
         def _repr_png_(self) -> bytes:
             buffer = io.BytesIO()

@@ -34,6 +34,11 @@ class Choice:
     left_out: Sequence[Row]  # for which there is no room
     still: Sequence[Signal]  # that stay constant, and are told below
 
+    def require_rows(self, found: Traces) -> None:
+        """Raise InputError where there is nothing to draw."""
+        if not self.rows:
+            raise InputError(f"{found.title}: nothing was recorded that could be drawn; `--record` says what is")
+
     @property
     def others(self) -> list[str]:
         """The signals for which there is no room."""
@@ -80,7 +85,8 @@ def overview(found: Traces) -> Figure:
 
 
 def picture(found: Traces, choice: Choice) -> Figure:
-    """The rows that were chosen, with a closer look beside them."""
+    """The rows that were chosen, with a closer look beside them. Raises InputError where there are none."""
+    choice.require_rows(found)
     closer = zoom([s for row in choice.rows for s in row.signals], [t for t, _ in found.events])
     figure, axes = columns_figure(found.title, len(choice.rows), 1 if closer is None else 2)
     for row, (whole, *near) in zip(choice.rows, axes, strict=True):

@@ -61,8 +61,7 @@ class Panel:
 
 def signals_page(found: Traces, choice: Choice) -> str:
     """The page of a result: the rows that were chosen. Raises InputError without plotly, or where there are none."""
-    if not choice.rows:
-        raise InputError(f"{found.title}: nothing was recorded")
+    choice.require_rows(found)
     panels = [Panel(r.label, r.signals, [s.name for s in r.signals], r.read) for r in choice.rows]
     below = [element("p", safe(line)) for line in choice.words(found)]
     return html(found.title, [plot_html(panels), *below])

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...loop import cells
+from ...waiting import none_came, signal_came
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 REASONS = {
@@ -23,7 +24,8 @@ REASONS = {
 class StopRequests:
     """Lets signals stop the loop at the next instant instead of ending the process or raising inside an FMU's code.
 
-    `control` is that of the loop, see `loop/run`. A second signal insists: it raises KeyboardInterrupt. What was
+    `control` is that of the loop, see `loop/run`. A second signal insists: it raises KeyboardInterrupt, as does the
+    first where an FMU waits for somebody outside (`waiting`). What was
     ignored when the process began (nohup, a background job) stays ignored. A program that is not ours keeps all
     signals but Ctrl-C.
     """
@@ -62,12 +64,14 @@ class StopRequests:
             return
         before = {n: signal.getsignal(n) for n in self.signals if signal.getsignal(n) is not signal.SIG_IGN}
         self._listening = True
+        none_came()
         try:
             for number in before:
                 signal.signal(number, self._request)
             yield
         finally:
             self._listening = False
+            none_came()
             for number, handler in before.items():
                 with suppress(TypeError, ValueError):
                     signal.signal(number, handler)
@@ -77,3 +81,4 @@ class StopRequests:
             raise KeyboardInterrupt
         self.came = number
         self.control[cells.STOP_REQUEST] = 1
+        signal_came()

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from ...clock import instant, require_span
-from ...errors import InputError, nearest
+from ...errors import InputError, nearest, or_else
+from ...fmu.files.places import named_fmu
 from ...toml_file import TomlFile
-from ..formats import is_system_file, opened
+from ..formats import ENDINGS, is_system_file, opened
 from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System
 from ..schema.checked import checked
@@ -184,11 +185,19 @@ def _opened(name: str, step: str, stop: str, start: str, outside: Sequence[Path]
         return opened(Path(name), step, stop, tuple(outside), start)
     path = SYSTEMS / f"{name}.toml"
     if not os.path.isfile(path):
-        raise InputError(
-            f"no system '{name}'{nearest(name, shipped_systems())}, or give the path of a .toml, .ssp, .ssd, "
-            ".fmu or OspSystemStructure.xml file"
-        )
+        raise InputError(f"no system '{name}'{_meant(name)}")
     return TomlFile(path)
+
+
+def _meant(name: str) -> str:
+    """What a name of no shipped system may stand for: a file that lies here, an FMU of ours, another system."""
+    here = next((f"{name}{ending}" for ending in ENDINGS if os.path.isfile(f"{name}{ending}")), "")
+    ours = named_fmu(name, None)
+    if here or os.path.isfile(ours):
+        return f"; did you mean '{here or ours}'?"
+    return or_else(
+        nearest(name, shipped_systems()), "give the path of a .toml, .ssp, .ssd, .fmu or OspSystemStructure.xml"
+    )
 
 
 def system_description(path: Path) -> str:

@@ -23,6 +23,8 @@ from ..schema.keys.system import Table
 from ..values import checked_values, follows_tables
 from .series import Series, series_of, shape_of
 
+SEPARATORS = {";": "semicolons", "\t": "tabs"}  # as spreadsheets write them
+
 
 @dataclass(frozen=True)
 class Column:
@@ -41,6 +43,13 @@ def columns_of(path: Path, label: str) -> dict[str, Column]:
     heads = [_heading(cell) for cell in head]
     names = [name for name, _ in heads]
     if "time" not in names:
+        text = ",".join(head)
+        wrong = next((word for mark, word in SEPARATORS.items() if mark in text), "")
+        if wrong:
+            raise InputError(
+                f"{label}: {path.name}: its columns are separated by {wrong}; write a comma between them, and numbers "
+                "with a point, such as time,u [V] and 0.5,12.0"
+            )
         raise InputError(
             f"{label}: {path.name}: there is no column 'time' among {', '.join(filter(None, names)) or 'none'}; "
             "the first line has the headings, such as time,u [V]"

@@ -82,6 +82,21 @@ def test_a_wheel_without_fmus_says_how_to_build_them(installed: Path) -> None:
         Fmu.open(places.named_fmu("a", None))
 
 
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [
+        ("their/modelDescription.xml", "pack what is in the folder their, not the folder"),
+        ("ModelDescription.xml", "it has ModelDescription.xml, and capital letters matter: rename it"),
+    ],
+)
+def test_an_archive_that_was_packed_wrongly_says_how_to_pack_it(place: str, said: str, tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "a.fmu", "w") as archive:
+        archive.writestr(place, "<fmiModelDescription/>")
+    with pytest.raises(FmuError, match=f"has no modelDescription.xml; it has {place.split('/')[0]}.*") as error:
+        Fmu.open(tmp_path / "a.fmu")
+    assert said in str(error.value)
+
+
 def test_a_shipped_one_of_another_version_is_refused(installed: Path, made: Path) -> None:
     path = said(made.parent / "plain.fmu", installed / "a.fmu", "0.0.1")
     with pytest.raises(

@@ -60,6 +60,15 @@ def test_results_of_one_run_are_inputs_of_another(tmp_path: Path, fmus: Path) ->
     assert last(run, "i.x") == pytest.approx(np.trapezoid(0.3 + 2.0 * np.sin(90.0 * t), t), rel=1e-8)  # 10 digits
 
 
+@pytest.mark.parametrize(("mark", "word"), [(";", "semicolons"), ("\t", "tabs")])
+def test_a_file_as_a_spreadsheet_writes_it_is_refused_with_what_is_wrong(
+    mark: str, word: str, tmp_path: Path, fmus: Path
+) -> None:
+    (tmp_path / "p.csv").write_text(f"time [s]{mark}i.u [1]\n0,5{mark}1,5\n", encoding="utf-8-sig")
+    with pytest.raises(InputError, match=f"p.csv: its columns are separated by {word}; write a comma"):
+        with_files(one(tmp_path, fmus), [tmp_path / "p.csv"])
+
+
 def test_the_plan_and_the_manifest_name_the_table(tmp_path: Path, fmus: Path) -> None:
     (tmp_path / "profile.csv").write_text("time,i.u\n0,1\n1,2\n")
     system = with_files(one(tmp_path, fmus), [tmp_path / "profile.csv"])

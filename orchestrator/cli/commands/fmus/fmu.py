@@ -22,6 +22,7 @@ def info(
 ) -> None:
     """Show what is in an FMU: variables with types, units, ranges and starts, capabilities, platforms, experiment."""
     from ....errors import counted
+    from ....files import typed
     from ....fmu.contents import contents_of, in_order, readable
 
     read, why = readable(fmu)
@@ -45,7 +46,8 @@ def info(
     if equations := found["equations"]:
         tell(f"  {'equations':<13} {', '.join(counted(n, what.removesuffix('s')) for what, n in equations.items())}")
     if read.notes:
-        tell(f"  {'standard':<13} broken in {counted(len(read.notes), 'point')}: `rovbrush check {fmu}` lists them")
+        broken = counted(len(read.notes), "point")
+        tell(f"  {'standard':<13} broken in {broken}: `rovbrush check {typed(fmu)}` lists them")
     if not why and read.windows:
         tell(f"  {'run here':<13} by wine, in a process of its own ({read.windows})")
     if why:

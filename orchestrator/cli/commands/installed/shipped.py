@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from ....errors import InputError
+from ....files import typed
 from ... import completion
 from ...console import tell, wrote
 from ...options import app
@@ -39,7 +40,7 @@ def systems(
         folder = to or Path()
         paths = copy_shipped(copy, folder)
         wrote(paths, folder)
-        tell(f"  rovbrush {'sweep' if paths[0].stem in shipped_sweeps() else 'run'} {paths[0]} --out results")
+        tell(f"  rovbrush {'sweep' if paths[0].stem in shipped_sweeps() else 'run'} {typed(paths[0])} --out results")
         return
     for name in shipped_systems():
         tell(f"{name:<20} {system_description(SYSTEMS / f'{name}.toml')}")

@@ -15,6 +15,7 @@ from ....errors import FmuError
 from ....fmu.outside.declared import DeclaredFmu
 from ....fmu.outside.links import Waiting
 from ....fmu.outside.model import Model, StepFailedError
+from ....waiting import ended_by_signals
 from .packets import Packet, PacketError, Signal
 
 MOST = 4096  # packets that one step looks at: a flood must not keep the run
@@ -125,7 +126,8 @@ class Peer(Model):
         """Whether what is waited for comes: the answer in lock-step, anything otherwise."""
         lockstep = self.waiting.mode == "lockstep"
         wanted: Callable[[Packet], bool] = lambda packet: packet.seq == self.number if lockstep else True  # noqa: E731
-        return self._take(wanted, wall.monotonic() + seconds)
+        with ended_by_signals():
+            return self._take(wanted, wall.monotonic() + seconds)
 
     def _take(self, wanted: Callable[[Packet], bool], until: float) -> bool:
         """Take what has come, the newest last; whether a packet was wanted. Waits for one until `until`."""

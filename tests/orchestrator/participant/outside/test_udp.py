@@ -5,11 +5,14 @@ from __future__ import annotations
 import random
 import re
 import socket
+import sys
 import threading
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import pytest
+from helpers import interrupted
 from peers import CLOCK, SYSTEM, in_thread, model_of, session
 from rovbrush.orchestrator.errors import FmuError, InputError
 from rovbrush.orchestrator.participant.outside.link.packets import (
@@ -270,3 +273,14 @@ def test_a_checkpoint_refuses_a_peer(tmp_path: Path) -> None:
         run.advance(cycles=1)
         with pytest.raises(InputError, match=r"component peer: udp 127.0.0.1:0 cannot write its state to disk"):
             write_checkpoint(run, tmp_path)
+
+
+@pytest.mark.parametrize("how", ["udp", "shared_memory"])
+def test_ctrl_c_ends_a_wait_for_a_peer_long_before_its_timeout(how: str, tmp_path: Path) -> None:
+    named = f'name = "rovbrush_{uuid4().hex[:8]}"' if how == "shared_memory" else f'listen = "127.0.0.1:{_free_port()}"'
+    text = SYSTEM.replace("HOW", f'{how} = {{ {named}, mode = "lockstep", timeout = "300 s" }}').replace("STOP", "1 s")
+    (tmp_path / "s.toml").write_text(text)
+    (tmp_path / "clock.py").write_text(CLOCK.replace("    return", '    print("stepped", flush=True)\n    return'))
+    command = [sys.executable, "-m", "rovbrush", "run", str(tmp_path / "s.toml"), "--out", str(tmp_path / "out")]
+    code, err = interrupted(command, "stepped")
+    assert code == 1 and "interrupted by the user" in err and "marked incomplete" in err
