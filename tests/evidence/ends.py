@@ -20,8 +20,6 @@ from pathlib import Path
 import numpy as np
 from native_build import FAULTS2, feedthrough2
 
-from .warm import Command, starter
-
 NAME = "ends"
 CLAIM = "however a run ends, its complete rows are in result.nc, closed and marked"
 UNIT = "ways x modes"
@@ -33,11 +31,13 @@ STOP = 0.3  # s, of what is not to be ended from outside
 
 # The command; what would be many bytes are few where the rows go to disk, and a fault of ours comes where it is asked.
 COMMAND = """
-import os, sys
+import os, signal, sys
 from rovbrush.orchestrator.cli import main, progress
 from rovbrush.orchestrator.results.files import writing
 from rovbrush.orchestrator.run.recording import observers, recorder
 progress.PLAIN_INTERVAL = 0.0
+for number in (signal.SIGTERM, signal.SIGHUP):
+    signal.signal(number, signal.SIG_DFL)  # which `nohup` has ignored, and that is inherited
 mode, ours, *arguments = sys.argv[1:]
 if mode == "streamed":
     recorder.IN_MEMORY, recorder.PIECE, recorder.CHUNK = 4000, 2000, 5
@@ -51,7 +51,7 @@ sys.argv = ["rovbrush", *arguments]
 main.program()
 """
 
-Running = subprocess.Popen[str] | Command
+Running = subprocess.Popen[str]
 
 
 @dataclass(frozen=True)
@@ -170,14 +170,13 @@ def _run(way: Way, mode: str, folder: Path, fmus: Path) -> tuple[int, str]:
     out, said = folder / "out", folder / "stderr"
     arguments = [mode, way.ours, "run", str(_system(way, mode, folder, fmus)), "--out", str(out)]
     environment = {**os.environ, "TMPDIR": str(folder)}
+    command = [sys.executable, "-c", COMMAND, *arguments]
+    if way.disk:
+        out.mkdir()
+        command = [*_on_a_disk(way.disk, out), *command]
     with open(way.stdout or folder / "stdout", "w") as stdout, said.open("w") as stderr:
-        process: Running
-        if way.disk:
-            out.mkdir()
-            command = [*_on_a_disk(way.disk, out), sys.executable, "-c", COMMAND, *arguments]
-            process = subprocess.Popen(command, stdout=stdout, stderr=stderr, text=True, env=environment)
-        else:
-            process = starter().start(COMMAND, arguments, None if way.act else stdout, stderr, environment)
+        output = subprocess.PIPE if way.act else stdout
+        process = subprocess.Popen(command, stdout=output, stderr=stderr, text=True, env=environment)
         try:
             if way.act:
                 assert process.stdout is not None
