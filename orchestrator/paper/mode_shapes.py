@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import InputError, nearest
 from ..results.pictures.canvas import new_figure
 from ..system.model import System
-from .beam import shape
+from .theory.beam import shape
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

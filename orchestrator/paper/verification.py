@@ -13,10 +13,10 @@ from ..plan.plan import make_plan
 from ..results.summary import summarize
 from ..results.tables import require_complete
 from ..run.simulation import simulate
-from . import elastica
-from .beam import centrifugal_frequencies
 from .lab import Case, Lab
-from .references import rotating_cantilever, thruster
+from .theory import elastica
+from .theory.beam import centrifugal_frequencies
+from .theory.references import rotating_cantilever, thruster
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,9 +11,9 @@ import numpy as np
 from ..system.file.parameter_sets import shipped_sets
 from ..system.file.shipped import SYSTEMS
 from ..toml_file import TomlFile
-from .beam import quadrature, shape
-from .blade import blade
 from .lab import Case, Lab
+from .theory.beam import quadrature, shape
+from .theory.blade import blade
 
 Rows = list[tuple[str, ...]]
 BRUSHES = ("paper", "roller")  # sets of parameters, as far as they are shipped

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..beam import centrifugal_frequencies, shape
 from ..lab import Case, Lab
+from ..theory.beam import centrifugal_frequencies, shape
 from .claim import Finding, at_least, claim, near, within
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..lab import Case, Lab
-from ..references import thruster
+from ..theory.references import thruster
 from .claim import Finding, at_least, at_most, claim, near
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from .. import angular_momentum, elastica, verification
+from .. import angular_momentum, verification
 from ..lab import Lab
+from ..theory import elastica
 from .rendering import image
 
 

@@ -7,7 +7,7 @@ import pytest
 from helpers import Measured
 from lives import Instance, component
 from machine_life import machine
-from rovbrush.orchestrator.paper.blade import Blade, blade, published_length
+from rovbrush.orchestrator.paper.theory.blade import Blade, blade, published_length
 
 DECLARED = component("filament_brush")
 L, D_BRISTLE, RHO_W, E = 0.08, 0.8e-3, 1025.0, 2.5e9

@@ -17,13 +17,14 @@ from helpers import ROOT, Measured
 from jinja2 import UndefinedError
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.paper import elastica, energy_flow, references, reproduce, verification, water
-from rovbrush.orchestrator.paper.beam import centrifugal_frequencies, shape, slope, slope_integrals
+from rovbrush.orchestrator.paper import energy_flow, reproduce, verification, water
 from rovbrush.orchestrator.paper.claims import CLAIMS, VERDICTS, Check, Finding, sensitivity, transients
 from rovbrush.orchestrator.paper.claims.claim import at_least, at_most, near, within
 from rovbrush.orchestrator.paper.lab import Case, Lab
 from rovbrush.orchestrator.paper.page.motion import Motion
 from rovbrush.orchestrator.paper.page.rendering import templates
+from rovbrush.orchestrator.paper.theory import elastica, references
+from rovbrush.orchestrator.paper.theory.beam import centrifugal_frequencies, shape, slope, slope_integrals
 
 NOT_REPRODUCIBLE = {2, 4, 7, 8, 9, 10, 15, 16, 19, 21, 25}
 BY_CALIBRATION = {11, 12, 13, 14, 17, 18}

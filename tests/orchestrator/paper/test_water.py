@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from helpers import Measured
 from rovbrush.orchestrator.paper import water
-from rovbrush.orchestrator.paper.blade import blade
 from rovbrush.orchestrator.paper.lab import Lab
+from rovbrush.orchestrator.paper.theory.blade import blade
 
 LAMBDA = (1.875104068711961, 4.694091132974175, 7.854757438237613)
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from ..errors import RunError
+from ...errors import RunError
 
 
 @dataclass(frozen=True)
