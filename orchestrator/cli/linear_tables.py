@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .console import print_table, tell
 
 if TYPE_CHECKING:
-    from ..studies.linear.margins import Margins
+    from ..studies.linear.margins.margins import Margins
     from ..studies.linear.statespace import Linear
 
 POLES_SHOWN = 40

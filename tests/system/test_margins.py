@@ -16,7 +16,7 @@ from rovbrush.orchestrator.results.signals import Signals
 from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.studies.linear.open_loop import Loop
+from rovbrush.orchestrator.studies.linear.margins.open_loop import Loop
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System

@@ -16,7 +16,7 @@ from ...results.signals import Signal, Signals
 from ...results.tables import Run, require_complete
 from ...run.planned import planned
 from ...run.simulation import simulate
-from ...studies.linear.open_loop import Loop
+from ...studies.linear.margins.open_loop import Loop
 from ...system.inputs.series_file import with_inputs
 from ...system.model import System
 

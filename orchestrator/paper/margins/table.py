@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...studies.linear.open_loop import Loop
+from ...studies.linear.margins.open_loop import Loop
 from ...system.assemble import assemble
 from ...system.model import System
 from .limits import delay_limit, gain_limit, start_of

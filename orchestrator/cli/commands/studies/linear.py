@@ -133,9 +133,9 @@ def margins(
 ) -> None:
     """Gain, phase and delay margins of a loop that is broken at a connection, with Bode's and Nyquist's pictures."""
     from ....files import prepare_folder, write_file, write_json
-    from ....studies.linear.margins import margins as study
-    from ....studies.linear.margins import verified
-    from ....studies.linear.pictures import bode, nyquist
+    from ....studies.linear.margins.margins import margins as study
+    from ....studies.linear.margins.margins import verified
+    from ....studies.linear.margins.pictures import bode, nyquist
 
     options = _options(at, sample, length, size, order, period_of, starts, residual, "pulses", False)
     found = _system(system, set_, start, stop, step, replace, map_, period, parameters, allow_outside, fmus)

@@ -13,7 +13,7 @@ from linear_cases import Plant, gain, loop, plant, system, turning
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.mock import mock_fmu
 from rovbrush.orchestrator.studies.linear.linearise import linearise
-from rovbrush.orchestrator.studies.linear.margins import margins, verified
+from rovbrush.orchestrator.studies.linear.margins.margins import margins, verified
 from rovbrush.orchestrator.studies.linear.options import Options
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.model import Connection, System

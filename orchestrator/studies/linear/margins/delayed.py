@@ -15,10 +15,10 @@ from math import ceil, log, pi
 
 import numpy as np
 
-from ...errors import RunError
-from ...run.stepping.snapshot import Snapshot
+from ....errors import RunError
+from ....run.stepping.snapshot import Snapshot
+from ..probe import Probe
 from .open_loop import Loop
-from .probe import Probe
 
 UNDELAYED = 2.0**-20  # what is left of a connection's own signal, so that it can be read behind the delay
 PERIODS = 5  # that a kick is followed

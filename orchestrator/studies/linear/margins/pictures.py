@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...results.pictures.canvas import new_figure
+from ....results.pictures.canvas import new_figure
 from .margins import Margins
 from .open_loop import Loop
 

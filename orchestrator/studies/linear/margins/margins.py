@@ -17,19 +17,19 @@ from math import ceil
 
 import numpy as np
 
-from ...clock import instant
-from ...errors import InputError
-from ...plan.plan import make_plan
-from ...system.model import System
-from .channels import Channel, channels_of, connections_of, signals_of
+from ....clock import instant
+from ....errors import InputError
+from ....plan.plan import make_plan
+from ....system.model import System
+from ..channels import Channel, channels_of, connections_of, signals_of
+from ..linearise import realised
+from ..operating import ticks_of
+from ..options import Options, hyperperiod_of
+from ..points import Point, points
+from ..probe import Probe
+from ..statespace import Linear
 from .delayed import DelayedLoop, InTime, in_time, longest_run
-from .linearise import realised
 from .open_loop import Loop, loci
-from .operating import ticks_of
-from .options import Options, hyperperiod_of
-from .points import Point, points
-from .probe import Probe
-from .statespace import Linear
 
 FREQUENCIES = 1500
 SLOWEST = 0.5  # rad over the length of a response: what it still shows
