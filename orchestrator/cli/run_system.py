@@ -13,11 +13,11 @@ from ..observers.watched import NOBODY, Watching, watched
 from ..participant.opening import require_compiler
 from ..plan.explain import last_steps
 from ..plan.plan import Plan
-from ..results.energy import require_energy
-from ..results.figures_of_merit import figure_units
 from ..results.files.csv import rate_files, rate_names
 from ..results.files.netcdf import group_name
 from ..results.files.writing import ROWS, More
+from ..results.summary.energy import require_energy
+from ..results.summary.figures_of_merit import figure_units
 from ..run.carry_out import Finished, carry_out, checkpoint_ticks, claim
 from ..run.checkpoint.checkpoint import Checkpoint, read_checkpoint
 from ..run.checkpoint.fingerprint import require_unchanged

@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import RunError
 from ..files import prepare_folder, write_file
 from ..plan.plan import make_plan
-from ..results.summary import summarize
+from ..results.summary.summary import summarize
 from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..results.files.manifest import plain_value
 from ..results.signals import Signals
-from ..results.summary import summarize
+from ..results.summary.summary import summarize
 from ..results.tables import Run, require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate

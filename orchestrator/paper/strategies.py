@@ -21,7 +21,7 @@ from ..results.files.manifest import plain_value
 from ..results.pictures.canvas import captioned, legend_above, new_figure
 from ..results.pictures.lines import draw
 from ..results.signals import Signal, Signals
-from ..results.summary import summarize
+from ..results.summary.summary import summarize
 from ..results.tables import Run, require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate

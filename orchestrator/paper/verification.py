@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..plan.plan import make_plan
-from ..results.summary import summarize
+from ..results.summary.summary import summarize
 from ..results.tables import require_complete
 from ..run.simulation import simulate
 from .lab import Case, Lab

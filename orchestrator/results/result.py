@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from ..errors import InputError, RunError, nearest
 from ..extras import needed
 from ..files import prepare_folder
-from .energy import require_energy
-from .figures_of_merit import figure_units
 from .files.netcdf import DATASETS, datasets, events_dataset, group_name
 from .files.writing import write_results
-from .summary import comparison, summarize
+from .summary.energy import require_energy
+from .summary.figures_of_merit import figure_units
+from .summary.summary import comparison, summarize
 from .tables import Run
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from ..fmu.types import BINARY, TEXT
 from ..plan.plan import make_plan
 from ..results.pictures.canvas import new_figure
 from ..results.signals import Signals
-from ..results.summary import summarize
+from ..results.summary.summary import summarize
 from ..results.tables import require_complete
 from ..run.planned import planned
 from ..run.simulation import simulate

@@ -12,7 +12,7 @@ from helpers import Measured
 from rovbrush.orchestrator.paper.angular_momentum import FREE, TUMBLING, balance, order, with_periods
 from rovbrush.orchestrator.paper.lab import Lab
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

@@ -16,7 +16,7 @@ from rovbrush.orchestrator.paper.angular_momentum import balance
 from rovbrush.orchestrator.paper.strategies import BAND, MODES, force_on_hull, held, strategies
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

@@ -9,7 +9,7 @@ import pytest
 from helpers import Measured
 from rovbrush.orchestrator.paper.claims.table3 import torque_balance
 from rovbrush.orchestrator.paper.lab import Case, Lab
-from rovbrush.orchestrator.results.summary import comparison, summarize
+from rovbrush.orchestrator.results.summary.summary import comparison, summarize
 from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

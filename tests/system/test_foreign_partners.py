@@ -14,7 +14,7 @@ from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.exchange.recordings.replay import replay
 from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

@@ -20,7 +20,7 @@ from matplotlib.image import imread
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files.writing import write_results
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import comparison, summarize
+from rovbrush.orchestrator.results.summary.summary import comparison, summarize
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...results.summary import comparison
+from ...results.summary.summary import comparison
 from ..lab import Case, Lab
 from .claim import Check, Finding, at_most, claim, near
 

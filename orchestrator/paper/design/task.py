@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...results.figures_of_merit import figure_of_merit
+from ...results.summary.figures_of_merit import figure_of_merit
 from ...studies.sweep.file import SweepFile, sweep_file
 from ...system.file.merits import merit
 from ..lab import Case, Lab

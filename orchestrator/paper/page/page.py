@@ -8,7 +8,7 @@ from importlib.metadata import version
 from typing import Any
 
 from ...results.files.manifest import versions as installed
-from ...results.summary import comparison
+from ...results.summary.summary import comparison
 from .. import water
 from ..claims import VERDICTS
 from ..lab import Lab

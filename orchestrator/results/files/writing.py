@@ -16,8 +16,8 @@ from typing import Any
 from ...errors import RovbrushError, RunError
 from ...files import reason, write_file, write_json
 from ...plan.explain import explain
-from ..figures_of_merit import figure_units
-from ..summary import comparison, summarize
+from ..summary.figures_of_merit import figure_units
+from ..summary.summary import comparison, summarize
 from ..tables import Run
 from .csv import write_csv
 from .manifest import manifest

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from ...environment import versions
 from ...errors import InputError
-from ...results.figures_of_merit import figure_units
+from ...results.summary.figures_of_merit import figure_units
 from ...system.model import System
 from .design.axis import Axis
 from .design.design import check_count, vary_entries

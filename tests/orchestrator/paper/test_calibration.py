@@ -10,7 +10,7 @@ from helpers import Measured
 from rovbrush.orchestrator.paper.calibration import brush_text
 from rovbrush.orchestrator.paper.specification import SPECIFICATION
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.file.shipped import SYSTEMS

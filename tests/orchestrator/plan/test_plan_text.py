@@ -10,7 +10,7 @@ from helpers import edited, plan_of, run_of, system_text
 from native_build import needs_gcc
 from rovbrush.orchestrator.cli import main as cli
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.run.start.initialize import loop_residuals
 from rovbrush.orchestrator.studies.bench.fmus.native import feedthrough
 

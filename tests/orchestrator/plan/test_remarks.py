@@ -14,9 +14,9 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.plan.remarks import aliased, chosen, held_now
-from rovbrush.orchestrator.results.ranges import left_range
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.ranges import left_range
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.file.shipped import shipped_systems

@@ -13,7 +13,7 @@ from quarter_car import energy_made_by_holding
 from rovbrush.orchestrator.cli.run_system import run_system
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.system.request import Request
 

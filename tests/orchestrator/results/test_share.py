@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from rovbrush.orchestrator.results.figures_of_merit import figure_of_merit
 from rovbrush.orchestrator.results.signals import Signal
+from rovbrush.orchestrator.results.summary.figures_of_merit import figure_of_merit
 
 TIME = np.linspace(0.0, 10.0, 1001)
 

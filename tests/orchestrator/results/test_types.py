@@ -14,9 +14,9 @@ from native_build import FREE2, FREE3, WIRES2, WIRES3, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.texts import Texts
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.results.figures_of_merit import figure_of_merit
 from rovbrush.orchestrator.results.files.writing import write_results
 from rovbrush.orchestrator.results.signals import Signal, Signals
+from rovbrush.orchestrator.results.summary.figures_of_merit import figure_of_merit
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 

@@ -7,7 +7,7 @@ from collections.abc import Hashable
 
 from ....errors import RovbrushError
 from ....plan.plan import Plan
-from ....results.summary import figures
+from ....results.summary.summary import figures
 from ....run.again.again import Again, why_anew
 from ....system.model import Values
 

@@ -22,9 +22,9 @@ from ....errors import InputError, RunError
 from ....plan.algorithms.registry import algorithm_of
 from ....plan.plan import Plan, make_plan
 from ....processes import peak_memory
-from ....results.figures_of_merit import figure_units
 from ....results.requested import check_numeric, check_summary
-from ....results.summary import figures
+from ....results.summary.figures_of_merit import figure_units
+from ....results.summary.summary import figures
 from ....results.tables import require_complete
 from ....run.simulation import simulate
 from ....system.assemble import assemble

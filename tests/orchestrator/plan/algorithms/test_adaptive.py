@@ -12,7 +12,7 @@ from helpers import Measured, column, edited, plan_of, run_of
 from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 

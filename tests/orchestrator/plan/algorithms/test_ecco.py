@@ -13,7 +13,7 @@ from quarter_car import exact
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.results.files.writing import write_results
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate

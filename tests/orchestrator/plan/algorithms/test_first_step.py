@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from helpers import plan_of
 from rovbrush.orchestrator.results.files.writing import write_results
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.run.simulation import simulate
 
 WIRES = ["c.v_c -> w.v_c", "w.F -> c.F"]

@@ -12,7 +12,7 @@ from clock_build import built, clocked
 from helpers import column, last, plan_of, run_of
 from native_build import needs_gcc
 from rovbrush.orchestrator.fmu.types import decode
-from rovbrush.orchestrator.results import summary
+from rovbrush.orchestrator.results.summary import summary
 from rovbrush.orchestrator.results.tables import AT_START, Run
 from rovbrush.orchestrator.run.simulation import simulate
 

@@ -19,7 +19,7 @@ from rovbrush.orchestrator.exchange.recordings.write import write_boundary
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.files.writing import write_results, write_rows
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.recording import recorder
 from rovbrush.orchestrator.run.session.session import Session

@@ -17,7 +17,7 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 

@@ -8,7 +8,7 @@ import pytest
 from helpers import rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.plan import make_plan
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.file.reader import load_system

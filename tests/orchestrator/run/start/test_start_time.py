@@ -19,7 +19,7 @@ from rovbrush.orchestrator.exchange.recordings.replay import replay
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.signals import Signals
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session.session import Session

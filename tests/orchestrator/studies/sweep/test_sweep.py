@@ -10,8 +10,8 @@ import pytest
 import xarray
 from helpers import rovbrush, system_text
 from rovbrush.orchestrator.errors import InputError, RunError
-from rovbrush.orchestrator.results.figures_of_merit import figure_units
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.figures_of_merit import figure_units
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.design.design import make_design

@@ -9,7 +9,7 @@ import pytest
 import xarray
 from helpers import system_text
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.results.summary import summarize
+from rovbrush.orchestrator.results.summary.summary import summarize
 from rovbrush.orchestrator.run.planned import planned
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.sweep.design.axis import Axis

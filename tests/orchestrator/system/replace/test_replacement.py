@@ -10,8 +10,8 @@ from helpers import edited, read_system
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.results.energy import ledger
 from rovbrush.orchestrator.results.signals import Signals
+from rovbrush.orchestrator.results.summary.energy import ledger
 from rovbrush.orchestrator.results.tables import Run, require_complete
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.system.assemble import apply_changes

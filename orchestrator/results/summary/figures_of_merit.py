@@ -20,10 +20,10 @@ from typing import Any
 
 import numpy as np
 
-from ..plan.algorithms.registry import algorithm_of
-from ..system.file.merits import merit
-from ..system.model import System
-from .signals import Signal, Signals
+from ...plan.algorithms.registry import algorithm_of
+from ...system.file.merits import merit
+from ...system.model import System
+from ..signals import Signal, Signals
 
 
 def steady_window(signals: Signals, window: Mapping[str, Any]) -> tuple[float, float, int, bool]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .signals import Signals
-from .tables import Run
+from ..signals import Signals
+from ..tables import Run
 
 EXTRAPOLATED = ("linear", "quadratic")
 ROUNDING = 1e-9  # of the range: by so much the arithmetic may leave it

@@ -6,14 +6,14 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..processes import peak_memory
-from ..system.file.merits import merit
-from ..system.model import System
+from ...processes import peak_memory
+from ...system.file.merits import merit
+from ...system.model import System
+from ..signals import Signals
+from ..tables import AT_START, Run
 from .energy import Ledger, balance, ledger, over_limits, require_energy
 from .figures_of_merit import figure_of_merit, steady_window
 from .ranges import left_range
-from .signals import Signals
-from .tables import AT_START, Run
 
 ROUNDING = 1e-9  # relative, of a number of steps
 MOST_TOLD = 1000  # lines of what happened

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import RunError
-from ..plan.schedule.bond_energy import slug
-from ..system.model import Bond
-from .signals import Signals
-from .tables import Run
+from ...errors import RunError
+from ...plan.schedule.bond_energy import slug
+from ...system.model import Bond
+from ..signals import Signals
+from ..tables import Run
 
 
 @dataclass(frozen=True)
