@@ -10,7 +10,7 @@ from ..plan.algorithms.registry import ALGORITHMS, algorithm_of
 from ..plan.plan import Plan
 from ..system.model import System
 from ..system.replace.view import crossings_of
-from .code.rows import WRITTEN
+from .code.operations.rows import WRITTEN
 
 CONTAINER = "take --container, or an SSP (--ssp)"
 

@@ -29,10 +29,10 @@ from ...loop.operations import (
 )
 from ...plan.schedule.operation_text import OperationText
 from .beginning import CELLS
-from .cost import Cost, Row, cost_of
 from .exchange import Names, indented
 from .names import comment, number
-from .rows import Rows
+from .operations.cost import Cost, Row, cost_of
+from .operations.rows import Rows
 
 JUMPS = (ITERATE, REPEAT, ESTIMATE)  # lead to the row of their column a
 

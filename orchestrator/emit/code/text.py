@@ -10,14 +10,14 @@ from ...errors import counted
 from ...plan.plan import Plan
 from ..units import SOURCES, Unit
 from .beginning import Beginning
-from .cost import Cost
 from .exchange import Key, Names
 from .exposed import Exposed
 from .happening import Happening
 from .instants import Cycle, Instants
 from .names import SHORT, comment, system_identifier
+from .operations.cost import Cost
+from .operations.rows import Rows
 from .requirements import requirements
-from .rows import Rows
 from .tables import (
     cells_table,
     first_of_steps,

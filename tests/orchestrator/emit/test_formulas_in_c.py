@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 import pytest
-from rovbrush.orchestrator.emit.code.formulas import in_c
+from rovbrush.orchestrator.emit.code.operations.formulas import in_c
 from rovbrush.orchestrator.loop.formulas import FORMULAS, arithmetic
 from rovbrush.orchestrator.loop.operations import LINEAR, MEAN, NUMBER, QUADRATIC, RISE
 

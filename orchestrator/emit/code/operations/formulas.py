@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Mapping
 
-from ...loop.formulas import parsed
-from .exchange import indented
-from .names import number
+from ....loop.formulas import parsed
+from ..exchange import indented
+from ..names import number
 
 SIGNS = {ast.Add: ("+", 1), ast.Sub: ("-", 1), ast.Mult: ("*", 2)}  # how tight they bind
 

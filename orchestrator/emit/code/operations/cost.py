@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import ceil, log2
 
-from ...loop.formulas import FORMULAS, arithmetic
-from ...loop.operations import (
+from ....loop.formulas import FORMULAS, arithmetic
+from ....loop.operations import (
     ACCUMULATE_ON,
     ADVANCE,
     AT_AN_INSTANT,
@@ -33,7 +33,7 @@ from ...loop.operations import (
     WATCH,
     WORK_ON,
 )
-from .exchange import Names
+from ..exchange import Names
 
 Row = tuple[int, ...]  # an operation by its columns
 

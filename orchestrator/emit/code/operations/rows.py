@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from ...loop.formulas import FORMULAS
-from ...loop.operations import (
+from ....loop.formulas import FORMULAS
+from ....loop.operations import (
     ACCUMULATE_ON,
     AT_AN_INSTANT,
     FAULT,
@@ -22,11 +22,11 @@ from ...loop.operations import (
     WORK,
     WORK_ON,
 )
+from ..exchange import Names, indented
+from ..names import at, number, whole
 from .cost import Row
-from .exchange import Names, indented
 from .formulas import in_c
 from .lookups import Lookups
-from .names import at, number, whole
 from .repeated import Repeated
 
 HOW = {

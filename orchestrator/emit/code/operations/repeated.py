@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...loop.operations import (
+from ....loop.operations import (
     ADVANCE,
     CONTROL,
     ESTIMATE,
@@ -14,9 +14,9 @@ from ...loop.operations import (
     REWIND,
     SAVE,
 )
+from ..exchange import Names, indented
+from ..names import number
 from .cost import Row
-from .exchange import Names, indented
-from .names import number
 
 
 class Repeated:

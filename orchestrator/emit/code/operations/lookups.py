@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...loop.operations import (
+from ....loop.operations import (
     FIT,
     SAMPLE,
     SERIES,
 )
+from ..exchange import Names, indented
+from ..names import at, number, whole
 from .cost import Row
-from .exchange import Names, indented
-from .names import at, number, whole
 
 
 class Lookups:
