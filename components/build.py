@@ -106,7 +106,7 @@ def build(component: Path, folder: Path, rows: int = 0, platforms: tuple[str, ..
 
 if __name__ == "__main__":
     if sys.argv[1].endswith(".py"):
-        from .python.script import build_script
+        from .python.building.script import build_script
 
         build_script(Path(sys.argv[1]), Path(sys.argv[2]))
     elif sys.argv[4:]:
@@ -114,6 +114,6 @@ if __name__ == "__main__":
 
         build_one_native(Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]), tuple(sys.argv[4:]))
     else:
-        from .python.build import build_one
+        from .python.building.build import build_one
 
         build_one(Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]))

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from rovbrush.components.build import build
-from rovbrush.components.python.archive import repack
+from rovbrush.components.python.building.archive import repack
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run

@@ -11,8 +11,8 @@ import fmpy
 
 from ..declare.model_description import GUID_PLACEHOLDER, model_description
 from ..errors import BuildError
-from ..python.archive import digest, documentation, write_archive
-from ..python.build import carried, in_source
+from ..python.building.archive import digest, documentation, write_archive
+from ..python.building.build import carried, in_source
 from .compile import OPTIONS, PLATFORMS, Platform, compile_library, compile_objects
 from .description3 import build_description, model_description3
 from .tables import Tables

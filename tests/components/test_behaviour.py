@@ -10,7 +10,7 @@ import pytest
 from helpers import FIXTURES, Measured, build_fixture
 from kernel_unit import KernelUnit
 from rovbrush.components.build import COMPONENTS, HERE
-from rovbrush.components.python.build import sources
+from rovbrush.components.python.building.build import sources
 from rovbrush.orchestrator.exchange.component_tests.suites import NotApplicableError, suite_of
 from rovbrush.orchestrator.exchange.component_tests.verdicts import TOLERANCE, Bench, attempt, make_bench
 

@@ -18,7 +18,7 @@ from rovbrush.components.build import COMPONENTS, HERE, build, folder_of
 from rovbrush.components.describe import theory
 from rovbrush.components.errors import BuildError, NewComponentError, UnknownComponentError
 from rovbrush.components.new.write import TEMPLATE, new_component, renamed
-from rovbrush.components.python.build import carried_text, sources
+from rovbrush.components.python.building.build import carried_text, sources
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.exchange.component_tests.suites import suite_of
 

@@ -7,8 +7,8 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from ..declare.model_description import GUID_PLACEHOLDER
-from ..errors import BuildError
+from ...declare.model_description import GUID_PLACEHOLDER
+from ...errors import BuildError
 from .archive import repack
 
 # pythonfmu 0.7.0 executes the script for every instance and then drops a reference to its namespace that it does not

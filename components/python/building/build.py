@@ -17,14 +17,14 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..errors import BuildError
-from ..lowering.errors import KernelError
-from ..lowering.lower import lower
-from ..lowering.source import parts_of
+from ...errors import BuildError
+from ...lowering.errors import KernelError
+from ...lowering.lower import lower
+from ...lowering.source import parts_of
+from ..component import class_in
 from .archive import digest, documentation, repack
-from .component import class_in
 
-TOP = Path(__file__).parents[1]
+TOP = Path(__file__).parents[2]
 SHARED = (
     "errors.py", "lowering/__init__.py", "lowering/lowered.py", "python/__init__.py", "python/kernel_cache.py",
     "python/kernels.py", "python/memory.py", "python/numba_files.py", "python/options.py", "python/parts.py",

@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..declare.model_description import GUID_PLACEHOLDER
+from ...declare.model_description import GUID_PLACEHOLDER
 
 FIXED_DATE = (1980, 1, 1, 0, 0, 0)
 

@@ -1,0 +1,1 @@
+"""How FMU files are made: of a component, of a script of anybody's."""
