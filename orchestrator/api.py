@@ -30,7 +30,8 @@ from .results.result import Result
 from .run.pacing.pace import Pace
 from .run.planned import planned
 from .run.recording.observers import Every
-from .run.stepping.stepping import Stepping, Time
+from .run.stepping.length import Time
+from .run.stepping.stepping import Stepping
 from .system.assemble import assemble, over
 from .system.file.events.added import Given, set_by_hand, with_added
 from .system.inputs.series_file import with_files, with_inputs

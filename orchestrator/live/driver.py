@@ -70,7 +70,7 @@ class Driver:
             self.post()
         self.interrupted |= session.stop_requests.asked
         if self.wants and not session.over:
-            session.end(f"{WORDS[self.wants]} by hand at t = {session.time:.9g} s")
+            session.end_early(f"{WORDS[self.wants]} by hand at t = {session.time:.9g} s")
         self.post(last=True)
 
     def rest(self, what: Literal["ended", "failed"], why: str, folder: str) -> None:

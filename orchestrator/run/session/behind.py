@@ -65,7 +65,7 @@ def _handled(session: Session, code: int) -> bool:
     try:
         return session.events.handled(code, session.at)
     except AskedToEndError as error:
-        session.ended = "\n".join(filter(None, [session.ended, str(error)]))
+        session.note_end(str(error))
         session.is_over = code != cells.PAUSED or not _last_rows(session)
     except RovbrushError as error:
         session.failure = str(error)
@@ -90,7 +90,7 @@ def _asked_to_end(session: Session) -> bool:
     asked = asked_to_end(plan, session.instances, control, session.space, session.loop.components)
     if asked is None:
         return False
-    session.ended = "\n".join(filter(None, [session.ended, asked.text]))
+    session.note_end(asked.text)
     session.loop.no_more_inputs(asked.component)
     at.cycle, at.operation = int(control[cells.AT_CYCLE]), int(control[cells.AT_OPERATION]) + 1
     if asked.whole and not plan.algorithm.saves_states:

@@ -33,12 +33,14 @@ from ..recording.recorder import Recorder
 from ..start.initialize import initialize
 from .behind import behind_block
 from .by_hand import act
+from .notes import Notes
+from .standing import Standing
 
 if TYPE_CHECKING:
     from ...participant.model_exchange.group import Group
 
 
-class Session:
+class Session(Standing):
     """FMUs loaded and initialized at the start, to be advanced by whole cycles: hyperperiods, with ECCO macro steps.
 
         with Session(plan) as session:
@@ -66,10 +68,8 @@ class Session:
         fuses: bool = True,
         straight: str = "pays",
     ) -> None:
+        super().__init__()
         self.plan = plan
-        self.failure = ""
-        self.ended = ""  # who asked to end the run before its stop, and when; that is no failure
-        self.is_over = False  # a component, or who steps it, has ended it
         self.stop_requests = stop_requests or StopRequests()
         if pace:
             self.stop_requests.make_room(room_for(plan))
@@ -82,10 +82,6 @@ class Session:
         self.set_by_hand: dict[str, Any] = {}  # values, by name; see `Checkpoint`
         self.at = Position(time=plan.clock.time(0))
         self._adaptive, self._cycle_ticks, self._whole = plan.adaptive, plan.cycle_ticks, plan.clock.cycles
-        self._counted: list[str] = []  # notes that change while the run goes: what came from outside
-        self.ended_badly = ""  # how components fell down while they were terminated and freed
-        self.interrupted = False
-        self.closed = False  # whether its FMUs are given back
         function = run if interpreted else compiled_run(waits=pace is not None)
         with self.stop_requests.heard():
             self.participants = Participants(plan.system)
@@ -93,8 +89,9 @@ class Session:
             try:
                 self.memory = Memory(plan)
                 self.group = self._brought_together() if plan.exchange else None
-                self._solved: list[Group | Participant] = [*([self.group] if self.group else [])]
-                self._solved += alone(plan, self.instances, self.group is not None)
+                solved: list[Group | Participant] = [*([self.group] if self.group else [])]
+                solved += alone(plan, self.instances, self.group is not None)
+                self._notes = Notes(self.participants, solved)
                 self._started = initialize(plan, self.instances, self.memory)
                 self.participants.notes += self._started.notes
                 self.participants.look_around("in the initialization")
@@ -197,10 +194,6 @@ class Session:
         """Go on within a cycle to its end."""
         self._run_block(1)
 
-    def end_early(self, why: str) -> None:
-        """A component has asked to end the run."""
-        self.ended, self.is_over = "\n".join(filter(None, [self.ended, why])), True
-
     @property
     def tables_of_components(self) -> np.ndarray:
         """`components` as the loop has it; one that has asked to end is given nothing more."""
@@ -221,11 +214,6 @@ class Session:
             self._blocks.workers.forget()
         self.is_over = self.interrupted = False
 
-    @property
-    def over(self) -> bool:
-        """Whether it goes no further: it has failed, or a component has ended it."""
-        return bool(self.failure) or self.is_over
-
     def fail(self, why: str) -> None:
         """End the run, for a reason that lies outside the loop; the rows that are complete are kept."""
         if not self.failure:
@@ -235,20 +223,10 @@ class Session:
                 self.at.time = max(self.at.time, self.plan.clock.time(min(ends)))
             self.failure = why
 
-    def end(self, why: str) -> None:
-        """End the run where it is, between two steps, as somebody asks; that is no failure."""
-        self.ended = "\n".join(filter(None, [self.ended, why]))
-        self.is_over = True
-
     @property
     def forgotten(self) -> list[str]:
         """What a checkpoint that was written here does not hold, in words."""
-        return [words for one in self._solved if (words := one.forgets())]
-
-    @property
-    def resumable(self) -> bool:
-        """Whether the run can go on: nothing has failed; Ctrl-C is no failure of the run."""
-        return not self.closed and not self.ended and (not self.failure or self.interrupted)
+        return self._notes.forgotten()
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. A signal of the coupling is `coupling.name`.
@@ -270,7 +248,7 @@ class Session:
             try:
                 self.events.set_by_hand(component, later, self.at)
             except AskedToEndError as error:
-                self.ended, self.is_over = str(error), True
+                self.end_early(str(error))
             except RovbrushError as error:
                 self.failure = str(error)
                 raise
@@ -288,17 +266,10 @@ class Session:
         rows = self.counts
         if self.failure and self.plan.algorithm.repeats_rows:  # a pass may be recorded that was not the last
             rows = [-(-self.tick // group.period) + 1 for group in self.plan.groups]
-        notes = self.participants.notes  # the run's own list: what happens in the end of its components comes to it
-        notes[:] = [note for note in notes if note not in self._counted]
-        self._counted = [note for one in self.instances.values() if not one.fmu.is_file for note in one.notes()]
-        if self._blocks.workers and self._blocks.workers.said:
-            self._counted.append(self._blocks.workers.said)
-        further = [*(note for one in self._solved for note in one.notes()), *self._counted]
-        notes += [note for note in further if note not in notes]
         return Run(
             self.plan, self.recorder.recorded(rows), self.failure, self.at.time, self.at.wall, self._blocks.began,
             self._started, self.memory.texts, self._calculated,
-            notes, self.participants.messages(), self.ended, self.events.rows,
+            self._notes.so_far(self._blocks.workers), self.participants.messages(), self.ended, self.events.rows,
             self.pacer.lateness() if self.pacer else None,
         )  # fmt: skip
 
@@ -311,15 +282,6 @@ class Session:
             self.ended_badly = self.participants.close()
             if self.recorder.stream:
                 self.recorder.stream.close()
-
-    def _require_open(self) -> None:
-        if self.closed:
-            raise RunError("the session is closed; start another one")
-
-    def _require_alive(self) -> None:
-        self._require_open()
-        if self.over:
-            raise RunError(f"the session has ended: {self.failure or self.ended}")
 
     def __enter__(self) -> Session:
         return self

@@ -4,38 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
-from fractions import Fraction
-from functools import partial
 from types import TracebackType
-from typing import Any, cast
+from typing import Any
 
-from ...clock import duration, seconds_text
-from ...errors import InputError, RunError, nearest
+from ...clock import seconds_text
+from ...errors import RunError
 from ...files import plain
 from ...loop.cells import STOP_REQUEST
 from ...plan.plan import Plan
 from ...results.result import Result
-from ...system.file.recorded import matches
-from ..memory.ports import reader_of, writer_of
 from ..pacing.pace import Pace
 from ..session.by_hand import act
 from ..session.session import Session
 from .as_scenario import as_scenario
+from .by_name import outputs_named, reader_by_name, writer_by_name
+from .length import Time, steps_in
 from .one_step import one_step
 from .snapshot import Snapshot, go_back, take_snapshot
-
-Time = str | float | Fraction
-
 
 PUBLIC = (
     "end", "ended", "failure", "finish", "get", "happen", "names", "pacer", "period", "plan", "restore", "result",
     "scenario", "set", "snapshot", "step", "stop", "time",
 )  # fmt: skip
-
-
-def _leave(_value: float) -> bool:
-    """A writer that leaves every value to `Session.set`."""
-    return False
 
 
 class Stepping(Session):
@@ -198,17 +188,7 @@ class Stepping(Session):
 
     def cycles(self, by: Time, what: str) -> int:
         """How many steps a time has. Raises InputError if it is no whole number of them."""
-        seconds, period = duration(by, what), self.plan.clock.seconds(self.plan.clock.hyperperiod)
-        if (seconds / period).denominator == 1:
-            return int(seconds / period)
-        if self.plan.adaptive:
-            raise InputError(
-                f"{what} = {seconds_text(seconds)} is no multiple of the first step {seconds_text(period)}"
-            )
-        raise InputError(
-            f"{what} = {seconds_text(seconds)} is no multiple of {seconds_text(period)}, in which the schedule "
-            f"repeats; take a multiple, or components with other periods"
-        )
+        return steps_in(self.plan, by, what)
 
     def get(self, name: str) -> Any:
         """The value of `component.variable` now; of an array all values. Raises InputError for an unknown name."""
@@ -220,10 +200,7 @@ class Stepping(Session):
         """What gives the value of `get(name)` at any time, as long as the session is open. Raises InputError."""
         reader = self._readers.get(name)
         if reader is None:
-            super().get(name)  # or raise
-            component, _, variable = self.plan.system.full_name(name).partition(".")
-            reader = reader_of(self.plan, self.memory, (component, variable)) or partial(super().get, name)
-            self._readers[name] = reader
+            reader = self._readers[name] = reader_by_name(self, name)
         return reader
 
     def set(self, name: str, value: object) -> None:
@@ -239,18 +216,9 @@ class Stepping(Session):
 
     def writer(self, name: str) -> Callable[[float], None]:
         """What does `set(name, value)` with a number, with the same errors, quicker from the second time on."""
-        if name in self._writers:
-            return self._writers[name]
-        usual, quick = self._set, cast(Callable[[float], bool] | None, None)
-
-        def write(value: float) -> None:
-            nonlocal quick
-            if quick is None or self.closed or self.over or not quick(value):
-                usual(name, value)
-                quick = quick or self._quick_writer(name)
-
-        self._writers[name] = write
-        return write
+        if name not in self._writers:
+            self._writers[name] = writer_by_name(self, name, self._set)
+        return self._writers[name]
 
     def _set(self, name: str, value: object) -> None:
         self._require_alive()
@@ -262,13 +230,6 @@ class Stepping(Session):
             self._hands.set(name, given, *self._access.checked(name, value))
         else:
             super().set(name, value)
-
-    def _quick_writer(self, name: str) -> Callable[[float], bool]:
-        """What sets an input that `Session.set` can set, where nothing but its FMU must know."""
-        component, _, variable = self.plan.system.full_name(name).partition(".")
-        kept = (component, variable) in self.plan.layout.inputs  # its cell is what counts: events change it too
-        kept |= variable in self.plan.system.components[component].at_events
-        return _leave if kept else writer_of(self.instances[component], variable)
 
     def snapshot(self) -> Snapshot:
         """Where the run is now, to come back to with `restore`: any number of them, kept until they are released.
@@ -300,14 +261,7 @@ class Stepping(Session):
 
         Raises InputError for one that names nothing.
         """
-        known = [".".join(key) for key in (*self.plan.layout.outputs, *self.plan.layout.extras)]
-        found: list[str] = []
-        for pattern in patterns:
-            hits = [name for name in known if matches((pattern,), name)]
-            if not hits:
-                raise InputError(f"no output '{pattern}'{nearest(pattern, known)}")
-            found += hits
-        return list(dict.fromkeys(found))
+        return outputs_named(self.plan, patterns)
 
     def close(self) -> None:
         """Give the FMUs back."""
