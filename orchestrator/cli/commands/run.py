@@ -139,9 +139,9 @@ def plan(
     for loop, residual in loop_residuals(planned).items():
         tell(f"\nat {begin_text(planned.clock)}, {loop}: residual {residual:.3g}, relative to the inputs")
     if planned.system.workers == "auto" and planned.together.groups:
-        from ...run.blocks.workers import measured
+        from ...run.first_steps import first_steps
 
-        tell(f"\n{measured(planned) or 'workers: no step was measured'}")
+        tell(f"\n{first_steps(planned) or 'workers: no step was measured'}")
     if svg is not None:
         tell(f"\nwrote {svg}")
 

@@ -153,16 +153,3 @@ def in_words(costs: Mapping[tuple[str, ...], Sequence[float]], threads: int, mos
     if threads > 1:
         return f"workers: {threads} threads of {most} processors ({each}: {alone:.3g} us, {shared:.3g} expected)"
     return f"workers: one thread, more do not pay ({each}: {alone:.3g} us, on two threads {shared:.3g} expected)"
-
-
-def measured(plan: Plan, run: float = 0.2) -> str:
-    """What the first steps of a plan with workers = "auto" take, and what is decided, in words; the FMUs are loaded
-    for it. Raises FmuError or InputError if the start cannot be reached."""
-    from ..session.session import Session
-
-    with Session(plan) as session:
-        last = -(-plan.clock.stop // plan.cycle_ticks)
-        workers = session.loop.workers
-        while workers and not workers.said and session.at.cycle < last and not session.over and session.at.wall < run:
-            session.advance(cycles=min(ENOUGH, last - session.at.cycle))
-        return workers.said if workers else ""

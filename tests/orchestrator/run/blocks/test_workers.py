@@ -17,7 +17,8 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.workers.pool import Pool, Stepped, why_not_here
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
-from rovbrush.orchestrator.run.blocks.workers import HANDOVER, chosen, expected, in_words, measured
+from rovbrush.orchestrator.run.blocks.workers import HANDOVER, chosen, expected, in_words
+from rovbrush.orchestrator.run.first_steps import first_steps
 from rovbrush.orchestrator.run.session.session import Session
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.run.stepping.stepping import Stepping
@@ -158,7 +159,7 @@ def test_steps_of_a_microsecond_stay_on_one_thread_and_long_ones_do_not() -> Non
 
 
 def test_the_plan_says_what_was_measured_and_what_is_expected(system: System) -> None:
-    said = measured(make_plan(replace(system, workers="auto")))
+    said = first_steps(make_plan(replace(system, workers="auto")))
     assert said.startswith("workers: ") and "c3 " in said and "expected" in said
     words = in_words({("a", "b"): [50e-6, 40e-6]}, 2, 4)
     assert words == "workers: 2 threads of 4 processors (a 50 us, b 40 us: 90 us, 51.5 expected)"
