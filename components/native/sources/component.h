@@ -14,9 +14,12 @@
 #define M_PI 3.14159265358979323846
 #endif
 
-/* Contraction of a*b + c would round once where the equations round twice. GCC knows -ffp-contract=off instead. */
+/* Contraction of a*b + c would round once where the equations round twice. GCC (12) does it for several at once even
+   where -ffp-contract=off forbids it. */
 #if !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
+#elif defined(__FP_FAST_FMA)
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #endif
 
 /* Of a function that takes in all that it calls: there numbers decide that it gives to them. */

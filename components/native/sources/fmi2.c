@@ -3,8 +3,15 @@
 #include "instance.h"
 
 static void report(const Instance *instance, Status status, const char *text) {
+    char words[2100];
+    size_t n = 0;
+    for (; *text && n + 2 < sizeof words; text++) {
+        if (*text == '%') words[n++] = '%'; /* a format without arguments: hosts not in C cannot read those */
+        words[n++] = *text;
+    }
+    words[n] = '\0';
     ((fmi2CallbackLogger)instance->logger)(instance->environment, instance->name, (fmi2Status)status,
-                                           status == STATUS_OK ? "logAll" : "logStatusError", "%s", text);
+                                           status == STATUS_OK ? "logAll" : "logStatusError", words);
 }
 
 static fmi2Status unsupported(fmi2Component c, const char *function) {

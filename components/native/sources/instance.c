@@ -153,6 +153,7 @@ Status instance_check(const Instance *instance, const double *v) {
 }
 
 Status instance_allocate(Instance *instance, const double *v) {
+    instance->ready = false; /* what it has no arrays for it cannot do */
     component.shapes(v, instance->shapes);
     for (int k = 0; k < component.array_count; k++) {
         free(instance->arrays[k]);
@@ -168,9 +169,9 @@ Status instance_initialize(Instance *instance) {
     if (check_inputs(instance) || instance_check(instance, instance->v)) return STATUS_ERROR;
     if (instance_allocate(instance, instance->v)) return STATUS_ERROR;
     component.start(instance->v, instance->arrays, instance->shapes);
-    instance->ready = true;
     instance->stale = false;
-    return check_outputs(instance);
+    instance->ready = check_outputs(instance) == STATUS_OK; /* else the next call says it again */
+    return instance->ready ? STATUS_OK : STATUS_ERROR;
 }
 
 Status instance_step(Instance *instance, double time, double step) {

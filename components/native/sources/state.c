@@ -47,14 +47,18 @@ static Status restore(Instance *instance, const char *bytes, size_t size) {
     if (v && shapes && size >= head && memcmp(bytes, component.token, token) == 0) {
         memcpy(&flags, bytes + token, sizeof flags);
         memcpy(v, bytes + token + sizeof flags, sizeof(double) * VECTOR_SIZE);
+        memset(shapes, 0, sizeof(Shape) * (size_t)component.array_count); /* none where there is no state yet */
         const bool known = flags.stage == INSTANTIATED || flags.stage == INITIALIZING || flags.stage == STEPPING
                            || flags.stage == TERMINATED;
         if (known && (!flags.ready || instance_check(instance, v) == STATUS_OK)) {
-            component.shapes(v, shapes);
+            if (flags.ready) component.shapes(v, shapes);
             if (size == token + sizeof flags + sizeof(double) * doubles_of(shapes, flags.ready != 0)) status = STATUS_OK;
         }
     }
-    if (status == STATUS_OK && flags.ready) status = instance_allocate(instance, v);
+    if (status == STATUS_OK && flags.ready) {
+        status = instance_allocate(instance, v);
+        if (status != STATUS_OK) instance->stage = TERMINATED; /* what it was is gone too */
+    }
     if (status == STATUS_OK) {
         memcpy(instance->v, v, sizeof(double) * VECTOR_SIZE);
         instance->stage = (Stage)flags.stage;
