@@ -20,6 +20,7 @@ from .dependencies import at_the_start
 from .prepared import Prepared
 
 SMALL = ("Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32")  # what an Integer of FMI 2.0 can hold
+NO_CHARACTER = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # of XML 1.0
 BASE = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
 
 
@@ -93,12 +94,14 @@ def made_by() -> str:
     return f"rovbrush-export {version('rovbrush')}"
 
 
-NAME = r"(?:[A-Za-z_]\w*|'(?:[^'\\]|\\.)+')(?:\[\d+(?:,\d+)*\])?"
-STRUCTURED = re.compile(rf"(?:{NAME}\.)*(?:{NAME}|der\({NAME}(?:\.{NAME})*(?:,\d+)?\))", re.ASCII)
+QUOTED = r"'(?:[\w!#$%&()*+,./:;<>=?@\[\]^{}|~ -]|\\['\"?\\abfnrtv])+'"
+NAME = rf"(?:[A-Za-z_]\w*|{QUOTED})(?:\[\d+(?:,\d+)*\])?"
+NAMES = rf"{NAME}(?:\.{NAME})*"
+STRUCTURED = re.compile(rf"{NAMES}|der\({NAMES}(?:,\d+)?\)", re.ASCII)  # `a.der(x)` is none, `der(a.x)` is
 
 
 def convention(shown: Iterable[Exposed]) -> str:
-    """How variables are called (FMI 2.0.4, section 2.2.9): as their components' FMUs allow."""
+    """How variables are called (FMI 2.0.4, section 2.2.9): where the name of one does not follow its rules, anyhow."""
     names = (e.name for e in shown if e.causality != HIDDEN)
     return "structured" if all(STRUCTURED.fullmatch(name) for name in names) else "flat"
 
@@ -163,7 +166,9 @@ def typed_attributes(e: Exposed, real: bool) -> dict[str, str]:
 def _literal(e: Exposed) -> str:
     if isinstance(e.start, bool) or e.kind.code == BOOLEAN:
         return str(bool(e.start)).lower()
-    return repr(float(e.start)) if e.kind.real and not isinstance(e.start, (str, bytes)) else str(e.start)
+    if not e.kind.real or isinstance(e.start, (str, bytes)):
+        return str(e.start)
+    return repr(float(e.start)).replace("inf", "INF").replace("nan", "NaN")  # as XML writes them
 
 
 def add_units(root: Element, found: Prepared, more: Iterable[str] = ()) -> None:
@@ -190,5 +195,7 @@ def add_units(root: Element, found: Prepared, more: Iterable[str] = ()) -> None:
 
 def written(root: Element) -> bytes:
     """An XML file."""
+    for element in root.iter():
+        element.attrib.update({key: NO_CHARACTER.sub("\ufffd", value) for key, value in element.attrib.items()})
     indent(root)
     return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root) + b"\n"

@@ -72,7 +72,7 @@ def description3(found: Prepared, token: str) -> bytes:
             SubElement(element, "Start", {"value": typed["start"]})
         else:
             element.attrib.update(typed if kind != "Boolean" else {k: v for k, v in typed.items() if k == "start"})
-    time = {"name": "time", "valueReference": str(len(code.shown)), "causality": "independent"}
+    time = {"name": "time", "valueReference": str(max(len(code.shown), 1)), "causality": "independent"}
     SubElement(
         declared, "Float64", {**time, "variability": "continuous", "description": "simulation time", "unit": "s"}
     )

@@ -26,6 +26,13 @@ STANDARD = {
     2: ("fmi2TypesPlatform.h", "fmi2FunctionTypes.h", "fmi2Functions.h"),
     3: ("fmi3PlatformTypes.h", "fmi3FunctionTypes.h", "fmi3Functions.h"),
 }
+# Contraction of a*b + c would round once where a run rounds twice, whatever options a host's tool compiles with.
+# GCC (12) does it for several at once even where -ffp-contract=off forbids it.
+EXACT = """#if !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__FP_FAST_FMA)
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
+#endif"""
 
 
 @dataclass(frozen=True)
@@ -144,6 +151,7 @@ def _header(prefix: str, version: int, more: Iterable[str]) -> bytes:
     """The header that comes before every source of a unit."""
     lines = [
         f"/* The names of {prefix} that others could see, so that none of them meets another component's. */",
+        EXACT,
         f'#include "fmi{version}Functions.h"',
         f"#undef FMI{version}_Export",
         f"#define FMI{version}_Export /* nothing of it is seen outside of the program */",

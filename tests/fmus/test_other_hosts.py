@@ -14,10 +14,13 @@ from pathlib import Path
 
 import pytest
 from helpers import Measured
+from native_build import needs_gcc
+from rovbrush.orchestrator.emit.export import export_fmu
 from rovbrush.orchestrator.errors import InputError, RunError
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.run.simulation import simulate
 from rovbrush.orchestrator.studies.bench.peers.hosts import HOSTS, HostRun, missing, run_host
+from rovbrush.orchestrator.system.assemble import assemble
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.model import System
 
@@ -95,6 +98,22 @@ def test_vehicle_brush_and_motor_in_a_closed_loop_are_bitwise_the_same_in_every_
         f"no_thrust in {host}: outputs that differ from ours, {late} that it reads late apart", len(found) - late, "0"
     )
     assert found <= read_late(host, "no_thrust", kind)
+
+
+@needs_gcc
+@pytest.mark.parametrize("host", HOSTS)
+def test_a_system_as_one_native_fmu_is_bitwise_ours_in_every_host(host: str, native: Path, tmp_path: Path) -> None:
+    if missing(host):
+        pytest.skip(missing(host))
+    same, whole_of = at_one_period("no_thrust", native / "fmi2"), load_system("no_thrust", native / "fmi2")
+    system = replace(same, bonds=whole_of.bonds, reporting=whole_of.reporting)
+    export_fmu(system, tmp_path / "whole.fmu")
+    whole = assemble(str(tmp_path / "whole.fmu"), {}, f"{float(STEPS * PERIOD)} s", None, step=f"{float(PERIOD)} s")
+    outputs = run_host(host, whole, STEPS).outputs
+    expected = {f"whole.{name}": value for name, value in ours("no_thrust", native / "fmi2").items()}
+    assert len(outputs) > 50
+    assert {name for name, value in outputs.items() if value != expected.get(name, value)} == set()
+    assert len(outputs.keys() & expected.keys()) > 50
 
 
 @pytest.mark.parametrize("host", ["libcosimpy", "ecospy"])

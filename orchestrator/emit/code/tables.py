@@ -139,6 +139,8 @@ def variables_table(name: str, shown: Iterable[Exposed]) -> str:
             f"    {{{text(e.name)}, {text(e.unit or '')}, {kind}, {causality}, {e.component}, {_type(e.kind)}, "
             f"{e.slot}, {e.reference}, {e.index}, {e.count}, {int(e.given)}, {start}, {said}}},"
         )
+    if len(lines) == 1:  # C has no empty arrays
+        lines.append(f'    {{"", "", {name}_REAL, {name}_HIDDEN, -1, T_FLOAT64, -1, 0, 0, 1, 0, {{0.0}}, NULL}},')
     return "\n".join([*lines, "};"])
 
 

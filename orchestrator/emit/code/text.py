@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from ...errors import counted
 from ...plan.plan import Plan
-from ..units import SOURCES, Unit
+from ..units import EXACT, SOURCES, Unit
 from .beginning import Beginning
 from .exchange import Key, Names
 from .exposed import Exposed
@@ -76,6 +76,7 @@ def code_of(plan: Plan, units: Mapping[str, Unit], shown: list[Exposed], solutio
         ),
         "@HEADERS@": "\n".join(f'#include "fmi{v}FunctionTypes.h"' for v in sorted(versions)),
         "@FUNCTIONS@": functions,
+        "@EXACT@": EXACT,
         "@TOKEN@": token(plan, shown),
         "@TABLES@": tables_table(plan, names),
     }

@@ -30,6 +30,10 @@ int SYSTEM_open(SYSTEM *s, const char *name, const char *resources, SYSTEM_Messa
     return 0;
 }
 
+void SYSTEM_log(SYSTEM *s, bool on) {
+    for (int part = 0; part < SYSTEM_PARTS; part++) SYSTEM_part_log(s, part, on);
+}
+
 static bool leads(int k) { return SYSTEM_variables[k].index == 0 && SYSTEM_variables[k].part >= 0; }
 
 /* Whether anything of the array of a variable was given a value. */

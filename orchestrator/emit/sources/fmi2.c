@@ -52,9 +52,10 @@ FMI2_Export const char *fmi2GetVersion(void) { return fmi2Version; }
 
 FMI2_Export fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String categories[]) {
     Instance *instance = c; /* what goes wrong is told always */
-    instance->logging = on && count == 0;
-    for (size_t k = 0; categories && k < count; k++)
-        if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
+    bool all = count == 0;
+    for (size_t k = 0; categories && k < count; k++) all = all || (categories[k] && strcmp(categories[k], "logAll") == 0);
+    instance->logging = on && all;
+    SYSTEM_log(&instance->s, instance->logging);
     return fmi2OK;
 }
 
@@ -77,6 +78,7 @@ FMI2_Export fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2St
         fmi2FreeInstance(instance);
         return NULL;
     }
+    if (instance->logging) SYSTEM_log(&instance->s, true);
     return instance;
 }
 
@@ -110,7 +112,9 @@ FMI2_Export fmi2Status fmi2Reset(fmi2Component c) {
     Instance *instance = c;
     SYSTEM_close(&instance->s);
     instance->start = instance->stop = 0.0, instance->with_stop = 0;
-    return status_of(SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance));
+    if (SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance)) return fmi2Error;
+    if (instance->logging) SYSTEM_log(&instance->s, true);
+    return fmi2OK;
 }
 
 /* --- values --- */

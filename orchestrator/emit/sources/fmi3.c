@@ -43,9 +43,10 @@ FMI3_Export const char *fmi3GetVersion(void) { return fmi3Version; }
 
 FMI3_Export fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String categories[]) {
     Instance *instance = c; /* what goes wrong is told always */
-    instance->logging = on && count == 0;
-    for (size_t k = 0; categories && k < count; k++)
-        if (on && categories[k] && strcmp(categories[k], "logAll") == 0) instance->logging = true;
+    bool all = count == 0;
+    for (size_t k = 0; categories && k < count; k++) all = all || (categories[k] && strcmp(categories[k], "logAll") == 0);
+    instance->logging = on && all;
+    SYSTEM_log(&instance->s, instance->logging);
     return fmi3OK;
 }
 
@@ -76,6 +77,7 @@ FMI3_Export fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String
         fmi3FreeInstance(instance);
         return NULL;
     }
+    if (instance->logging) SYSTEM_log(&instance->s, true);
     return instance;
 }
 
@@ -106,7 +108,9 @@ FMI3_Export fmi3Status fmi3Terminate(fmi3Instance c) { return status_of(SYSTEM_t
 FMI3_Export fmi3Status fmi3Reset(fmi3Instance c) {
     Instance *instance = c;
     SYSTEM_close(&instance->s);
-    return status_of(SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance));
+    if (SYSTEM_open(&instance->s, instance->name, instance->resources, message, instance)) return fmi3Error;
+    if (instance->logging) SYSTEM_log(&instance->s, true);
+    return fmi3OK;
 }
 
 /* --- values --- */

@@ -1,6 +1,7 @@
 typedef struct {
     fmi2InstantiateTYPE *Instantiate;
     fmi2FreeInstanceTYPE *FreeInstance;
+    fmi2SetDebugLoggingTYPE *SetDebugLogging;
     fmi2SetupExperimentTYPE *SetupExperiment;
     fmi2EnterInitializationModeTYPE *EnterInitializationMode;
     fmi2ExitInitializationModeTYPE *ExitInitializationMode;

@@ -1,6 +1,7 @@
 typedef struct {
     fmi3InstantiateCoSimulationTYPE *InstantiateCoSimulation;
     fmi3FreeInstanceTYPE *FreeInstance;
+    fmi3SetDebugLoggingTYPE *SetDebugLogging;
     fmi3EnterInitializationModeTYPE *EnterInitializationMode;
     fmi3ExitInitializationModeTYPE *ExitInitializationMode;
     fmi3TerminateTYPE *Terminate;

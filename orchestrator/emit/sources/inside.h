@@ -8,9 +8,7 @@
 #include "SYSTEM.h"
 @HEADERS@
 
-#if !defined(__GNUC__) || defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#endif
+@EXACT@
 
 /* The FMI functions of one FMU; NULL where its sources do not define one. */
 @FUNCTIONS@
@@ -82,6 +80,7 @@ int SYSTEM_part_enter(SYSTEM *s, int part, double start, int with_stop, double s
 int SYSTEM_part_leave(SYSTEM *s, int part);
 int SYSTEM_part_terminate(SYSTEM *s, int part);
 void SYSTEM_part_free(SYSTEM *s, int part);
+void SYSTEM_part_log(SYSTEM *s, int part, bool on);
 int SYSTEM_part_give(SYSTEM *s, int variable); /* it, or the array that it begins */
 int SYSTEM_part_ask(SYSTEM *s, int variable, SYSTEM_Value *value);
 int SYSTEM_part_save(SYSTEM *s, int part, void **state);

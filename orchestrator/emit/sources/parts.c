@@ -147,6 +147,12 @@ void SYSTEM_part_free(SYSTEM *s, int part) {
     s->part[part] = NULL;
 }
 
+void SYSTEM_part_log(SYSTEM *s, int part, bool on) {
+    if (!s->part[part]) return;
+    EITHER(if (f->SetDebugLogging) f->SetDebugLogging(s->part[part], on, 0, NULL),
+           if (f->SetDebugLogging) f->SetDebugLogging(s->part[part], on, 0, NULL))
+}
+
 int SYSTEM_part_give(SYSTEM *s, int k) {
     const int part = SYSTEM_variables[k].part;
     int status = 3;

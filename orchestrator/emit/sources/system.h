@@ -118,6 +118,7 @@ struct SYSTEM {
 /* Make the components and give all variables their start values. `resources`: the folder of that name, where components
    have files there; `message` hears what they say, and what goes wrong. */
 int SYSTEM_open(SYSTEM *s, const char *name, const char *resources, SYSTEM_Message message, void *user);
+void SYSTEM_log(SYSTEM *s, bool on); /* components say what they do, and not only what goes wrong */
 int SYSTEM_enter(SYSTEM *s, double start, int with_stop, double stop); /* initialization mode */
 int SYSTEM_settle(SYSTEM *s);  /* values along all connections, until they are consistent */
 int SYSTEM_start(SYSTEM *s);   /* the end of it: it can be stepped then */

@@ -64,10 +64,12 @@ WIRES = [
 ]
 
 
-def tables_of(system: System, folder: Path, options: str = "-O1 -w", *values: str) -> dict[str, Table]:
-    """What the program of a system writes, by file."""
+def tables_of(system: System, folder: Path, options: str = "-O1 -w", *values: str, make: str = "") -> dict[str, Table]:
+    """What the program of a system writes, by file; `make`: a variable for its Makefile."""
     write_c(system, folder)
-    made = subprocess.run(["make", f"CC=gcc {options}"], cwd=folder, capture_output=True, text=True, check=False)
+    made = subprocess.run(
+        ["make", f"CC=gcc {options}", *filter(None, [make])], cwd=folder, capture_output=True, text=True, check=False
+    )
     assert made.returncode == 0, made.stderr
     (folder / "rows").mkdir(exist_ok=True)
     (program,) = folder.glob("*_run")
