@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from ..clock import duration, instant, seconds_text
-from ..toml_text import toml_value
+from ..toml.text import toml_value
 
 
 class Record:

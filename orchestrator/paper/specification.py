@@ -9,7 +9,7 @@ from msgspec import Meta, Struct
 
 from ..system.schema.checked import checked
 from ..system.schema.keys.values import Number, Positive
-from ..toml_file import TomlFile
+from ..toml.file import TomlFile
 
 SPECIFICATION = Path(__file__).with_name("calibration.toml")
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..system.file.parameter_sets import shipped_sets
 from ..system.file.shipped import SYSTEMS
-from ..toml_file import TomlFile
+from ..toml.file import TomlFile
 from .lab import Case, Lab
 from .theory.beam import quadrature, shape
 from .theory.blade import blade

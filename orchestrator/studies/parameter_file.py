@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..toml_text import toml_key, toml_value
+from ..toml.text import toml_key, toml_value
 
 
 def set_text(about: str, base: str, values: Mapping[str, tuple[object, str]], folder: Path) -> str:

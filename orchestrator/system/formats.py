@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from ..toml_file import TomlFile
+from ..toml.file import TomlFile
 from .one_fmu import FmuFile, is_fmu
 
 STRUCTURES = ("SystemStructure.ssd", "OspSystemStructure.xml")  # what a folder can hold

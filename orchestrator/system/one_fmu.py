@@ -13,7 +13,7 @@ from typing import Any
 from ..clock import duration, instant, require_span, seconds_text
 from ..errors import InputError, listed
 from ..fmu.fmu import Fmu
-from ..toml_file import TomlFile
+from ..toml.file import TomlFile
 from .inputs.free_inputs import lacking_starts
 from .model import FORMATS
 

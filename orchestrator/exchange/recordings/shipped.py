@@ -20,7 +20,7 @@ from ...system.assemble import assemble
 from ...system.file.shipped import SYSTEMS
 from ...system.schema.checked import checked
 from ...system.schema.keys.values import Time, Values
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .write import write_boundary
 
 RUNS = SYSTEMS / "recordings.toml"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...results.files.manifest import plain_value
 from ...system.file.shipped import SYSTEMS
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .task import SWEEP, Task
 
 SOURCE = re.compile(r"\s*\(source: (.*)\)$")

@@ -8,7 +8,7 @@ from ...errors import InputError, nearest
 from ...system.model import System
 from ...system.schema.checked import checked
 from ...system.schema.keys.system import KEYS
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .adaptive import Adaptive
 from .base import Algorithm
 from .ecco import Ecco

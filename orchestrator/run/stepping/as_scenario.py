@@ -7,7 +7,7 @@ from typing import Any
 
 from ...clock import seconds_text
 from ...plan.plan import Plan
-from ...toml_text import toml_value
+from ...toml.text import toml_value
 from ..events.hands import Done, Hands
 
 OWN = ("name", "by_hand", "for", "until")  # keys that are others in the scenario

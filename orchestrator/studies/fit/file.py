@@ -20,7 +20,7 @@ from ...system.formats import ENDINGS, is_system_file
 from ...system.request import set_name
 from ...system.schema.checked import checked
 from ...system.schema.keys.fit import ExperimentTable, FitTable
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .experiment import Recipe
 from .fit import Options
 

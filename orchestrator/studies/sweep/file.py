@@ -26,7 +26,7 @@ from ...system.formats import ENDINGS, is_system_file
 from ...system.request import set_name
 from ...system.schema.checked import checked
 from ...system.schema.keys.sweep import SweepTable
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 
 
 @dataclass(frozen=True)

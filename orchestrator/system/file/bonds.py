@@ -11,7 +11,7 @@ from msgspec import structs
 
 from ...errors import InputError, nearest
 from ...fmu.types import BINARY, TEXT
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ...units import conversion
 from ..model import Bond, Component, Connection, Requirement
 from ..schema.checked import checked

@@ -18,7 +18,7 @@ from ...fmu.fmu import Fmu
 from ...fmu.outside.declared import DeclaredFmu
 from ...fmu.types import REALS, Value
 from ...sockets import TCP, tcp_address
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ...units import left_open, parse_unit
 from ..inputs.series_file import stated_series
 from ..model import Component

@@ -10,7 +10,7 @@ from typing import Any
 
 from ...errors import InputError, RunError, listed, nearest
 from ...files import prepare_folder, reason
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .shipped import SCHEMAS, SWEEPS, SYSTEMS, shipped_systems
 
 SCHEMA = re.compile(r"\A#:schema \S*?(\w+\.schema\.json)")

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from ...errors import InputError, nearest
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ..model import Component
 from ..schema.checked import checked
 from ..schema.keys.live import LiveControl, LivePart, LiveTable

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...errors import nearest
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ..model import Component
 from ..schema.checked import checked
 from ..schema.keys.message import FIELDS, MessageTable

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...errors import InputError, nearest
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ..model import ParameterSet, System
 from ..schema.checked import checked_value
 from ..schema.keys.values import Value

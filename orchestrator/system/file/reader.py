@@ -13,7 +13,7 @@ from typing import Any
 from ...clock import instant, require_span
 from ...errors import InputError, nearest, or_else
 from ...fmu.files.places import named_fmu
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ..formats import ENDINGS, is_system_file, opened
 from ..inputs.free_inputs import require_values
 from ..model import FORMATS, Component, System

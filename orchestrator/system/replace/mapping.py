@@ -26,7 +26,7 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...fmu.types import Value
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ...units import parse_unit
 from ..schema.checked import checked
 from ..schema.keys.mapping import EntryTable, MappingTable

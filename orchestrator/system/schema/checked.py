@@ -11,7 +11,7 @@ from msgspec import inspect
 
 from ...clock import duration
 from ...errors import InputError, nearest, shown
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from .words import in_words, said, stripped
 
 T = TypeVar("T")

@@ -9,7 +9,7 @@ from typing import Any
 from ...clock import instant
 from ...errors import InputError, listed
 from ...fmu.tolerant.rules import Notes
-from ...toml_file import TomlFile
+from ...toml.file import TomlFile
 from ..experiment import periods_of, stop_of, whole_stop
 from ..inputs.free_inputs import lacking_starts
 from ..model import FORMATS

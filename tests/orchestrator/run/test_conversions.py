@@ -22,7 +22,7 @@ from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.replace.mapping import load_mapping
 from rovbrush.orchestrator.system.replace.replacement import replace_component
 from rovbrush.orchestrator.system.ssp.write import write_ssp
-from rovbrush.orchestrator.toml_file import TomlFile
+from rovbrush.orchestrator.toml.file import TomlFile
 
 pytestmark = needs_gcc
 TYPES = ("Float64", *NUMBERS3, "Boolean", "Enumeration")

@@ -9,7 +9,7 @@ from dataclasses import replace
 from ....errors import InputError, nearest
 from ....fmu.conversions import LossyError, conversion_of
 from ....fmu.fmu import Fmu
-from ....toml_file import TomlFile
+from ....toml.file import TomlFile
 from ....units import conversion
 from ...model import Component, Connection
 from ...schema.keys.system import TRANSFERS

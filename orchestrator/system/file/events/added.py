@@ -10,7 +10,7 @@ from typing import Any
 from ....clock import seconds_text
 from ....errors import InputError, nearest
 from ....files import plain
-from ....toml_file import TomlFile
+from ....toml.file import TomlFile
 from ...event import Event
 from ...model import System
 from ...schema.checked import checked

@@ -9,7 +9,7 @@ from typing import Any
 from ....clock import duration, instant, seconds_text
 from ....errors import InputError, nearest
 from ....fmu.types import Value
-from ....toml_file import TomlFile
+from ....toml.file import TomlFile
 from ...event import Event, Key
 from ...model import Component, Connection, System
 from ...schema.checked import checked

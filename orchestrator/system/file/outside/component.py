@@ -10,7 +10,7 @@ from typing import Any
 from ....errors import InputError, nearest
 from ....fmu.outside.declared import Causality, Declared, DeclaredFmu, declared_fmu
 from ....fmu.outside.python_file import EXAMPLE, PythonCode, annotated, arguments_of, is_compiled, line_of
-from ....toml_file import TomlFile
+from ....toml.file import TomlFile
 from ...schema.checked import checked
 from ...schema.keys.outside import DeclareTable, VariableTable
 from ...schema.keys.system import ComponentTable

@@ -12,7 +12,7 @@ from ....errors import InputError
 from ....fmu.outside.declared import Declared, DeclaredFmu, declared_fmu
 from ....fmu.outside.links import Host, SharedMemory, Udp, Waiting
 from ....sockets import is_loopback
-from ....toml_file import TomlFile
+from ....toml.file import TomlFile
 from ...schema.checked import checked
 from ...schema.keys.outside import SharedMemoryTable, UdpTable
 

@@ -6,9 +6,9 @@ import os
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator import lines
 from rovbrush.orchestrator.errors import InputError
-from rovbrush.orchestrator.toml_file import LARGEST, TomlFile
+from rovbrush.orchestrator.toml import lines
+from rovbrush.orchestrator.toml.file import LARGEST, TomlFile
 
 WRONG = {
     "lists too deep for the parser": ("x = 1\ny = " + "[" * 3000 + "]" * 3000, "too deep within each other", "line 2"),

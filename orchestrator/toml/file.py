@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from .errors import InputError
+from ..errors import InputError
 from .lines import Lines
 
 KINDS: dict[type[Any], str] = {dict: "a table", list: "a list", str: "text"}

@@ -6,7 +6,7 @@ import re
 
 from hypothesis import given
 from hypothesis import strategies as st
-from rovbrush.orchestrator.lines import Lines
+from rovbrush.orchestrator.toml.lines import Lines
 
 PIECES = st.sampled_from(
     [

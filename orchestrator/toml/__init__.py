@@ -1,0 +1,1 @@
+"""TOML with what tomllib does not do: where a key stands, and values written so that they are read back."""
