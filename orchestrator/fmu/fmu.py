@@ -11,7 +11,7 @@ from pathlib import Path
 from attrs import evolve
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..cache import cache_folder
+from ..cache.cache import cache_folder
 from ..units import Definition, Unit
 from .attributes import start_value
 from .capabilities import Capabilities

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from lxml import etree
 from native_build import built
-from rovbrush.orchestrator import cache_users
+from rovbrush.orchestrator.cache import users
 from rovbrush.orchestrator.errors import RovbrushError
 from rovbrush.orchestrator.exchange.checks.rules.archive_rules import archive_rows, loadable_row
 from rovbrush.orchestrator.exchange.checks.rules.description_rules import capability_rows, description_rows
@@ -59,7 +59,7 @@ def one(index: int, folder: Path) -> str:
     try:
         return _read(path) or _strayed(folder)
     finally:
-        register = cache_users._own.pop(folder / "cache", None)
+        register = users._own.pop(folder / "cache", None)
         if register:
             os.close(register.file)
 

@@ -9,12 +9,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from rovbrush.orchestrator import cache, cache_users
+from rovbrush.orchestrator.cache import cache, users
 from rovbrush.orchestrator.errors import FmuError, InputError
 
 HOLD = """
 import sys
-from rovbrush.orchestrator import cache
+from rovbrush.orchestrator.cache import cache
 cache.place("fmus", sys.argv[1])
 print("held", flush=True)
 sys.stdin.read()
@@ -127,7 +127,7 @@ def test_what_this_process_needs_stays(folder: Path) -> None:
 def test_a_register_that_an_fmu_has_closed_is_opened_anew(folder: Path) -> None:
     entry, second = filled(folder, 1), filled(folder, 2)
     cache.place("fmus", entry.name)
-    os.close(cache_users._own[folder].file)
+    os.close(users._own[folder].file)
     stranger = os.open(folder / "result", os.O_RDWR | os.O_CREAT)  # takes the same number
     cache.place("fmus", second.name)
     assert (folder / "result").read_bytes() == b""

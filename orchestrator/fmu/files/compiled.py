@@ -15,7 +15,7 @@ from pathlib import Path
 
 import fmpy
 
-from ... import cache
+from ...cache import cache
 from ...errors import FmuError
 from .archive import OURS
 from .sources import Build, FileSet, build_of

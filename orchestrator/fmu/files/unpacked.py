@@ -18,7 +18,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ... import cache
+from ...cache import cache
 from ...errors import FmuError
 from .archive import OURS, content_hash, date_of, extract, opened
 from .folder import pack_folder

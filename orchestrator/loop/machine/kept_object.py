@@ -15,7 +15,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from ...cache import place
+from ...cache.cache import place
 from . import shipped, written
 from .objects import KIND, Loaded, data_layout, here, loaded_from, machine_code, write_whole
 from .wrapped import NOTHING_TO_FREE, text_of

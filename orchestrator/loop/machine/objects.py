@@ -16,7 +16,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ...cache import grew, mark_used, place
+from ...cache.cache import grew, mark_used, place
 
 DIGEST = hashlib.sha256().digest_size
 KIND, FILE = "loops", "code.o"  # of an entry of the cache

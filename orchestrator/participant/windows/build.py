@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from ... import cache
+from ...cache import cache
 from ...errors import FmuError
 from ...fmu.files.windows import how_to_install
 

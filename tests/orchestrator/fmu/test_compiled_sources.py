@@ -10,7 +10,7 @@ import fmpy
 import pytest
 from helpers import edited, last, read_system, run_of
 from native_build import FREE3, NATIVE, WIRES3, feedthrough2, feedthrough3, needs_gcc
-from rovbrush.orchestrator import cache
+from rovbrush.orchestrator.cache import cache
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.fmu.files import compiled

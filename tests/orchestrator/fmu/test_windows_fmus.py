@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from helpers import edited, read_system
 from native_build import built, feedthrough2, needs_gcc
-from rovbrush.orchestrator.cache import cache_folder
+from rovbrush.orchestrator.cache.cache import cache_folder
 from rovbrush.orchestrator.cli.main import main
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.exchange.checks.chain import check_fmu

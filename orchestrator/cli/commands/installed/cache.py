@@ -16,8 +16,8 @@ def cache(
     clear: Annotated[bool, typer.Option("--clear", help="Throw away what no running process needs.")] = False,
 ) -> None:
     """Show what is kept between runs: unpacked FMUs and compiled kernels. ROVBRUSH_CACHE names another folder."""
-    from ....cache import cache_folder, entries, limit
-    from ....cache import clear as empty
+    from ....cache.cache import cache_folder, entries, limit
+    from ....cache.cache import clear as empty
 
     print(f"cache folder {cache_folder()}")
     if clear:

@@ -104,7 +104,7 @@ def _windows() -> Iterator[Line]:
 
 
 def _folders() -> Iterator[Line]:
-    from ....cache import cache_folder, entries, limit
+    from ....cache.cache import cache_folder, entries, limit
     from ....fmu.files.places import fmu_folder, shipped_folder
     from ....loop.machine.compiled import is_compiled, own_hash
     from ....loop.machine.shipped import library, nothing_compiles

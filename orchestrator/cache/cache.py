@@ -4,7 +4,7 @@
     kernels/NAME/    a compiled kernel (`components/python/kernel_cache.py`, which knows this layout by convention)
     loops/NAME/      machine code of a plan (`loop/machine/objects.py`)
     servers/NAME/    what loads FMUs for Windows (`participant/windows/build.py`)
-    users/, lock     what living processes need (`cache_users.py`)
+    users/, lock     what living processes need (`users.py`)
     moving/          what is being unpacked or thrown away just now
 
 An entry is as old as its file `used`, or `.rovbrush/used`.
@@ -22,8 +22,8 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from . import cache_users
-from .errors import FmuError, InputError
+from ..errors import FmuError, InputError
+from . import users
 
 LIMIT = "2 GB"  # how much may stay, unless ROVBRUSH_CACHE_LIMIT says otherwise
 UNITS = {"": 1, "B": 1, "kB": 10**3, "MB": 10**6, "GB": 10**9, "TB": 10**12}
@@ -68,7 +68,7 @@ def cache_folder() -> Path:
 def place(kind: str, name: str) -> Path:
     """Where an entry is, or will be: this process needs it from now on. Raises FmuError as `cache_folder` does."""
     top = cache_folder()
-    cache_users.need(top, f"{kind}/{name}")
+    users.need(top, f"{kind}/{name}")
     entry = _made(top / kind) / name
     if entry.exists():
         check_private(entry)
@@ -132,7 +132,7 @@ def limit() -> int:
 def entries() -> list[Entry]:
     """What is in the cache, the latest used first."""
     top = cache_folder()
-    needed = cache_users.needed(top)
+    needed = users.needed(top)
     found = [
         Entry(kind, path, size_of(path), used(path), f"{kind}/{path.name}" in needed)
         for kind, pattern in ENTRIES.items()
@@ -179,7 +179,7 @@ def prune(allowed: int) -> list[Entry]:
     What living processes need stays. Returns the entries that are left.
     """
     top = cache_folder()
-    with workspace() as bin_, cache_users.lock(top, alone=True) as alone:
+    with workspace() as bin_, users.lock(top, alone=True) as alone:
         left = entries()
         total = sum(entry.size for entry in left)
         for entry in reversed(left.copy()) if alone else ():  # else the next process that adds something prunes
