@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from native_build import needs_gcc
 from rovbrush.orchestrator import load
-from rovbrush.orchestrator.cli.commands.studies.bench import print_foreign, print_systems
+from rovbrush.orchestrator.cli.bench_tables.masters import print_foreign, print_systems
 from rovbrush.orchestrator.errors import RunError
 from rovbrush.orchestrator.fmu.fmu import Fmu
 from rovbrush.orchestrator.studies.bench.fmus.systems import Case

@@ -1,0 +1,1 @@
+"""What `rovbrush bench` measured, as tables: by the parts that it measured."""
