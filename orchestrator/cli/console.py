@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 PATH = re.compile(r'"[^"]*[/\\][^"]*"|\'[^\']*[/\\][^\']*\'')  # in quotes: is copied, so it stays in one line
 HARD = "\N{NO-BREAK SPACE}"
+FOLDED = 16  # characters that a column of words keeps at least, where it has so many
 
 
 class Stdout:
@@ -110,17 +111,36 @@ def print_table(
 ) -> None:
     """A table within the width of the terminal: columns of `words` are folded, never cut, numbers stay whole.
 
-    Cells are plain text, or styled; brackets in them mean nothing.
+    Where the columns find no room beside each other there is a table for each part of them, the leading `words` in
+    each. Cells are plain text, or styled; brackets in them mean nothing.
     """
-    table = Table(title=Text(title), title_justify="left", show_lines=show_lines)
-    for k, heading in enumerate(headings):
-        if k in words:
-            table.add_column(Text(heading), overflow="fold")
-        else:
-            table.add_column(Text(heading), justify="right", no_wrap=True, overflow="fold")
-    for row in rows:
-        table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in row))
-    console.print(table, soft_wrap=False)
+    cells = [[Text(cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
+    widths = [
+        max(Text(heading).__rich_measure__(console, console.options).maximum, *(row[k].cell_len for row in cells), 0)
+        for k, heading in enumerate(headings)
+    ]
+    for columns in columns_that_fit(widths, words, console.width):
+        table = Table(title=Text(title), title_justify="left", show_lines=show_lines)
+        for k in columns:
+            if k in words:
+                table.add_column(Text(headings[k]), overflow="fold")
+            else:
+                table.add_column(Text(headings[k]), justify="right", no_wrap=True, overflow="fold")
+        for row in cells:
+            table.add_row(*(row[k] for k in columns))
+        console.print(table, soft_wrap=False)
+
+
+def columns_that_fit(widths: Sequence[int], words: Sequence[int], room: int) -> list[list[int]]:
+    """The columns of each table: those of `words` can be folded, the leading ones of them stand in each."""
+    need = [min(width, FOLDED) + 3 if k in words else width + 3 for k, width in enumerate(widths)]
+    lead = [k for k in range(len(widths)) if set(range(k + 1)) <= set(words)]
+    tables: list[list[int]] = []
+    for k in range(len(lead), len(widths)):
+        if not tables or 1 + sum(need[n] for n in (*tables[-1], k)) > room:
+            tables.append(list(lead))
+        tables[-1].append(k)
+    return tables or [lead]
 
 
 def print_comparison(rows: Sequence[Mapping[str, Any]], steady: bool = True) -> None:

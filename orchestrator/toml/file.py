@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
+from contextlib import suppress
+from difflib import get_close_matches
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -130,5 +132,16 @@ def _text(path: Path) -> str:
         if path.exists() and not path.is_file():
             raise InputError(f"system file {path} is no file")
         return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise InputError(f"system file {path} cannot be read: there is no such file{_beside(path)}") from None
     except (OSError, ValueError) as error:
         raise InputError(f"system file {path} cannot be read: {error}") from error
+
+
+def _beside(path: Path) -> str:
+    """Which file in the same folder may be meant; empty for none."""
+    found: list[str] = []
+    with suppress(OSError):
+        found = [other.name for other in path.parent.iterdir() if other.suffix.lower() == path.suffix.lower()]
+    close = get_close_matches(path.name, found, 1)
+    return f"; did you mean '{path.parent / close[0]}'?" if close else ""

@@ -8,13 +8,15 @@ from __future__ import annotations
 import csv
 import io
 import os
+import sys
+from contextlib import suppress
 from typing import Any
 
 from ..asked import file_of
 from ..layout import Layout, Rows
 from ..sink import FILE_PATIENCE, FILE_ROOM
 
-OUT = 1  # the descriptor of standard output
+OUT, ERRORS = 1, 2  # the descriptors of standard output and standard error
 BATCH = 1 << 16  # bytes
 
 
@@ -36,7 +38,7 @@ class CsvStream:
         if self.path:
             self._to = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o666)
         else:
-            self._to = OUT
+            self._to = _alone()
         names = ["time"]
         for table in layout.tables:
             self._first.append(len(names))
@@ -76,9 +78,20 @@ class CsvStream:
         try:
             self._lines(float("inf"))
         finally:
-            if self._to != OUT:
-                os.close(self._to)
+            if not self.path:
+                os.dup2(self._to, OUT)
+            os.close(self._to)
             self._to = -1
+
+
+def _alone() -> int:
+    """Standard output for the rows alone: what FMUs and others print from now on goes to standard error."""
+    if sys.stdout:
+        sys.stdout.flush()
+    rows = os.dup(OUT)
+    with suppress(OSError):  # there is no standard error
+        os.dup2(ERRORS, OUT)
+    return rows
 
 
 def sink_of(where: str, label: str) -> CsvStream:

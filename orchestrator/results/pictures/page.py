@@ -30,8 +30,10 @@ DASHES = ("solid", "dash", "dashdot", "dot")
 STYLE = """body{font:15px/1.4 system-ui,sans-serif;margin:1rem auto;max-width:1100px;padding:0 .7rem;color:#222}
 h1{font-size:1.25rem}table{border-collapse:collapse;display:block;overflow-x:auto}
 td,th{padding:.2rem .6rem;border-bottom:1px solid #ddd;text-align:right;white-space:nowrap}
-td:first-child,th:first-child{text-align:left}p{color:#666;font-size:.85rem}
-@media(max-width:600px){table{font-size:.72rem}td,th{padding:.15rem .3rem}}"""
+th{white-space:normal;vertical-align:bottom}
+td:first-child,th:first-child{text-align:left;position:sticky;left:0;background:#fff}p{color:#666;font-size:.85rem}
+@media(max-width:600px){table{font-size:.72rem}td,th{padding:.15rem .3rem}
+td:first-child{white-space:normal;overflow-wrap:anywhere;min-width:6rem}}"""
 CLOSER = """var page = document.getElementById('{plot_id}'), wanted = %s;
 function closer() {
   var range = page._fullLayout.xaxis.range, width = range[1] - range[0];

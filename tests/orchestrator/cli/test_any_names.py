@@ -66,6 +66,7 @@ def test_a_run_without_signals_has_no_picture_and_says_so(
         (("info", "their_pump"), "did you mean 'their_pump.fmu'?"),
         (("run", "their_pump"), "did you mean 'their_pump.fmu'?"),
         (("run", "plant"), "did you mean 'plant.toml'?"),
+        (("run", "plnat.toml"), "there is no such file; did you mean 'plant.toml'?"),
         (("run", "nominal", "--real-time", "fast"), "--real-time fast: write how many times faster than the clock"),
     ],
 )

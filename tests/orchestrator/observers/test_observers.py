@@ -150,6 +150,25 @@ def test_rows_on_standard_output_are_alone_there(
     assert lines[0] == "time,i.x" and len(lines) == 32 and "observer csv=-: 31 rows" in done.stderr
 
 
+def test_what_components_print_goes_elsewhere_than_the_rows(tmp_path: Path) -> None:
+    import subprocess
+    import sys
+
+    (tmp_path / "loud.py").write_text(
+        'import os\n\ndef step(t, h) -> {"y": float}:\n    print("said", flush=True)\n'
+        '    os.write(1, b"written\\n")\n    return t\n'
+    )
+    (tmp_path / "s.toml").write_text(
+        'format = 2\nstop_time = "30 ms"\n[components.a]\npython = "loud.py:step"\nperiod = "10 ms"\n'
+    )
+    command = [sys.executable, "-m", "rovbrush.orchestrator", "run", str(tmp_path / "s.toml"), "--observe", "csv=-"]
+    done = subprocess.run(
+        [*command, "--out", str(tmp_path / "out")], capture_output=True, text=True, check=True, timeout=300
+    )
+    assert done.stdout.splitlines() == ["time,a.y", "0.0,0.0", "0.01,0.0", "0.02,0.01", "0.03,0.02"]
+    assert done.stderr.count("said") == done.stderr.count("written") == 3
+
+
 WRONG: dict[str, tuple[list[str], dict[str, Any], str]] = {
     "kind": (["mcapp=x"], {}, "no observer is called 'mcapp'; did you mean 'mcap'"),
     "where": (["mcap="], {}, "where to[?] Write mcap=run.mcap"),
