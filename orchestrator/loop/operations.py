@@ -7,7 +7,7 @@ QUADRATIC, MIX, WORK, LEDGER, SAVE, RESTORE, REWIND, ITERATE, REPEAT, GAUGE, CON
 SERIES, SAMPLE, HALVE, ADVANCE, ESTIMATE, SOLVE, NUMBER, FIT = range(21, 29)
 STEP_ON, PAUSE, ACCUMULATE_ON, WORK_ON = range(29, 33)
 WATCH, FAULT, RISE, PACE = range(33, 37)
-MOVES, TURNS, SEGMENT = range(37, 40)  # of no plan: what several become, see `plan/fused.py` and `loop/straight/`
+MOVES, TURNS, SEGMENT = range(37, 40)  # of no plan: what several become, see `plan/speed/fused.py` and `loop/straight/`
 NAMES = (
     *("copy", "linear", "mean", "set", "step", "get", "push", "accumulate", "record", "move"),
     *("quadratic", "mix", "work", "ledger", "save", "restore", "rewind", "iterate", "repeat", "gauge", "control"),

@@ -1,4 +1,4 @@
-; made by `python -m release.loop --text` of sources 2fec18ec2846cbf6c8d9afb2
+; made by `python -m release.loop --text` of sources 30e89c4bb9117481d667545b
 
 @".const.Error creating Python tuple from runtime exception arguments" = internal constant [61 x i8] c"Error creating Python tuple from runtime exception arguments\00"
 @".const.unknown error when calling native function" = internal constant [43 x i8] c"unknown error when calling native function\00"
