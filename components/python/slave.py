@@ -10,6 +10,7 @@ from __future__ import annotations
 import ctypes
 import traceback
 from collections.abc import Callable, Iterator
+from math import inf, isfinite
 from types import ModuleType
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -207,8 +208,8 @@ class ComponentSlave(Fmi2Slave):  # type: ignore[misc]
         try:
             if self.phase != RUNNING:
                 self.out_of_turn("do a step")
-            if step_size <= 0.0:
-                raise ValueError("the step size must be positive")
+            if not (0.0 < step_size < inf and isfinite(current_time)):
+                raise ValueError("the step size must be positive, and both it and the time must be finite")
             cells = self.cells
             cells[-2] = current_time
             cells[-1] = step_size

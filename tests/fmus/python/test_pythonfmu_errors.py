@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import inf, nan
 from pathlib import Path
 
 import numpy as np
 import pytest
 from helpers import last, plan_of, run_of
 from pythonfmu_instance import started
+from rovbrush.components.python.component import component_class
 from rovbrush.orchestrator.errors import FmuError
 from rovbrush.orchestrator.run.simulation import simulate
 
@@ -68,3 +70,14 @@ def test_a_plain_pythonfmu_failure_leaves_the_process_alive(mode: int, status: s
     assert len(run.tables[0]) == 6
     assert mode != 1 or "100 % of %s%n gone" in run.failure
     assert last(run_of(tmp_path, fmus, {"p": ("plain", "1 ms", inputs)}), "p.y") == 1.0
+
+
+@pytest.mark.parametrize(("time", "step"), [(0.0, 0.0), (0.0, -1e-3), (0.0, nan), (0.0, inf), (nan, 1e-3), (inf, 1e-3)])
+def test_a_step_that_is_none_is_refused_and_leaves_all_as_it_was(time: float, step: float) -> None:
+    motor = component_class("dc_motor")(instance_name="motor")
+    motor.set_real([motor.memory.index["V_in"]], [12.0])
+    motor.enter_initialization_mode()
+    motor.exit_initialization_mode()
+    before = motor.memory.values.tolist()
+    assert not motor.do_step(time, step) and motor.memory.values.tolist() == before
+    assert motor.do_step(0.0, 1e-3) and motor.memory.values.tolist() != before
