@@ -17,7 +17,7 @@ from ..errors import FmuError, InputError
 from ..fmu.files.compiled import HEADERS
 from ..fmu.files.sources import FileSet, build_of
 from ..fmu.fmu import Fmu
-from ..system.model import Component
+from ..system.component import Component
 from .code.names import comment, identifiers
 from .compiling import OPTIONS, Target, call
 

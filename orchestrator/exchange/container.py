@@ -27,8 +27,9 @@ from ..files import prepare_folder, write_file
 from ..fmu.binary import as_text
 from ..fmu.kinds import CO_SIMULATION, WORDS
 from ..plan.plan import Plan
+from ..system.component import Component
 from ..system.inputs.series import refuse_series
-from ..system.model import Component, System
+from ..system.model import System
 from ..system.replace.view import crossings_of
 
 End = tuple[str, str]

@@ -13,7 +13,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.kinds import MODEL_EXCHANGE, SCHEDULED_EXECUTION
 from ..fmu.outside.declared import DeclaredFmu
 from ..fmu.sharing import why_alone
-from ..system.model import Component
+from ..system.component import Component
 from .apart.library import used_before
 from .base import Participant
 from .here.fmi1 import Fmi1Instance

@@ -34,7 +34,8 @@ from ..loop.operations import (
     STEP,
     WORK,
 )
-from ..system.model import Component, System
+from ..system.component import Component
+from ..system.model import System
 from .design import Design
 
 # Cells that an operation reads and writes, as columns of its row.

@@ -5,7 +5,8 @@ from __future__ import annotations
 from ..clock import Clock, seconds_text, whole_stops
 from ..errors import InputError
 from ..fmu.kinds import MODEL_EXCHANGE
-from ..system.model import Component, System
+from ..system.component import Component
+from ..system.model import System
 
 
 def check_capabilities(system: System) -> None:

@@ -9,8 +9,9 @@ import numpy as np
 
 from ..clock import Clock
 from ..fmu.conversions import Conversion
+from ..system.connection import Connection
 from ..system.inputs.series import Series
-from ..system.model import Connection, System
+from ..system.model import System
 from .algorithms.base import Algorithm
 from .exchange import CONTINUOUS, exchanged
 from .happening.events import Events

@@ -17,8 +17,9 @@ from ..integration.choice import choose
 from ..integration.settings import SolverSettings
 from ..integration.stiff.libraries import is_there, why_missing
 from ..integration.stiff.offered import why_differences
+from ..system.connection import Connection
 from ..system.event import set_inputs
-from ..system.model import Connection, System
+from ..system.model import System
 from .schedule.formulas import Choice
 from .start import Block, blocks_of
 

@@ -12,7 +12,9 @@ from collections.abc import Collection, Mapping
 import numpy as np
 
 from ..loop.operations import AT_AN_INSTANT, GET
-from ..system.model import Component, Connection, System
+from ..system.component import Component
+from ..system.connection import Connection
+from ..system.model import System
 from .schedule.formulas import Choice
 from .schedule.layout import Key
 from .start import Block, blocks_of

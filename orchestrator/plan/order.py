@@ -7,7 +7,8 @@ from itertools import groupby
 
 from ..clock import Clock
 from ..errors import InputError
-from ..system.model import Connection, System
+from ..system.connection import Connection
+from ..system.model import System
 from .exchange import exchanged
 from .schedule.formulas import Choice
 

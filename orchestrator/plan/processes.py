@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from ..errors import InputError
 from ..fmu.sharing import imports_late, why_alone
-from ..system.model import Component, System
+from ..system.component import Component
+from ..system.model import System
 
 
 def with_processes(system: System) -> System:

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
 from ..extras import needed as require_library
-from ..system.model import Connection, System
+from ..system.connection import Connection
+from ..system.model import System
 
 LOOPED = "an algebraic loop at the start"
 

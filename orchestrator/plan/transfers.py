@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ..clock import Clock, seconds_text
 from ..errors import InputError
+from ..system.connection import Connection
 from ..system.event import broken_inputs, set_inputs
-from ..system.model import Connection, System
+from ..system.model import System
 from .order import discrete
 from .schedule.formulas import BOTH_ENDS, CHANGING, Choice, choose
 

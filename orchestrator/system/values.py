@@ -15,7 +15,7 @@ from ..fmu.types import REALS, Value
 from .quantities import in_own_unit
 
 if TYPE_CHECKING:
-    from .model import Component
+    from .component import Component
 
 
 def settable(variable: ModelVariable) -> bool:

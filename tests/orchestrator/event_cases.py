@@ -10,8 +10,10 @@ from typing import Any
 
 from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Bond, Connection
 from rovbrush.orchestrator.system.file.events.read import events_of
-from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
+from rovbrush.orchestrator.system.model import System
 
 
 class Ramp(Model):

@@ -9,7 +9,9 @@ from typing import Any
 
 import numpy as np
 from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
-from rovbrush.orchestrator.system.model import Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 from scipy.linalg import expm
 
 

@@ -22,7 +22,8 @@ from rovbrush.components.declare.layout import cell_count, cells_of
 from rovbrush.components.filament_brush.records import Constants, Stage
 from rovbrush.components.python.component import component_class
 from rovbrush.components.python.kernels import argument_names, compiled
-from rovbrush.orchestrator.system.model import Component, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.model import System
 from scipy.integrate import solve_ivp
 
 TO_CONTROLLER = ("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "p", "q", "r")

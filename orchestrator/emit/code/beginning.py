@@ -8,8 +8,8 @@ from ...fmu.conversions import Conversion, How
 from ...loop.cells import OFFSET_OR_VALUE
 from ...plan.happening.scenario import from_start
 from ...plan.start import Block
+from ...system.connection import Connection
 from ...system.event import stream_of
-from ...system.model import Connection
 from .exchange import Key, Names, indented
 from .exposed import Exposed
 from .names import comment, number, whole

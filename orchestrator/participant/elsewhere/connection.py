@@ -12,7 +12,7 @@ from ...errors import FmuError, InputError
 from ...files import typed
 from ...fmu.fmu import Fmu
 from ...sockets import SHORTEST_TOKEN, Address, prepared, tcp_address
-from ...system.model import Component
+from ...system.component import Component
 from ..isolated.channel import (
     CALL,
     LONGEST,

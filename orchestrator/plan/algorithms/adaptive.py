@@ -17,7 +17,8 @@ from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.operations import ADVANCE, ESTIMATE, HALVE, PUSH, REPEAT, RESTORE, SAVE
 from ...loop.solvers.step_doubling import EVEN, INDICATOR, WORK_CELLS, WORST
-from ...system.model import Connection, System
+from ...system.connection import Connection
+from ...system.model import System
 from ...system.schema.keys.values import Positive
 from ..capabilities import require_state
 from ..design import Design

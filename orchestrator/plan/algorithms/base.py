@@ -10,7 +10,8 @@ import numpy as np
 from ...clock import Clock, make_clock
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS
-from ...system.model import Connection, System
+from ...system.connection import Connection
+from ...system.model import System
 from ..order import samplers_of
 from ..schedule.formulas import Choice
 from ..schedule.layout import Layout

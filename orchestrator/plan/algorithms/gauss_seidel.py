@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..design import Design
 from ..schedule.schedule import Schedule
 from .base import Algorithm

@@ -17,7 +17,8 @@ from msgspec import Meta
 from ...clock import Clock, seconds_text
 from ...errors import InputError
 from ...loop.solvers.iteration import COUNT, RESIDUAL, WORST, workspace
-from ...system.model import Connection, System
+from ...system.connection import Connection
+from ...system.model import System
 from ...system.schema.keys.values import Count, Positive
 from ..capabilities import require_state
 from ..design import Design

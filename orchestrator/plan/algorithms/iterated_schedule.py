@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ...loop.operations import COPY, ITERATE, MIX, PUSH, RECORD, REPEAT, RESTORE, REWIND, SAVE
 from ...loop.solvers.iteration import AITKEN, NEWTON
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..design import Design
 from ..schedule.formulas import ITERATED
 from ..schedule.schedule import Schedule

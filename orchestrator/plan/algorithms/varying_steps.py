@@ -13,7 +13,8 @@ from msgspec import Meta
 from ...clock import Clock, common_tick, countable, seconds_text
 from ...errors import InputError
 from ...loop.cells import CLOCK_CELLS, MAXIMUM, MINIMUM, STEP_TICKS, STOP
-from ...system.model import Connection, System
+from ...system.connection import Connection
+from ...system.model import System
 from ...system.schema.keys.values import Span
 from ..capabilities import require_variable_steps
 from ..schedule.formulas import Choice

@@ -10,7 +10,9 @@ from ...clock import seconds_text
 from ...errors import InputError
 from ...fmu.kinds import CO_SIMULATION, MODEL_EXCHANGE
 from ...fmu.reading.clocks import ClockVariable, require_clocks
-from ...system.model import Component, Connection, System
+from ...system.component import Component
+from ...system.connection import Connection
+from ...system.model import System
 from ..exchange import exchanged, has_events
 
 SHOWN = 12  # ticks of a clock that the plan lists

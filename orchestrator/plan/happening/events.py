@@ -14,7 +14,8 @@ import numpy as np
 
 from ...clock import Clock, seconds_text
 from ...loop.operations import STEP_ON
-from ...system.model import Connection, System
+from ...system.connection import Connection
+from ...system.model import System
 from ..exchange import exchanged
 from ..schedule.formulas import Choice
 

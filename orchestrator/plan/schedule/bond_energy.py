@@ -14,7 +14,8 @@ from math import lcm
 
 from ...clock import Clock
 from ...errors import InputError
-from ...system.model import Bond, System
+from ...system.connection import Bond
+from ...system.model import System
 from .layout import Key, Layout
 
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from ...loop.operations import AT_ITS_END, COLUMNS, PAUSE, STEP_ON
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..happening.events import EventRows, Known, Starts
 from .schedule import Schedule
 from .values import Row

@@ -14,9 +14,10 @@ from ...fmu.fmu import Fmu
 from ...fmu.types import GROUPED
 from ...loop.cells import FAULT_CELLS, WATCH_CELLS
 from ...loop.solvers.iteration import COLUMN
+from ...system.connection import Bond, Connection
 from ...system.event import broken_inputs, set_inputs, watched
 from ...system.file.recorded import Recorded
-from ...system.model import Bond, Connection, System
+from ...system.model import System
 from ...system.replace.view import crossings_of
 from .formulas import COUNTED, HISTORY, Choice
 

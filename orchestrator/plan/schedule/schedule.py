@@ -26,8 +26,8 @@ from ...loop.operations import (
     PACE,
     RECORD,
 )
+from ...system.connection import Connection
 from ...system.event import set_inputs
-from ...system.model import Connection
 from ..design import Design
 from .repeats import without_repeats
 from .settling import Settling

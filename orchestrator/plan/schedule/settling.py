@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...loop.operations import COPY, PUSH, SOLVE
 from ...loop.solvers.iteration import NEWTON, workspace
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..instants import Known
 from ..start import Block
 from .layout import Key

@@ -21,8 +21,8 @@ from ...loop.operations import (
     WORK,
     WORK_ON,
 )
+from ...system.connection import Connection
 from ...system.event import set_inputs, watched
-from ...system.model import Connection
 from ..design import Design
 from .bond_energy import Side
 from .layout import by_component

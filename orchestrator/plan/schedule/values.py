@@ -20,8 +20,8 @@ from ...loop.operations import (
     SERIES,
     SET,
 )
+from ...system.connection import Connection
 from ...system.event import broken_inputs, stream_of
-from ...system.model import Connection
 from ...system.replace.crossing import Crossing
 from ...system.replace.view import crossings_of
 from ..design import Constants, Design

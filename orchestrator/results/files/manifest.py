@@ -9,8 +9,8 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from ...fmu.reading.structure import STRUCTURAL
+from ...system.connection import Connection
 from ...system.inputs.series import manifest_of
-from ...system.model import Connection
 from ..tables import Run
 
 PACKAGES = ("rovbrush", "numpy", "numba", "scipy", "fmpy", "pythonfmu", "xarray", "h5netcdf")

@@ -17,7 +17,7 @@ import numpy as np
 
 from ...errors import RunError
 from ...plan.schedule.bond_energy import slug
-from ...system.model import Bond
+from ...system.connection import Bond
 from ..signals import Signals
 from ..tables import Run
 

@@ -20,7 +20,8 @@ from ...loop.texts import USED_COUNT
 from ...participant.here.loaded import LoadedInstance
 from ...plan.plan import Plan
 from ...results.tables import Run
-from ...system.model import Component, Values
+from ...system.assigned import Values
+from ...system.component import Component
 from ..position import Position
 from ..session.session import Session
 from ..start.initialize import initialize

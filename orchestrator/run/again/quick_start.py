@@ -19,8 +19,8 @@ from ...loop.operations import AT_ITS_END, COLUMNS, COPY, GET, SET
 from ...participant.here.loaded import LoadedInstance
 from ...plan.plan import Plan
 from ...plan.start import Block
+from ...system.assigned import Values
 from ...system.inputs.free_inputs import left_alone
-from ...system.model import Values
 from ..blocks.blocks import NO_ROWS, NO_TURNS
 from .restart import Restart, restart_of
 

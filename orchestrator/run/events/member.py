@@ -8,7 +8,7 @@ from typing import Any
 from ...errors import RunError
 from ...fmu.types import Value
 from ...plan.plan import Plan
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..memory.memory import Memory
 from .faults import broken
 

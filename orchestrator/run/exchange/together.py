@@ -11,7 +11,7 @@ from ...participant.model_exchange.instance import Member
 from ...participant.model_exchange.links import Crossed, Link, LinkBlock
 from ...plan.exchange import links_of, located, settings_of
 from ...plan.plan import Plan
-from ...system.model import Connection
+from ...system.connection import Connection
 from ..memory.memory import Memory
 from .apart import sampled
 

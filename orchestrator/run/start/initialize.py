@@ -19,8 +19,8 @@ from ...plan.plan import Plan
 from ...plan.schedule.layout import Key
 from ...plan.start import Block
 from ...results.tables import Started
+from ...system.connection import Connection
 from ...system.inputs.free_inputs import left_alone
-from ...system.model import Connection
 from ..events.faults import begin_events, broken
 from ..memory.memory import Memory
 from .loops import TOLERANCE, StartLoop

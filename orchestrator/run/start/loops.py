@@ -12,7 +12,7 @@ import numpy as np
 
 from ...extras import needed
 from ...plan.start import LOOPED
-from ...system.model import Connection
+from ...system.connection import Connection
 
 TOLERANCE = 1e-9  # of a loop's inputs, relative to their size or 1
 NUDGE = 1e-7  # of an input, relative to its size or 1, to see what it does

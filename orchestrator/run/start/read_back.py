@@ -11,7 +11,7 @@ from ...fmu.binary import as_text
 from ...fmu.reading.structure import STRUCTURAL
 from ...fmu.types import FmiType, Value
 from ...participant.base import CallError, Participant
-from ...system.model import Component
+from ...system.component import Component
 
 ROUNDING = 8  # units in the last place, of conversions on the way there and back
 

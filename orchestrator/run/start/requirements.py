@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from ...errors import InputError
 from ...participant.base import Participant
 from ...plan.plan import Plan
-from ...system.model import Component, Requirement
+from ...system.component import Component
+from ...system.model import Requirement
 from ...units import conversion
 
 

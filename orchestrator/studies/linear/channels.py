@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from ...errors import InputError, listed, nearest
+from ...system.connection import Connection
 from ...system.event import Event, Fault, Key
 from ...system.file.recorded import recorded_names
-from ...system.model import Connection, System
+from ...system.model import System
 from ...system.values import follows_tables
 
 

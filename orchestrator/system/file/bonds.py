@@ -13,7 +13,9 @@ from ...errors import InputError, nearest
 from ...fmu.types import BINARY, TEXT
 from ...toml.file import TomlFile
 from ...units import conversion
-from ..model import Bond, Component, Connection, Requirement
+from ..component import Component
+from ..connection import Bond, Connection
+from ..model import Requirement
 from ..schema.checked import checked
 from ..schema.keys.bonds import BondTable, RequirementTable
 

@@ -20,8 +20,8 @@ from ...fmu.types import REALS, Value
 from ...sockets import TCP, tcp_address
 from ...toml.file import TomlFile
 from ...units import left_open, parse_unit
+from ..component import Component
 from ..inputs.series_file import stated_series
-from ..model import Component
 from ..schema.checked import checked, checked_value
 from ..schema.keys.system import ComponentTable
 from ..values import checked_values

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...errors import InputError, nearest
 from ...toml.file import TomlFile
-from ..model import Component
+from ..component import Component
 from ..schema.checked import checked
 from ..schema.keys.live import LiveControl, LivePart, LiveTable
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...errors import nearest
 from ...toml.file import TomlFile
-from ..model import Component
+from ..component import Component
 from ..schema.checked import checked
 from ..schema.keys.message import FIELDS, MessageTable
 

@@ -14,9 +14,10 @@ from ...clock import instant, require_span
 from ...errors import InputError, nearest, or_else
 from ...fmu.files.places import named_fmu
 from ...toml.file import TomlFile
+from ..component import Component
 from ..formats import ENDINGS, is_system_file, opened
 from ..inputs.free_inputs import require_values
-from ..model import FORMATS, Component, System
+from ..model import FORMATS, System
 from ..schema.checked import checked
 from ..schema.keys.report import Balance, Comparison, Figure, Window
 from ..schema.keys.solving import Loops, Solver

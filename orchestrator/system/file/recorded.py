@@ -12,7 +12,8 @@ from fnmatch import fnmatchcase
 from typing import Any
 
 from ...errors import InputError, nearest
-from ..model import Component, System
+from ..component import Component
+from ..model import System
 from .merits import merit
 
 OTHERS = ("local", "parameter", "calculatedParameter", "independent")  # what can be recorded beside inputs and outputs

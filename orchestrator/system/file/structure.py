@@ -11,7 +11,7 @@ from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.reading.structure import STRUCTURAL
 from ...fmu.types import Value
-from ..model import Component
+from ..component import Component
 
 Stated = tuple[str, object, str]  # name, value, where it stands
 

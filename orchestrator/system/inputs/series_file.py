@@ -17,7 +17,8 @@ import numpy as np
 from ...errors import InputError, nearest
 from ...files import csv_rows
 from ...units import conversion
-from ..model import Component, System
+from ..component import Component
+from ..model import System
 from ..schema.checked import checked
 from ..schema.keys.system import Table
 from ..values import checked_values, follows_tables

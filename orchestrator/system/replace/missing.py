@@ -13,10 +13,12 @@ from typing import Any
 from ...errors import nearest
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
+from ..component import Component
+from ..connection import Connection
 from ..file.figure_kinds import figure_kind, figure_kinds
 from ..file.merits import merit
 from ..inputs.series import Series
-from ..model import Component, Connection, System
+from ..model import System
 from ..schema.keys.message import signals_of
 from .mapping import VariableMapping
 

@@ -10,7 +10,7 @@ from ...fmu.attributes import parse_value
 from ...fmu.binary import as_text
 from ...fmu.fmu import Fmu
 from ...fmu.types import Value
-from ..model import Component
+from ..component import Component
 from ..values import start_as_toml
 from .crossing import Crossing
 from .mapping import VariableMapping

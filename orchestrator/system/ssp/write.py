@@ -15,8 +15,10 @@ from lxml import etree
 from ...errors import InputError
 from ...files import prepare_folder, write_file
 from ...fmu.fmu import Fmu
+from ..component import Component
+from ..connection import Connection
 from ..inputs.series import refuse_series
-from ..model import Component, Connection, System
+from ..model import System
 from ..replace.view import crossings_of
 from .files.annotations import annotate, component_keys, connection_keys, system_keys
 from .files.document import NAMESPACES, validate

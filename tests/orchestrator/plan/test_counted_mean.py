@@ -15,7 +15,7 @@ from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.model import Bond, Connection
+from rovbrush.orchestrator.system.connection import Bond, Connection
 
 WIRE = "s.F -> t.F (mean of s.p)"
 BOTH = ["jacobi", "gauss-seidel"]

@@ -20,7 +20,9 @@ from rovbrush.orchestrator.plan.diagram.file import write_diagram
 from rovbrush.orchestrator.plan.diagram.ink import shortened
 from rovbrush.orchestrator.plan.diagram.labels import names_in
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
-from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Bond, Connection
+from rovbrush.orchestrator.system.model import System
 
 SVG = "{http://www.w3.org/2000/svg}"
 HOSTILE = "<script>alert('&\"')</script>\x07"

@@ -16,7 +16,9 @@ from rovbrush.orchestrator.fmu.mock import MockFmu, Model, mock_fmu
 from rovbrush.orchestrator.plan.explain import explain
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Bond, Connection
+from rovbrush.orchestrator.system.model import System
 
 MASS, STIFFNESS, DAMPING, H = (1.0, 2.0), 40.0, 0.3, 1e-4
 

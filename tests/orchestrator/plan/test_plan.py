@@ -17,7 +17,9 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import NAMES
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.model import Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 
 CONTROLLER_REST = (  # the inputs of the controller but for `p`
     *("x_n", "y_n", "z_n", "phi", "theta", "psi", "u", "v", "w", "q", "r"),

@@ -14,7 +14,9 @@ from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.loop.operations import STEP
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.model import Bond, Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Bond, Connection
+from rovbrush.orchestrator.system.model import System
 
 PERIODS = (Fraction(1, 8), Fraction(1, 4), Fraction(3, 8), Fraction(5, 8))
 SPANS = (Fraction(15, 4), Fraction(4), Fraction(61, 16), Fraction(9, 16), Fraction(1, 16), Fraction(151, 40))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rovbrush.orchestrator.plan import start
 from rovbrush.orchestrator.plan.order import order_of
 from rovbrush.orchestrator.plan.start import start_order
-from rovbrush.orchestrator.system.model import Connection
+from rovbrush.orchestrator.system.connection import Connection
 
 
 @dataclass

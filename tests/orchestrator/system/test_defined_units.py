@@ -10,9 +10,9 @@ from helpers import edited, read_system
 from native_build import FREE2, built, needs_gcc
 from rovbrush.orchestrator.errors import InputError
 from rovbrush.orchestrator.fmu.fmu import Fmu
+from rovbrush.orchestrator.system.connection import Connection
 from rovbrush.orchestrator.system.file.reader import load_system
 from rovbrush.orchestrator.system.inputs.series import series_of
-from rovbrush.orchestrator.system.model import Connection
 from rovbrush.orchestrator.units import Definition, Unit, conversion
 
 pytestmark = needs_gcc

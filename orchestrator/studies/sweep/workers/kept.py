@@ -9,7 +9,7 @@ from ....errors import RovbrushError
 from ....plan.plan import Plan
 from ....results.summary.summary import figures
 from ....run.again.again import Again, why_anew
-from ....system.model import Values
+from ....system.assigned import Values
 
 
 class Kept:

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 from ....errors import InputError, nearest
 from ....fmu.reading.clocks import ClockVariable
-from ...model import Component, Connection
+from ...component import Component
+from ...connection import Connection
 
 Components = Mapping[str, Component]
 

@@ -11,7 +11,8 @@ from ....fmu.conversions import LossyError, conversion_of
 from ....fmu.fmu import Fmu
 from ....toml.file import TomlFile
 from ....units import conversion
-from ...model import Component, Connection
+from ...component import Component
+from ...connection import Connection
 from ...schema.keys.system import TRANSFERS
 from .clock_links import clock_connection
 from .counters import counters_of

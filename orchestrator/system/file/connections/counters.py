@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from ....errors import InputError, nearest
 from ....units import integral_gain
-from ...model import Component
+from ...component import Component
 from .link import Link
 
 

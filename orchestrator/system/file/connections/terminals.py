@@ -15,7 +15,7 @@ from ....errors import InputError, nearest
 from ....fmu.binary import as_text
 from ....fmu.fmu import Fmu
 from ....fmu.reading.terminals import BUS, BY_NAME, INFLOW, OUTFLOW, SEQUENCE, SIGNAL, Member, Stream, Terminal
-from ...model import Component
+from ...component import Component
 from .link import Link
 
 FLOWS = (INFLOW, OUTFLOW)

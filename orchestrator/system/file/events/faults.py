@@ -6,8 +6,8 @@ from ....errors import InputError, nearest
 from ....fmu.attributes import parse_value
 from ....fmu.conversions import conversion_of
 from ....fmu.types import Value
+from ...connection import Connection
 from ...event import Fault, Key
-from ...model import Connection
 from ...quantities import in_own_unit
 from ...schema.keys.event import EventTable
 from .signals import Fail, Signals, number

@@ -10,8 +10,10 @@ from ....clock import duration, instant, seconds_text
 from ....errors import InputError, nearest
 from ....fmu.types import Value
 from ....toml.file import TomlFile
+from ...component import Component
+from ...connection import Connection
 from ...event import Event, Key
-from ...model import Component, Connection, System
+from ...model import System
 from ...schema.checked import checked
 from ...schema.keys.event import EventTable
 from ...values import checked_values, follows_tables

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 from ....errors import InputError
 from ....fmu.attributes import is_number
+from ...component import Component
+from ...connection import Connection
 from ...event import Key
-from ...model import Component, Connection
 
 Fail = Callable[..., InputError]  # from a message and the word that it is about
 

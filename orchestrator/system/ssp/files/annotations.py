@@ -18,7 +18,9 @@ from msgspec import to_builtins
 
 from ....clock import seconds_text
 from ....fmu.kinds import usual_kind
-from ...model import FORMATS, Bond, Component, Connection, Requirement, System
+from ...component import Component
+from ...connection import Bond, Connection
+from ...model import FORMATS, Requirement, System
 from ...schema.keys.solving import Loops, Solver
 from .document import NAMESPACES, Document, find
 

@@ -19,7 +19,9 @@ from rovbrush.orchestrator.participant.ardusub.model import AutopilotModel
 from rovbrush.orchestrator.plan.plan import Plan, make_plan
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.simulation import simulate
-from rovbrush.orchestrator.system.model import Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 
 STEP = Fraction(1, 400)
 

@@ -20,7 +20,9 @@ from rovbrush.orchestrator.results.result import Result
 from rovbrush.orchestrator.results.tables import Run
 from rovbrush.orchestrator.run.checkpoint.checkpoint import read_checkpoint, write_checkpoint
 from rovbrush.orchestrator.run.session.session import Session
-from rovbrush.orchestrator.system.model import Component, Connection, System
+from rovbrush.orchestrator.system.component import Component
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.ssp.write import write_ssp
 
 VARIABLES = [

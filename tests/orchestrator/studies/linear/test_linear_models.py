@@ -16,7 +16,8 @@ from rovbrush.orchestrator.studies.linear.linearise import linearise
 from rovbrush.orchestrator.studies.linear.margins.margins import margins, verified
 from rovbrush.orchestrator.studies.linear.options import Options
 from rovbrush.orchestrator.system.assemble import assemble
-from rovbrush.orchestrator.system.model import Connection, System
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 from scipy.linalg import expm
 
 START = Options(at=["0 s"])

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 from helpers import read_system
 from rovbrush.orchestrator.studies.sweep.workers.point import digest
-from rovbrush.orchestrator.system.model import Connection, System
+from rovbrush.orchestrator.system.connection import Connection
+from rovbrush.orchestrator.system.model import System
 from rovbrush.orchestrator.system.schema.keys.solving import Loops, Solver
 
 
