@@ -1,11 +1,12 @@
-"""Expressions as LLVM's text. What IEEE 754 says is kept: no rearranging, no fused multiply-add."""
+"""Expressions as LLVM's text."""
 
 from __future__ import annotations
 
 import ast
-import math
 from typing import Any
 
+from .arithmetic import ROUNDED, Arithmetic
+from .calls import Calls
 from .kinds import (
     BOOL,
     DIMENSIONS,
@@ -19,111 +20,28 @@ from .kinds import (
     constant,
     joined,
     returned,
-)  # fmt: skip
+)
+from .text import result_type
 
 INTRINSICS = {name: f"llvm.{name}.f64" for name in ("exp", "log", "log10", "log2", "sin", "cos", "sqrt", "fabs")}
 EXTERNALS = ("tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "log1p", "expm1", "erf",
              "erfc", "atan2")  # fmt: skip
-ROUNDED = {"floor": "llvm.floor.f64", "ceil": "llvm.ceil.f64", "trunc": "llvm.trunc.f64"}
-ARITHMETIC = {ast.Add: ("fadd", "add"), ast.Sub: ("fsub", "sub"), ast.Mult: ("fmul", "mul")}
-OF_BITS = {ast.BitAnd: "and", ast.BitOr: "or", ast.BitXor: "xor", ast.LShift: "shl", ast.RShift: "ashr"}
 COMPARED = {
     ast.Lt: ("olt", "slt"), ast.LtE: ("ole", "sle"), ast.Gt: ("ogt", "sgt"), ast.GtE: ("oge", "sge"),
     ast.Eq: ("oeq", "eq"), ast.NotEq: ("une", "ne"),
 }  # fmt: skip
 
 
-class Expressions:
+class Expressions(Calls, Arithmetic):
     """The text of one function so far, and what its names are."""
 
     def __init__(self, functions: dict[str, ast.FunctionDef], namespace: dict[str, Any], externals: set[str]) -> None:
-        self.functions, self.namespace, self.externals = functions, namespace, externals
-        self.lines: list[str] = []
-        self.block = "entry"
-        self.count = 0
+        Calls.__init__(self, functions, namespace)
+        Arithmetic.__init__(self, externals)
         self.kinds: dict[str, str] = {}
         self.arrays: dict[str, Array] = {}
         self.counters: set[str] = set()
-        self.local: set[str] = set()  # names that the function writes to
         self.prefix = "k"  # of the functions that are called
-
-    # --- text ---
-
-    def new(self, what: str) -> str:
-        """A value that an instruction makes."""
-        self.count += 1
-        self.lines.append(f"  %t{self.count} = {what}")
-        return f"%t{self.count}"
-
-    def do(self, what: str) -> None:
-        self.lines.append(f"  {what}")
-
-    def label(self) -> str:
-        self.count += 1
-        return f"b{self.count}"
-
-    def begin(self, block: str) -> None:
-        self.lines.append(f"{block}:")
-        self.block = block
-
-    # --- kinds without text ---
-
-    def kind_of(self, node: ast.expr, known: dict[str, str]) -> str:
-        """The kind of a scalar expression, or nothing while the kinds of its names are not known."""
-        if isinstance(node, ast.Constant):
-            return constant(node.value).kind
-        if isinstance(node, ast.Name):
-            outside = node.id not in self.local and node.id in self.namespace
-            return known.get(node.id) or (constant(self.namespace[node.id]).kind if outside else "")
-        if isinstance(node, ast.Subscript):
-            return FLOAT
-        if isinstance(node, ast.Compare | ast.BoolOp):
-            return BOOL
-        if isinstance(node, ast.UnaryOp):
-            return BOOL if isinstance(node.op, ast.Not) else self.kind_of(node.operand, known)
-        if isinstance(node, ast.IfExp):
-            return joined(self.kind_of(node.body, known), self.kind_of(node.orelse, known))
-        if isinstance(node, ast.BinOp):
-            one, other = self.kind_of(node.left, known), self.kind_of(node.right, known)
-            return FLOAT if isinstance(node.op, ast.Div) or FLOAT in (one, other) else joined(one, other)
-        if isinstance(node, ast.Call):
-            return self._kind_of_call(node, known)
-        raise UnknownError(ast.unparse(node))
-
-    def _kind_of_call(self, node: ast.Call, known: dict[str, str]) -> str:
-        name = self.called(node)
-        if name in self.functions:
-            kinds = returned(self.functions[name])
-            return kinds[0] if len(kinds) == 1 else ""
-        if name in ("int", *ROUNDED):
-            return INT
-        if name in ("min", "max", "abs"):
-            kind = ""
-            for argument in node.args:
-                kind = joined(kind, self.kind_of(argument, known))
-            return kind
-        return BOOL if name == "bool" else FLOAT
-
-    def kinds_of_call(self, node: ast.expr) -> tuple[str, ...]:
-        """What a function of the kernel returns."""
-        if isinstance(node, ast.Call) and self.called(node) in self.functions:
-            return returned(self.functions[self.called(node)])
-        raise UnknownError(ast.unparse(node))
-
-    def called(self, node: ast.Call) -> str:
-        """The function of a call: of the kernel, a built-in one, or of `math`, by the name it has there."""
-        if not isinstance(node.func, ast.Name) or node.keywords:
-            raise UnknownError(ast.unparse(node))
-        name = node.func.id
-        given = self.namespace.get(name)
-        if name not in self.functions and given is not None:
-            own = str(getattr(given, "__name__", ""))
-            if getattr(math, own, None) is not given:
-                raise UnknownError(ast.unparse(node))
-            return own
-        return name
-
-    # --- values ---
 
     def value(self, node: ast.expr) -> Number:
         """A scalar expression."""
@@ -155,39 +73,7 @@ class Expressions:
     def truth(self, node: ast.expr) -> str:
         """An expression as a condition."""
         value = self._short(node) if isinstance(node, ast.BoolOp) else self.value(node)
-        return self._true(value).text
-
-    def _true(self, value: Number) -> Number:
-        if value.kind == BOOL:
-            return value
-        zero = "0.0" if value.kind == FLOAT else "0"
-        how = "fcmp une" if value.kind == FLOAT else "icmp ne"
-        return Number(self.new(f"{how} {value.kind} {value.text}, {zero}"), BOOL)
-
-    def as_kind(self, value: Number, kind: str) -> str:
-        """A value as one of another kind that takes it."""
-        if value.kind == kind:
-            return value.text
-        if kind == FLOAT:
-            return self.new(f"{'sitofp' if value.kind == INT else 'uitofp'} {value.kind} {value.text} to double")
-        raise UnknownError(f"{value.kind} for {kind}")
-
-    def arithmetic(self, operator: ast.operator, one: Number, other: Number) -> Number:
-        """Two numbers and an operator."""
-        if BOOL in (one.kind, other.kind):
-            raise UnknownError("arithmetic with true and false")
-        if isinstance(operator, ast.Div):
-            return Number(self.new(f"fdiv double {self.as_kind(one, FLOAT)}, {self.as_kind(other, FLOAT)}"), FLOAT)
-        if type(operator) in OF_BITS and one.kind == other.kind == INT:
-            if isinstance(operator, ast.LShift | ast.RShift) and not other.text.isdigit():
-                raise UnknownError("a shift by what is not known")
-            return Number(self.new(f"{OF_BITS[type(operator)]} i64 {one.text}, {other.text}"), INT)
-        if type(operator) not in ARITHMETIC:
-            raise UnknownError(type(operator).__name__)
-        of_floats, of_ints = ARITHMETIC[type(operator)]
-        kind = joined(one.kind, other.kind)
-        what = of_floats if kind == FLOAT else of_ints
-        return Number(self.new(f"{what} {kind} {self.as_kind(one, kind)}, {self.as_kind(other, kind)}"), kind)
+        return self.condition(value).text
 
     def _unary(self, node: ast.UnaryOp) -> Number:
         if isinstance(node.op, ast.Not):
@@ -321,55 +207,16 @@ class Expressions:
             return Number(self.call_own(node), kinds[0])
         values = [self.value(one) for one in node.args]
         if name in ("min", "max") and len(values) > 1:
-            return self._least(name, values)
+            return self.least(name, values)
         if len(values) != (2 if name == "atan2" else 1):
             raise UnknownError(ast.unparse(node))
         if name == "bool":
-            return self._true(values[0])
+            return self.condition(values[0])
         if name in ("int", "float", "abs", *ROUNDED):
-            return self._converted(name, values[0])
+            return self.converted(name, values[0])
         if (name not in INTRINSICS and name not in EXTERNALS) or any(value.kind == BOOL for value in values):
             raise UnknownError(ast.unparse(node))
         called = INTRINSICS.get(name, name)
         self.externals.add(f"declare double @{called}({', '.join(['double'] * len(values))})")
         given = ", ".join(f"double {self.as_kind(value, FLOAT)}" for value in values)
         return Number(self.new(f"call double @{called}({given})"), FLOAT)
-
-    def _least(self, name: str, values: list[Number]) -> Number:
-        """As Python compares: one that is not a number is passed over where it comes later."""
-        best = values[0]
-        for one in values[1:]:
-            kind = joined(best.kind, one.kind)
-            if kind == BOOL:
-                raise UnknownError(name)
-            a, b = self.as_kind(best, kind), self.as_kind(one, kind)
-            order = "lt" if name == "min" else "gt"
-            better = self.new(f"{'fcmp o' if kind == FLOAT else 'icmp s'}{order} {kind} {b}, {a}")
-            best = Number(self.new(f"select i1 {better}, {kind} {b}, {kind} {a}"), kind)
-        return best
-
-    def _converted(self, name: str, value: Number) -> Number:
-        if name == "float":
-            return Number(self.as_kind(value, FLOAT), FLOAT)
-        if value.kind == BOOL and name == "int":
-            return Number(self.new(f"zext i1 {value.text} to i64"), INT)
-        if value.kind == BOOL:
-            raise UnknownError(f"{name} of true or false")
-        if name == "abs" and value.kind == INT:
-            less, minus = self.new(f"icmp slt i64 {value.text}, 0"), self.new(f"sub i64 0, {value.text}")
-            return Number(self.new(f"select i1 {less}, i64 {minus}, i64 {value.text}"), INT)
-        if value.kind == INT:
-            return value
-        text = value.text
-        if name != "int":
-            called = ROUNDED.get(name, "llvm.fabs.f64")
-            self.externals.add(f"declare double @{called}(double)")
-            text = self.new(f"call double @{called}(double {text})")
-        return Number(text, FLOAT) if name == "abs" else Number(self.new(f"fptosi double {text} to i64"), INT)
-
-
-def result_type(kinds: tuple[str, ...]) -> str:
-    """What LLVM calls what a function returns."""
-    if not kinds:
-        return "void"
-    return kinds[0] if len(kinds) == 1 else f"{{ {', '.join(kinds)} }}"

@@ -6,9 +6,10 @@ import ast
 from collections.abc import Set
 from typing import Any
 
-from .expressions import Expressions, result_type
+from .expressions import Expressions
 from .inference import counters, variables
 from .kinds import BOOL, INT, Array, Number, UnknownError, returned
+from .text import result_type
 
 
 class Function(Expressions):
