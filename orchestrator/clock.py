@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from .errors import InputError, shown
+from .errors import InputError, point_wanted, shown
 
 SCALES = {"s": Fraction(1), "ms": Fraction(1, 1000), "us": Fraction(1, 10**6), "ns": Fraction(1, 10**9)}
 NUMBER = r"[0-9.]{1,64}(?:[eE][+-]?[0-9]{1,3})?(?:/[0-9]{1,64})?"  # bounded: a power of ten is computed exactly
@@ -39,6 +39,7 @@ def instant(value: object, what: str) -> Fraction:
     except (ValueError, ZeroDivisionError):
         raise InputError(
             f'{what} = {shown(value)!r} is not a time; write a number of seconds, "5 ms", "250 us" or "1/60 s"'
+            f"{point_wanted(value)}"
         ) from None
     if seconds and not SHORTEST <= abs(seconds) <= LONGEST:
         raise InputError(f"{what} = {text} is no time that can be counted; from 1e-15 s to 1e15 s are")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -57,6 +58,12 @@ def nearest(name: str, known: Iterable[str]) -> str:
 def or_else(hint: str, other: str) -> str:
     """What `nearest` says, and what else would do: `; did you mean 'x'? Or ...`."""
     return f"{hint}{' Or' if hint.endswith('?') else ', or'} {other}"
+
+
+def point_wanted(value: object) -> str:
+    """What to say of a number with a decimal comma; nothing of others."""
+    with_comma = re.match(r"\s*[+-]?\d+,\d+", str(value))
+    return f"; a decimal point is wanted: {str(value).strip().replace(',', '.', 1)}" if with_comma else ""
 
 
 def shown(value: object) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from ..errors import counted
 from .console import print_table, tell
 
 if TYPE_CHECKING:
@@ -19,7 +20,8 @@ def print_model(model: Linear) -> None:
     notes = model.notes
     kind = "continuous" if model.dt == 0.0 else f"sampled every {1e3 * model.dt:.6g} ms"
     tell(
-        f"t = {model.at:g} s: {model.order} states, {len(model.inputs)} inputs, {len(model.outputs)} outputs, {kind}; "
+        f"t = {model.at:g} s: {counted(model.order, 'state')}, {counted(len(model.inputs), 'input')}, "
+        f"{counted(len(model.outputs), 'output')}, {kind}; "
         f"residual of the operating point {notes.get('residual', 0.0):.2g}"
     )
     if notes["method"] == "pulses":

@@ -7,7 +7,7 @@ from typing import Any
 
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..errors import InputError, nearest
+from ..errors import InputError, nearest, point_wanted
 from .binary import bytes_of
 from .types import REALS, TYPES, FmiType, Value
 
@@ -88,7 +88,7 @@ def _number(variable: ModelVariable, value: object, label: str) -> Value:
     except (ValueError, KeyError, OverflowError):
         what = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
         what += f", and no item of the enumeration{nearest(str(value), items)}" if items else ""
-        raise InputError(f"{label} = {value!s} is not {what}") from None
+        raise InputError(f"{label} = {value!s} is not {what}{point_wanted(value)}") from None
     return number
 
 

@@ -50,8 +50,14 @@ def reproduce(
     """Answer the paper's claims one by one: claims.json and a report in one HTML page."""
     from ...paper.reproduce import reproduce as study
 
-    tell("every run, by the command that repeats it:")
-    found = study(out, fmus, claim or (), lambda command: console.print(command, style="dim", markup=False))
+    heading = ["every run, by the command that repeats it:"]
+
+    def began(command: str) -> None:
+        while heading:
+            tell(heading.pop())
+        console.print(command, style="dim", markup=False)
+
+    found = study(out, fmus, claim or (), began)
     print_claims(found.rows)
     for said in found.parameter_sets:
         tell(f"parameters: {said}")

@@ -11,7 +11,7 @@ import numpy as np
 from attrs import evolve
 from fmpy.model_description import ModelVariable
 
-from ...errors import InputError
+from ...errors import InputError, point_wanted
 from ...fmu.attributes import is_number, parse_value
 from ...fmu.fmu import Fmu
 from ...fmu.types import FmiType, Value
@@ -29,7 +29,7 @@ def numbers(cells: Sequence[str], label: str) -> np.ndarray:
         return np.array(cells, dtype=float)
     except ValueError:
         line, cell = next((k, cell) for k, cell in enumerate(cells, 2) if not is_number(cell))
-        raise InputError(f"{_at(label, line)} = {cell!r} is not a number") from None
+        raise InputError(f"{_at(label, line)} = {cell!r} is not a number{point_wanted(cell)}") from None
 
 
 def typed(cells: Sequence[str], fmu: Fmu, name: str, label: str) -> list[Value]:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...errors import InputError, counted, nearest
+from ...errors import InputError, counted, nearest, point_wanted
 from ...system.inputs.series_file import Column, columns_of, with_column
 from ...system.model import System
 from ...system.values import follows_tables
@@ -133,7 +133,9 @@ def measured(
         try:
             value = float(cell)
         except ValueError:
-            raise InputError(f"{label}, line {line}: {match.column} = '{cell}' is not a number") from None
+            raise InputError(
+                f"{label}, line {line}: {match.column} = '{cell}' is not a number{point_wanted(cell)}"
+            ) from None
         if math.isnan(value):
             gaps += 1
         elif math.isinf(value) or not math.isfinite(time):

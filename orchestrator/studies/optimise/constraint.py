@@ -6,7 +6,7 @@ import math
 import re
 from dataclasses import dataclass
 
-from ...errors import InputError
+from ...errors import InputError, point_wanted
 from ...fmu.attributes import is_number
 from ...system.file.merits import merit
 from ...system.quantities import QUANTITY, in_own_unit
@@ -56,7 +56,7 @@ def _bound(figure: str, text: str, label: str, request: Request) -> float:
     if not is_number(text):
         match = QUANTITY.fullmatch(text)
         if match is None:
-            raise InputError(f"{label}: '{text}' is no number, and none with a unit")
+            raise InputError(f"{label}: '{text}' is no number, and none with a unit{point_wanted(text)}")
         unit = request.units[figure]
         operation, names = merit(request.figures[figure][1])
         component, _, variable = (names or [""])[0].partition(".")

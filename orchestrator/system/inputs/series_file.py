@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import InputError, nearest
+from ...errors import InputError, nearest, point_wanted
 from ...files import csv_rows
 from ...units import conversion
 from ..component import Component
@@ -67,7 +67,9 @@ def columns_of(path: Path, label: str) -> dict[str, Column]:
         try:
             time = gain * float(row[at]) + offset
         except ValueError:
-            raise InputError(f"{label}: {path.name}, line {line}: time = '{row[at]}' is not a number") from None
+            raise InputError(
+                f"{label}: {path.name}, line {line}: time = '{row[at]}' is not a number{point_wanted(row[at])}"
+            ) from None
         for name, cell in zip(names, row, strict=True):
             if name in found and cell.strip():
                 found[name].rows.append((line, time, cell.strip()))
@@ -89,7 +91,9 @@ def _column_series(component: Component, scalar: str, path: Path, name: str, col
             try:
                 cells[k] = float(cell)
             except ValueError:
-                raise InputError(f"{label}: {path.name}, line {line}: {name} = '{cell}' is not a number") from None
+                raise InputError(
+                    f"{label}: {path.name}, line {line}: {name} = '{cell}' is not a number{point_wanted(cell)}"
+                ) from None
     times = [time for _, time, _ in column.rows]
     origin = f"column {name} of {path.name}"
     return series_of(component.fmu, scalar, times, cells, column.unit, origin, f"{label}: {origin}")
