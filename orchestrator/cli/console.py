@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 PATH = re.compile(r'"[^"]*[/\\][^"]*"|\'[^\']*[/\\][^\']*\'')  # in quotes: is copied, so it stays in one line
 HARD = "\N{NO-BREAK SPACE}"
 FOLDED = 16  # characters that a column of words keeps at least, where it has so many
+TIGHT = 10  # and where that saves a second table
 
 
 class Stdout:
@@ -112,15 +113,15 @@ def print_table(
     """A table within the width of the terminal: columns of `words` are folded, never cut, numbers stay whole.
 
     Where the columns find no room beside each other there is a table for each part of them, the leading `words` in
-    each. Cells are plain text, or styled; brackets in them mean nothing.
+    each and the title above the first. Cells are plain text, or styled; brackets in them mean nothing.
     """
     cells = [[Text(cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
     widths = [
         max(Text(heading).__rich_measure__(console, console.options).maximum, *(row[k].cell_len for row in cells), 0)
         for k, heading in enumerate(headings)
     ]
-    for columns in columns_that_fit(widths, words, console.width):
-        table = Table(title=Text(title), title_justify="left", show_lines=show_lines)
+    for part, columns in enumerate(columns_that_fit(widths, words, console.width)):
+        table = Table(title=None if part else Text(title), title_justify="left", show_lines=show_lines)
         for k in columns:
             if k in words:
                 table.add_column(Text(headings[k]), overflow="fold")
@@ -133,6 +134,10 @@ def print_table(
 
 def columns_that_fit(widths: Sequence[int], words: Sequence[int], room: int) -> list[list[int]]:
     """The columns of each table: those of `words` can be folded, the leading ones of them stand in each."""
+    for folded in (FOLDED, TIGHT):
+        need = [min(width, folded) + 3 if k in words else width + 3 for k, width in enumerate(widths)]
+        if 1 + sum(need) <= room:
+            return [list(range(len(widths)))]
     need = [min(width, FOLDED) + 3 if k in words else width + 3 for k, width in enumerate(widths)]
     lead = [k for k in range(len(widths)) if set(range(k + 1)) <= set(words)]
     tables: list[list[int]] = []

@@ -15,21 +15,19 @@ def print_loop(rows: Rows) -> None:
     """The loop beside the bare calls."""
     cells = []
     for r in rows:
-        kind = ", ".join([*["by hand"] * r["by_hand"], *["rows"] * r["recording"]])
+        kind = ", ".join([r["algorithm"], *["by hand"] * r["by_hand"], *["rows"] * r["recording"]])
         ways = ("bare_us", "operations_us", "loop_us", "code_us", "best_us")
         costs = (_three_digits(r[key]) if key in r else "" for key in ways)
-        cells.append(
-            (f"{r['FMUs']}", r["algorithm"], kind, *costs, f"{r['ratio']:.2f}", f"{r['ratio_of_fastest']:.2f}")
-        )
+        cells.append((f"{r['FMUs']}", kind, *costs, f"{r['ratio']:.2f}", f"{r['ratio_of_fastest']:.2f}"))
     title = (
         f"A macro step in microseconds, {medians(rows)} in turns, and how many times the bare calls it takes; "
         f"rows: they are recorded; by hand: Python asks for each step; one by one: its operations"
     )
     headings = (
-        "FMUs", "algorithm", "", "bare", "one\nby one", "fused", "own\ncode", "fastest", "ratio",
+        "FMUs", "algorithm", "bare", "one\nby one", "fused", "own\ncode", "fastest", "ratio",
         "of the\nfastest",
     )  # fmt: skip
-    print_table(title, headings, cells, words=(1, 2))
+    print_table(title, headings, cells, words=(1,))
 
 
 def print_long_runs(rows: Rows) -> None:

@@ -15,6 +15,7 @@ def test_columns_that_find_no_room_make_further_tables_with_the_leading_words_in
     assert columns_that_fit([5, 3, 60, 60, 8], (0, 1), 100) == [[0, 1, 2], [0, 1, 3, 4]]
     assert columns_that_fit([90, 8, 8, 90], (0, 3), 100) == [[0, 1, 2, 3]], "words are folded"
     assert columns_that_fit([200], (), 100) == [[0]]
+    assert columns_that_fit([30, 30, 20, 20, 15], (0, 1), 100) == [[0, 1, 2, 3, 4]], "rather tight than in two"
 
 
 @pytest.mark.parametrize("width", [80, 100, 200])
@@ -29,3 +30,4 @@ def test_no_cell_and_no_heading_is_cut(
     for text in (*LABELS, *rows[0][1:]):
         assert text in seen
     assert "coupling_energy" in seen and "relative" in seen
+    assert seen.count("Figures of merit") == 1, "the parts of one table have one title"
