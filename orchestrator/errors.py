@@ -61,9 +61,10 @@ def or_else(hint: str, other: str) -> str:
 
 
 def point_wanted(value: object) -> str:
-    """What to say of a number with a decimal comma; nothing of others."""
-    with_comma = re.match(r"\s*[+-]?\d+,\d+", str(value))
-    return f"; a decimal point is wanted: {str(value).strip().replace(',', '.', 1)}" if with_comma else ""
+    """What to say of a number with a decimal comma; nothing of others, nor of what is no text."""
+    if not isinstance(value, str) or not re.match(r"\s*[+-]?\d+,\d+", value):
+        return ""
+    return f"; a decimal point is wanted: {shown(value.strip().replace(',', '.', 1))}"
 
 
 def shown(value: object) -> str:

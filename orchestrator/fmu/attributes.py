@@ -7,7 +7,7 @@ from typing import Any
 
 from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..errors import InputError, nearest, point_wanted
+from ..errors import InputError, nearest, point_wanted, shown
 from .binary import bytes_of
 from .types import REALS, TYPES, FmiType, Value
 
@@ -45,8 +45,8 @@ def parse_value(variable: ModelVariable, value: object, label: str, kind: FmiTyp
         return number
     low, high = _bounds(variable, kind or TYPES[2].get(variable.type) or TYPES[3].get(variable.type))
     if not low <= number <= high:
-        shown = f"{number:g}" if variable.type in REALS else f"{number}"
-        raise InputError(f"{label} = {shown}{unit} is out of range: {_text(low)} to {_text(high)}{unit} are allowed")
+        said = f"{number:g}" if variable.type in REALS else f"{number}"
+        raise InputError(f"{label} = {said}{unit} is out of range: {_text(low)} to {_text(high)}{unit} are allowed")
     items = items_of(variable)
     if items and number not in items.values():
         known = ", ".join(f"{name} ({n})" for name, n in items.items())
@@ -88,7 +88,7 @@ def _number(variable: ModelVariable, value: object, label: str) -> Value:
     except (ValueError, KeyError, OverflowError):
         what = "a finite number" if real else "true or false" if variable.type == "Boolean" else "a whole number"
         what += f", and no item of the enumeration{nearest(str(value), items)}" if items else ""
-        raise InputError(f"{label} = {value!s} is not {what}{point_wanted(value)}") from None
+        raise InputError(f"{label} = {shown(value)} is not {what}{point_wanted(value)}") from None
     return number
 
 

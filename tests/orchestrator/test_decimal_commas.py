@@ -14,10 +14,14 @@ from rovbrush.orchestrator.system.inputs.series_file import with_files
 @pytest.mark.parametrize(
     ("text", "said"),
     [("0,004", "0.004"), (" -1,5", "-1.5"), ("1,5 s", "1.5 s"), ("1,2,3", "1.2,3"), ("a,b", ""), ("1.5", ""), ("", ""),
-     (0.5, ""), (None, "")],
+     (0.5, ""), (None, ""), ("1," + 9999 * "5", "1." + 78 * "5" + "...")],
 )  # fmt: skip
 def test_it_is_named_where_it_stands_between_digits(text: object, said: str) -> None:
     assert point_wanted(text) == (f"; a decimal point is wanted: {said}" if said else "")
+
+
+def test_a_number_of_thousands_of_digits_has_none() -> None:
+    assert point_wanted(10**5000) == ""
 
 
 def test_times_say_so() -> None:
@@ -29,6 +33,8 @@ def test_values_say_so(tmp_path: Path, fmus: Path) -> None:
     system = plan_of(tmp_path, fmus, {"a": ("integrator", "10 ms", {"=u": 1.0})}).system
     with pytest.raises(InputError, match=r"a\.u = 0,004 is not a finite number; a decimal point is wanted: 0\.004$"):
         system.with_values({"a.u": "0,004"}, "--set")
+    with pytest.raises(InputError, match=r"a\.u = a very large number is not a finite number$"):
+        system.with_values({"a.u": 10**5000}, "values")
 
 
 def test_tables_of_inputs_say_so(tmp_path: Path, fmus: Path) -> None:
