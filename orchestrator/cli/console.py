@@ -134,11 +134,11 @@ def print_table(
 
 def columns_that_fit(widths: Sequence[int], words: Sequence[int], room: int) -> list[list[int]]:
     """The columns of each table: those of `words` can be folded, the leading ones of them stand in each."""
-    for folded in (FOLDED, TIGHT):
-        need = [min(width, folded) + 3 if k in words else width + 3 for k, width in enumerate(widths)]
-        if 1 + sum(need) <= room:
-            return [list(range(len(widths)))]
-    need = [min(width, FOLDED) + 3 if k in words else width + 3 for k, width in enumerate(widths)]
+    need, tight = (
+        [min(width, least if k in words else width) + 3 for k, width in enumerate(widths)] for least in (FOLDED, TIGHT)
+    )
+    if 1 + sum(tight) <= room:
+        return [list(range(len(widths)))]
     lead = [k for k in range(len(widths)) if set(range(k + 1)) <= set(words)]
     tables: list[list[int]] = []
     for k in range(len(lead), len(widths)):

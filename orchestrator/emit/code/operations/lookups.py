@@ -62,9 +62,8 @@ class Lookups:
         for k, name in self.tables.items():
             rows = int(self.plan.coefficients[k])
             numbers, values = np.split(self.plan.coefficients[k : k + 1 + 2 * rows], [1 + rows])
-            if (
-                k in self.of_wholes
-            ):  # their bits are whole numbers, and what is not a number as a double has more than one
+            if k in self.of_wholes:
+                # Their bits are whole numbers. As doubles they could be no numbers, of which C writes one for all.
                 found = ", ".join(map(whole, values.view(np.int64).tolist()))
                 lines.append(f"static const int64_t {name}_WHOLE[] = {{{found}}};")
             else:
